@@ -48,6 +48,13 @@ impl Drawing {
         self.0.height()
     }
 
+    /// Position of the picture's upper left corner in the drawing, in pixels: x, y.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn origin(&self) -> Vec<i32> {
+        self.0.extent().origin.to_vec()
+    }
+
     /// Bands start at multiples of this number of rows.
     #[must_use]
     #[wasm_bindgen(getter, js_name = bandRows)]

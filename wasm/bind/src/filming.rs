@@ -22,6 +22,11 @@ pub(crate) struct Moment {
 }
 
 impl Moment {
+    /// `None` unless both are given.
+    pub(crate) fn new(clip_json: Option<String>, time: Option<f64>) -> Option<Self> {
+        clip_json.zip(time).map(|(clip, time)| Self { clip, time })
+    }
+
     /// The pose of a solution's handles at this time, along the way from the clip's beginning.
     pub(crate) fn pose(&self, solution: &Solution, project: &Project) -> Result<Pose, Error> {
         let clip = clip_from_json(&self.clip, &project.handles)?;

@@ -303,11 +303,11 @@ fn points(coordinates: &[f32]) -> Vec<DVec2> {
     coordinates.as_chunks::<2>().0.iter().map(point).collect()
 }
 
-fn pairs(coordinates: &[f64]) -> Vec<DVec2> {
+pub(crate) fn pairs(coordinates: &[f64]) -> Vec<DVec2> {
     coordinates.as_chunks::<2>().0.iter().copied().map(DVec2::from).collect()
 }
 
-fn flat(points: impl Iterator<Item = DVec2>) -> Vec<f32> {
+pub(crate) fn flat(points: impl Iterator<Item = DVec2>) -> Vec<f32> {
     points.flat_map(|p| [p.x as f32, p.y as f32]).collect()
 }
 

@@ -1,7 +1,10 @@
 //! Solves in a worker: one picture, and one project after another.
 
+use std::sync::Arc;
+
 use c2warp::{
     Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes,
+    deform::Pose,
     fit::{Fitted, Fitter},
     project::{Project, clip_from_json},
     raster,
@@ -113,7 +116,7 @@ impl Session {
         clip_json: Option<String>,
         time: Option<f64>,
     ) -> Result<Drawing, JsValue> {
-        let moment = clip_json.zip(time).map(|(clip, time)| Moment { clip, time });
+        let moment = Moment::new(clip_json, time);
         let drawing = self.try_draw(project_json, options(scale, canvas, pixelated), moment.as_ref());
         drawing.map(Drawing::from).map_err(|error| to_js(&error))
     }
@@ -262,17 +265,26 @@ impl Session {
         moment: Option<&Moment>,
     ) -> Result<c2warp::Drawing, Error> {
         let project = Project::from_json(project_json)?;
-        let (width, height) = (self.width, self.height);
         let options = ResampleOptions { edges: project.edges, ..options };
         // Invalid scales are rejected before the solve, because it takes time.
-        raster::warped_size(width, height, options.scale)?;
-        self.try_solve(&project)?;
-        let solution = self.solver.solution().expect("it has just been solved");
+        raster::warped_size(self.width, self.height, options.scale)?;
+        let (solution, pose) = self.try_pose(&project, moment)?;
+        solution.drawing(&Picture::new(self.width, self.height, &self.rgba)?, &pose, options)
+    }
+
+    /// The solution of a project and its pose, at a moment of a clip if there is one.
+    pub(crate) fn try_pose(
+        &mut self,
+        project: &Project,
+        moment: Option<&Moment>,
+    ) -> Result<(Arc<c2warp::Solution>, Pose), Error> {
+        self.try_solve(project)?;
+        let solution = self.solver.shared_solution().expect("it has just been solved");
         let pose = match moment {
-            Some(moment) => moment.pose(solution, &project)?,
+            Some(moment) => moment.pose(&solution, project)?,
             None => solution.poser().pose(&project.handles, project.pose.blend)?,
         };
-        solution.drawing(&Picture::new(width, height, &self.rgba)?, &pose, options)
+        Ok((solution, pose))
     }
 
     fn try_film(&mut self, project_json: &str, clip_json: &str, film: FilmOptions) -> Result<Filming, Error> {
@@ -288,7 +300,7 @@ impl Session {
     }
 
     /// The solution of a project. The last one is used again if it fits.
-    fn try_solve(&mut self, project: &Project) -> Result<&c2warp::Solution, Error> {
+    pub(crate) fn try_solve(&mut self, project: &Project) -> Result<&c2warp::Solution, Error> {
         if !self.solver.has_solved(project) {
             self.try_begin(project.clone())?;
             while self.try_advance()?.is_some() {}

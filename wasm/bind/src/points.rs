@@ -1,0 +1,164 @@
+//! Questions about many points at once. They solve first if necessary.
+//!
+//! The answers are those of the command, bit for bit. Weights have the closed form of eq. 2 at any point, while
+//! [`PosedPicture`](crate::PosedPicture) interpolates over the mesh.
+
+use std::sync::Arc;
+
+use c2warp::{Error, deform::Pose, project::Project};
+use wasm_bindgen::prelude::*;
+
+use crate::{
+    Session,
+    error::to_js,
+    filming::Moment,
+    posed_picture::{flat, pairs},
+};
+
+#[wasm_bindgen]
+impl Session {
+    /// The posed places of rest points: points × 3 numbers posed x, posed y, growth of areas. NaN outside the domain.
+    ///
+    /// `points` are pairs of coordinates. With a clip as JSON and a time, the handles are posed as there.
+    ///
+    /// # Errors
+    /// As [`begin`](Self::begin) and [`advance`](Self::advance), and for handles without a pose.
+    pub fn map(
+        &mut self,
+        project_json: &str,
+        points: &[f64],
+        clip_json: Option<String>,
+        time: Option<f64>,
+    ) -> Result<Vec<f64>, JsValue> {
+        let (solution, pose) = self.posed(project_json, clip_json, time)?;
+        let mapped = pairs(points).into_iter().map(|p| solution.map(&pose, p));
+        Ok(mapped.flat_map(|at| at.map_or([f64::NAN; 3], |at| [at.posed.x, at.posed.y, at.det])).collect())
+    }
+
+    /// The rest points that are drawn at places of the warped picture: points × 2. NaN where nothing is drawn.
+    ///
+    /// # Errors
+    /// As [`map`](Self::map).
+    pub fn inverse(
+        &mut self,
+        project_json: &str,
+        points: &[f64],
+        clip_json: Option<String>,
+        time: Option<f64>,
+    ) -> Result<Vec<f64>, JsValue> {
+        let (solution, pose) = self.posed(project_json, clip_json, time)?;
+        let rest = solution.rest_points(&pose, &pairs(points));
+        Ok(rest.into_iter().flat_map(|rest| rest.map_or([f64::NAN; 2], |rest| rest.to_array())).collect())
+    }
+
+    /// The mesh in a pose.
+    ///
+    /// # Errors
+    /// As [`map`](Self::map).
+    pub fn posed_mesh(
+        &mut self,
+        project_json: &str,
+        clip_json: Option<String>,
+        time: Option<f64>,
+    ) -> Result<PosedMesh, JsValue> {
+        let (solution, pose) = self.posed(project_json, clip_json, time)?;
+        Ok(PosedMesh {
+            positions: flat(solution.posed_vertices(&pose).into_iter()),
+            triangles: solution.drawn_triangles(&pose).concat(),
+        })
+    }
+
+    /// The weights of sites at rest points. A point outside the domain has none.
+    ///
+    /// # Errors
+    /// As [`begin`](Self::begin) and [`advance`](Self::advance).
+    pub fn weights(&mut self, project_json: &str, points: &[f64]) -> Result<PointWeights, JsValue> {
+        let project = read(project_json)?;
+        let solution = self.try_solve(&project).map_err(|error| to_js(&error))?;
+        let mut weights = PointWeights { offsets: vec![0], sites: Vec::new(), weights: Vec::new() };
+        for p in pairs(points) {
+            for (site, weight) in solution.weights_at(p).unwrap_or_default() {
+                if weight > 0.0 {
+                    weights.sites.push(site as u32);
+                    weights.weights.push(weight);
+                }
+            }
+            weights.offsets.push(weights.sites.len() as u32);
+        }
+        Ok(weights)
+    }
+}
+
+impl Session {
+    fn posed(
+        &mut self,
+        project_json: &str,
+        clip_json: Option<String>,
+        time: Option<f64>,
+    ) -> Result<(Arc<c2warp::Solution>, Pose), JsValue> {
+        let project = read(project_json)?;
+        self.try_pose(&project, Moment::new(clip_json, time).as_ref()).map_err(|error| to_js(&error))
+    }
+}
+
+fn read(project_json: &str) -> Result<Project, JsValue> {
+    Project::from_json(project_json).map_err(|reason| to_js(&Error::from(reason)))
+}
+
+/// The mesh in a pose. Every getter copies: call each once, then free it.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct PosedMesh {
+    positions: Vec<f32>,
+    triangles: Vec<u32>,
+}
+
+#[wasm_bindgen]
+impl PosedMesh {
+    /// Vertices × 2: posed places, in the order of a solution's vertices.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn positions(&self) -> Vec<f32> {
+        self.positions.clone()
+    }
+
+    /// Triangles × 3 vertices, in drawing order.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn triangles(&self) -> Vec<u32> {
+        self.triangles.clone()
+    }
+}
+
+/// Weights above 0 in rows, one row a point. Every getter copies: call each once, then free it.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct PointWeights {
+    offsets: Vec<u32>,
+    sites: Vec<u32>,
+    weights: Vec<f64>,
+}
+
+#[wasm_bindgen]
+impl PointWeights {
+    /// Points + 1: the index of each point's first entry.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn offsets(&self) -> Vec<u32> {
+        self.offsets.clone()
+    }
+
+    /// Entries: the site, ascending in each row.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn sites(&self) -> Vec<u32> {
+        self.sites.clone()
+    }
+
+    /// Entries: the weight.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn weights(&self) -> Vec<f64> {
+        self.weights.clone()
+    }
+}
