@@ -7,7 +7,7 @@ export const ENGINE = 'engine';
 export const TOO_MUCH = 'too-much';
 
 /** The words of a solve that is too much. */
-export const TOO_MUCH_TO_SOLVE = 'This is more than the solver can do in this browser.';
+export const TOO_MUCH_TO_SOLVE = 'This is more than the solver can do with the memory that there is.';
 
 export interface WarpErrorOptions extends ErrorOptions {
   /** Ids of the handles that the message names. */

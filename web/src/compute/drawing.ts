@@ -10,17 +10,24 @@ const BAND_PIXELS = 2 ** 18;
 export class Drawing {
   readonly width: number;
   readonly height: number;
+  /** The picture's upper left corner in the drawing. */
+  readonly origin: readonly [x: number, y: number];
   readonly #link: Link;
   readonly #id: number;
   readonly #rows: number;
   readonly #isCurrent: () => boolean;
 
   /** @param isCurrent Whether the worker still has the picture of the drawing. */
-  constructor(link: Link, { drawing, width, height, bandRows }: DrawingSize, isCurrent: () => boolean) {
+  constructor(
+    link: Link,
+    { drawing, width, height, origin, bandRows }: DrawingSize,
+    isCurrent: () => boolean,
+  ) {
     this.#link = link;
     this.#id = drawing;
     this.width = width;
     this.height = height;
+    this.origin = origin;
     this.#rows = Math.max(1, Math.floor(BAND_PIXELS / width / bandRows)) * bandRows;
     this.#isCurrent = isCurrent;
   }

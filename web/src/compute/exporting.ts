@@ -6,7 +6,7 @@ import type { Project } from '../document/project';
 import { ENGINE, TOO_MUCH, WarpError } from '../error';
 import { startWorker } from '../start_worker';
 import type { ExportReply, ExportRequest, Exports } from './exporting_messages';
-import { compiled } from './module';
+import { compiled } from './loading';
 import type { PixelSource } from './solution';
 import exporter from './worker/exporter?worker&url';
 

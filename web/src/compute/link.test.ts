@@ -105,7 +105,7 @@ describe('Link', () => {
     worker(1).reply({ kind: 'died', started: true, message: 'unreachable' });
     await expect(solve).rejects.toMatchObject({ code: 'too-much' });
     // No words of the browser reach a person.
-    await expect(solve).rejects.toThrow('This is more than the solver can do in this browser.');
+    await expect(solve).rejects.toThrow('This is more than the solver can do with the memory that there is.');
     expect(workers).toHaveLength(2);
     void link.send('cells', { project: 'good' });
     expect(worker(2).requests()).toHaveLength(1);

@@ -47,13 +47,14 @@ const DEATHS_ALLOWED = 1;
 const NOT_STARTED =
   'The solver failed: its worker could not be started: is the file there, and does the page allow it?';
 
-const TOO_MUCH_TO_DRAW = 'The picture needs more memory to be drawn than this browser gives.';
+const TOO_MUCH_TO_DRAW = 'The picture needs more memory to be drawn than there is.';
+const TOO_MANY_POINTS = 'The points need more memory than there is.';
 const TOO_MUCH_TO_FILM = 'The film needs more memory to be drawn than this browser gives.';
 
 /** Why a request broke the solver: nearly always for want of memory. */
 const BROKE: Readonly<Record<Name, string>> = {
-  picture: 'The picture needs more memory than this browser gives: scale it down.',
-  fit: 'The pictures need more memory than this browser gives: scale them down.',
+  picture: 'The picture needs more memory than there is: scale it down.',
+  fit: 'The pictures need more memory than there is: scale them down.',
   solve: TOO_MUCH_TO_SOLVE,
   draw: TOO_MUCH_TO_DRAW,
   rows: TOO_MUCH_TO_DRAW,
@@ -63,6 +64,11 @@ const BROKE: Readonly<Record<Name, string>> = {
   frame: TOO_MUCH_TO_FILM,
   'at-rest': TOO_MUCH_TO_FILM,
   'release-film': TOO_MUCH_TO_FILM,
+  stop: TOO_MUCH_TO_SOLVE,
+  map: TOO_MANY_POINTS,
+  inverse: TOO_MANY_POINTS,
+  'posed-mesh': TOO_MUCH_TO_SOLVE,
+  weights: TOO_MANY_POINTS,
   cells: 'The cells are more than the solver can do in this browser.',
   study: 'The figures are more than the solver can do in this browser.',
   lens: 'The lens is more than the solver can do in this browser.',

@@ -1,7 +1,8 @@
-/** The messages between page and worker. */
+/** The messages between a solver and its owner, such as a worker and its page. */
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { Area } from '../geometry/area';
+import type { PointWeights, PosedMesh } from './points';
 import type { CellBorders, PixelSource, SolutionData, Stage } from './solution';
 
 export interface DrawingOptions {
@@ -43,8 +44,18 @@ export interface DrawingSize {
   readonly drawing: number;
   readonly width: number;
   readonly height: number;
+  /** The picture's upper left corner in the drawing. */
+  readonly origin: readonly [x: number, y: number];
   /** Bands start at multiples of this number of rows. */
   readonly bandRows: number;
+}
+
+/** Points × 2: x and y. */
+export type Points = Float64Array<ArrayBuffer>;
+
+interface PosedRequest {
+  readonly project: string;
+  readonly moment: Moment | null;
 }
 
 /** Name of a request → [body, response]. Projects are sent as JSON text. */
@@ -55,11 +66,10 @@ export interface Messages {
   fit: [request: { readonly project: string; readonly own: PixelSource | null }, response: string];
   /** Stopped, and answered as superseded, when a newer solve or another picture arrives. */
   solve: [request: { readonly project: string }, response: SolutionData];
+  /** Stops a solve as a newer one would. */
+  stop: [request: null, response: null];
   /** Prepares the warped picture at full quality. It is drawn by `rows` until `release`. */
-  draw: [
-    request: { readonly project: string; readonly moment: Moment | null } & DrawingOptions,
-    response: DrawingSize,
-  ];
+  draw: [request: PosedRequest & DrawingOptions, response: DrawingSize];
   /** Some rows of a drawing. */
   rows: [
     request: { readonly drawing: number; readonly from: number; readonly to: number },
@@ -75,6 +85,13 @@ export interface Messages {
   /** Prepares all of the picture at the scale of a film: it has the colours of all frames. */
   'at-rest': [request: { readonly film: number }, response: DrawingSize];
   'release-film': [request: { readonly film: number }, response: null];
+  /** Points × 3: posed x and y, and the growth of areas. NaN outside the domain. */
+  map: [request: PosedRequest & { readonly points: Points }, response: Float64Array<ArrayBuffer>];
+  /** The rest points that are drawn at places. NaN where nothing is drawn. */
+  inverse: [request: PosedRequest & { readonly points: Points }, response: Points];
+  'posed-mesh': [request: PosedRequest, response: PosedMesh];
+  /** The weights of rest points, in rows. */
+  weights: [request: { readonly project: string; readonly points: Points }, response: PointWeights];
   /** The borders between the cells of the project's solution. */
   cells: [request: { readonly project: string }, response: CellBorders];
   /** The project's solution, explained. */

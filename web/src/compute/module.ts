@@ -1,7 +1,7 @@
 /** The solver's module, compiled once for all editors of a page. The only page file that imports the generated code. */
 
 import type { Clip, Handle, Project } from '../document/project';
-import { ENGINE, WarpError } from '../error';
+import { WarpError } from '../error';
 import init, {
   frame_times,
   ClipPoses as ModuleClip,
@@ -9,20 +9,26 @@ import init, {
   ClipPlayback as ModulePlayback,
   project_check,
 } from './generated/c2warp';
+import { loadedModule, notLoaded } from './loading';
 import type { SolutionData } from './solution';
 
 export type { ModuleClip, ModulePicture, ModulePlayback };
 
-let loading: Promise<WebAssembly.Module> | undefined;
+let starting: Promise<WebAssembly.Module> | undefined;
 
-/** Fetches, compiles and instantiates the module once; later calls return the same one. */
+/** Fetches, compiles and instantiates the module once; later calls return the same one. @throws WarpError */
 export function loadModule(): Promise<WebAssembly.Module> {
-  loading ??= load().catch((error: unknown) => {
-    // A later call tries again: the network may be back.
-    loading = undefined;
-    throw new WarpError(ENGINE, `The solver could not be loaded: ${reason(error)}`, { cause: error });
+  starting ??= start().catch((error: unknown) => {
+    starting = undefined;
+    throw error instanceof WarpError ? error : notLoaded(error);
   });
-  return loading;
+  return starting;
+}
+
+async function start(): Promise<WebAssembly.Module> {
+  const module = await loadedModule();
+  await init({ module_or_path: module });
+  return module;
 }
 
 /** Requires the module to be loaded. @param handles The solved handles. */
@@ -63,30 +69,4 @@ export const frameTimes = (
  */
 export function checkedProject(text: string): Project {
   return JSON.parse(project_check(text)) as Project;
-}
-
-/** Browsers throw a TypeError where nothing comes, and a CompileError also for a file that is cut off. */
-function reason(error: unknown): string {
-  if (error instanceof TypeError) return 'is the network there, and does the page allow it?';
-  if (error instanceof WebAssembly.CompileError)
-    return `it came incomplete, or cannot run here (${error.message}).`;
-  return error instanceof Error ? error.message : String(error);
-}
-
-async function load(): Promise<WebAssembly.Module> {
-  const module = await compiled(new URL('./generated/c2warp_bg.wasm', import.meta.url));
-  await init({ module_or_path: module });
-  return module;
-}
-
-/** @throws Error that says what is wrong with the file. */
-export async function compiled(url: URL): Promise<WebAssembly.Module> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url.pathname} answers ${response.status}`);
-  const type = response.headers.get('content-type') ?? '';
-  // What development servers answer for a file that they do not have.
-  if (type.startsWith('text/html')) throw new Error(`${url.pathname} is not there: a page is, in its place`);
-  // Streaming requires this very type, which not every server sends.
-  if (type === 'application/wasm') return WebAssembly.compileStreaming(response);
-  return WebAssembly.compile(await response.arrayBuffer());
 }

@@ -7,9 +7,13 @@ import type { WorkSnapshot } from '../work';
 import { snapshotOf } from './autosave';
 import { shownNotice } from './notices';
 
-const tooMuch = new WarpError(TOO_MUCH, 'This is more than the solver can do in this browser.', {
-  cause: 'RuntimeError: unreachable',
-});
+const tooMuch = new WarpError(
+  TOO_MUCH,
+  'This is more than the solver can do with the memory that there is.',
+  {
+    cause: 'RuntimeError: unreachable',
+  },
+);
 
 const opened = (): FakeRuntime => {
   const runtime = new FakeRuntime();
@@ -48,7 +52,7 @@ describe('a step that the solver breaks at', () => {
     expect(undoLabel(runtime.state.document.history)).not.toBe('Hold the boundary');
     const notice = shownNotice(runtime.state);
     expect(notice?.text).toBe(
-      'This is more than the solver can do in this browser. The step was taken back.',
+      'This is more than the solver can do with the memory that there is. The step was taken back.',
     );
     expect(notice?.action).toBeUndefined();
   });

@@ -3,6 +3,8 @@
  *
  * A running wasm call cannot be interrupted; a request in stages can stop between them.
  */
+declare const setImmediate: undefined | ((callback: () => void) => void);
+
 export class Queue<Request> {
   readonly #waiting: Request[] = [];
   readonly #handle: (request: Request) => Promise<void>;
@@ -22,6 +24,11 @@ export class Queue<Request> {
     return this.#waiting.some(kind);
   }
 
+  /** Drops all requests that wait. */
+  clear(): void {
+    this.#waiting.length = 0;
+  }
+
   async #run(): Promise<void> {
     this.#running = true;
     // Requests posted together arrive one by one: let all of them in before the first starts.
@@ -33,14 +40,18 @@ export class Queue<Request> {
   }
 }
 
-const channel = new MessageChannel();
-const resumes: (() => void)[] = [];
-channel.port1.onmessage = () => resumes.shift()?.();
-
 /** Lets messages that have arrived be handled. A timer would be clamped to 4 ms. */
-export function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    resumes.push(resolve);
-    channel.port2.postMessage(null);
-  });
+export const nextTask: () => Promise<void> =
+  typeof setImmediate === 'undefined' ? nextMessage() : () => new Promise((resolve) => setImmediate(resolve));
+
+/** For browsers. In Node, an open channel would keep the process alive. */
+function nextMessage(): () => Promise<void> {
+  const channel = new MessageChannel();
+  const resumes: (() => void)[] = [];
+  channel.port1.onmessage = () => resumes.shift()?.();
+  return () =>
+    new Promise((resolve) => {
+      resumes.push(resolve);
+      channel.port2.postMessage(null);
+    });
 }

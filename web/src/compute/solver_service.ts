@@ -1,0 +1,308 @@
+/**
+ * The solver's end of the connection: owns a session and answers requests one after another. The only file that wraps
+ * the generated session: workers and programs without a worker both run it.
+ *
+ * Errors with a code are sent as replies. Anything else is a panic, after which the module's memory cannot be trusted:
+ * the service reports that it died, and its owner starts another.
+ */
+import init, {
+  __wbg_reset_state,
+  Canvas,
+  type Drawing,
+  type Filming,
+  Session,
+  type Solution,
+} from './generated/c2warp';
+import {
+  type Boot,
+  type DrawingSize,
+  type Failure,
+  type FilmSize,
+  type Messages,
+  type Moment,
+  type Reply,
+  type Request,
+  SUPERSEDED,
+} from './messages';
+import { nextTask, Queue } from './queue';
+import type { Report, SolutionData, Stage } from './solution';
+import { WARM_UP } from './warm_up';
+
+const RELEASED =
+  'The pixels of the picture are gone, or there is no memory for them. Open the picture again.';
+const LOST = 'The solver failed during the drawing.';
+
+const CANVASES = { picture: Canvas.Picture, grown: Canvas.Grown, covered: Canvas.Covered } as const;
+
+/** Set by a panic: the next service needs a new instance of the module. */
+let broken = false;
+
+/** Sends a reply to the owner of the service. */
+export type Post = (reply: Reply, transfer?: Transferable[]) => void;
+
+export interface ServiceOptions {
+  /** Solves a small scene first, so that the first real solve is fast. */
+  readonly warmUp: boolean;
+}
+
+export class SolverService {
+  readonly #post: Post;
+  readonly #options: ServiceOptions;
+  #session: Session | undefined;
+  /** Its parts of the module must not be freed. */
+  #died = false;
+  /** The drawings of the present picture, by the ids of their requests. */
+  readonly #drawings = new Map<number, Drawing>();
+  /** The films of the present picture, by the ids of their requests. */
+  readonly #films = new Map<number, Filming>();
+  readonly #queue = new Queue<Boot | Request>((message) => this.#receive(message));
+
+  constructor(post: Post, options: ServiceOptions) {
+    this.#post = post;
+    this.#options = options;
+  }
+
+  push(message: Boot | Request): void {
+    this.#queue.push(message);
+  }
+
+  /** Frees the memory of the module. Requests that wait are not answered. */
+  dispose(): void {
+    this.#queue.clear();
+    if (this.#died) return;
+    this.#releasePicture();
+    this.#session?.free();
+    this.#session = undefined;
+  }
+
+  async #receive(message: Boot | Request): Promise<void> {
+    try {
+      if ('module' in message) await this.#boot(message.module);
+      else await this.#answer(message);
+    } catch (error) {
+      // Exhausted stacks and memory are other errors than panics.
+      broken ||= error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+      this.#died = true;
+      this.#post({ kind: 'died', started: this.#session !== undefined, message: String(error) });
+    }
+  }
+
+  async #boot(module: WebAssembly.Module): Promise<void> {
+    await init({ module_or_path: module });
+    if (broken) {
+      broken = false;
+      __wbg_reset_state();
+    }
+    this.#session = new Session();
+    // Skipped where a request is waiting already.
+    if (this.#options.warmUp && !this.#queue.waits(() => true)) warmUp();
+  }
+
+  async #answer(request: Request): Promise<void> {
+    if (!this.#session) throw new Error('a request came before the module');
+    try {
+      await this.#handle(this.#session, request);
+    } catch (error) {
+      const failure = asFailure(error);
+      if (!failure) throw error;
+      this.#post({ id: request.id, kind: 'failed', failure });
+    }
+  }
+
+  async #handle(session: Session, request: Request): Promise<void> {
+    const { id } = request;
+    const done = (body: Messages[keyof Messages][1], transfer: Transferable[] = []) =>
+      this.#post({ id, kind: 'done', body }, transfer);
+    const lost = () => this.#post({ id, kind: 'failed', failure: { code: 'engine', message: LOST } });
+    switch (request.name) {
+      case 'picture': {
+        const { width, height, pixels } = request.body;
+        session.set_picture(width, height, await received(pixels));
+        this.#releasePicture();
+        return done(null);
+      }
+      case 'fit': {
+        const { project, own } = request.body;
+        const rgba = own ? await received(own.pixels) : undefined;
+        return done(session.fit(project, rgba));
+      }
+      case 'solve': {
+        if (!(await this.#advanced(session, request.body.project, id))) {
+          return this.#post({ id, kind: 'failed', failure: { code: SUPERSEDED, message: 'superseded' } });
+        }
+        const solution = copiedOut(session.solution());
+        return done(solution, buffers(solution));
+      }
+      case 'stop':
+        // Its arrival has stopped a solve.
+        return done(null);
+      case 'draw': {
+        const { project, moment, scale, area, pixelated } = request.body;
+        const drawn = session.draw(project, scale, CANVASES[area], pixelated, ...clipAndTime(moment));
+        return done(this.#begun(id, drawn));
+      }
+      case 'film': {
+        const { project, clip, rate, range, scale, pixelated } = request.body;
+        const [from, to] = range ?? [];
+        const film = session.film(project, clip, rate, from, to, scale, pixelated);
+        this.#films.set(id, film);
+        return done(sizeOf(id, film));
+      }
+      case 'include': {
+        const film = this.#films.get(request.body.film);
+        if (!film) return lost();
+        session.include(film, request.body.frame);
+        return done(sizeOf(request.body.film, film));
+      }
+      case 'at-rest':
+      case 'frame': {
+        const film = this.#films.get(request.body.film);
+        if (!film) return lost();
+        const drawn =
+          request.name === 'frame' ? session.frame(film, request.body.frame) : session.picture_at_rest(film);
+        return done(this.#begun(id, drawn));
+      }
+      case 'release-film':
+        this.#films.get(request.body.film)?.free();
+        this.#films.delete(request.body.film);
+        return done(null);
+      case 'rows': {
+        const { drawing, from, to } = request.body;
+        const drawn = this.#drawings.get(drawing);
+        // The picture was replaced, or this service replaces the one that began the drawing.
+        if (!drawn) return lost();
+        const rgba = session.rows(drawn, from, to);
+        return done(rgba, [rgba.buffer]);
+      }
+      case 'release':
+        this.#drawings.get(request.body.drawing)?.free();
+        this.#drawings.delete(request.body.drawing);
+        return done(null);
+      case 'map': {
+        const { project, moment, points } = request.body;
+        const mapped = session.map(project, points, ...clipAndTime(moment)) as Float64Array<ArrayBuffer>;
+        return done(mapped, [mapped.buffer]);
+      }
+      case 'inverse': {
+        const { project, moment, points } = request.body;
+        const rest = session.inverse(project, points, ...clipAndTime(moment)) as Float64Array<ArrayBuffer>;
+        return done(rest, [rest.buffer]);
+      }
+      case 'posed-mesh': {
+        const { project, moment } = request.body;
+        const mesh = session.posed_mesh(project, ...clipAndTime(moment));
+        const { positions, triangles } = mesh;
+        mesh.free();
+        return done({ positions, triangles }, [positions.buffer, triangles.buffer]);
+      }
+      case 'weights': {
+        const rows = session.weights(request.body.project, request.body.points);
+        const { offsets, sites, weights } = rows;
+        rows.free();
+        return done({ offsets, sites, weights }, [offsets.buffer, sites.buffer, weights.buffer]);
+      }
+      case 'cells': {
+        const borders = session.cell_borders(request.body.project);
+        const { corners, barycentric } = borders;
+        borders.free();
+        return done({ corners, barycentric }, [corners.buffer, barycentric.buffer]);
+      }
+      case 'study':
+        return done(JSON.parse(session.study(request.body.project)));
+      case 'lens': {
+        const { project, at } = request.body;
+        const lens = session.lens(project, ...at);
+        return done(lens === undefined ? null : JSON.parse(lens));
+      }
+    }
+  }
+
+  /** Runs the stages; false where a newer request has made the remaining ones pointless. */
+  async #advanced(session: Session, project: string, id: number): Promise<boolean> {
+    const overtaken = () =>
+      this.#queue.waits((waiting) => 'name' in waiting && ENDS_SOLVES.includes(waiting.name));
+    if (overtaken()) return false;
+    session.begin(project);
+    for (let stage = session.advance(); stage !== undefined; stage = session.advance()) {
+      this.#post({ id, kind: 'progress', stage: stage as Stage });
+      await nextTask();
+      if (overtaken()) return false;
+    }
+    return true;
+  }
+
+  /** Keeps a drawing by the id of its request. */
+  #begun(drawing: number, drawn: Drawing): DrawingSize {
+    this.#drawings.set(drawing, drawn);
+    const { width, height, bandRows } = drawn;
+    const [x = 0, y = 0] = drawn.origin;
+    return { drawing, width, height, origin: [x, y], bandRows };
+  }
+
+  #releasePicture(): void {
+    for (const drawn of [...this.#drawings.values(), ...this.#films.values()]) drawn.free();
+    this.#drawings.clear();
+    this.#films.clear();
+  }
+}
+
+/** Requests that end a running solve. */
+const ENDS_SOLVES: readonly string[] = ['solve', 'picture', 'stop'] satisfies readonly (keyof Messages)[];
+
+const clipAndTime = (moment: Moment | null) => [moment?.clip, moment?.time] as const;
+
+const sizeOf = (film: number, { width, height, frames, endlessly }: Filming): FilmSize => ({
+  film,
+  width,
+  height,
+  frames,
+  endlessly,
+});
+
+/** The pixels that arrive at a port. @throws Error with the code `picture` if the picture was released. */
+function received(port: MessagePort): Promise<Uint8Array> {
+  return new Promise((resolve, reject) => {
+    port.onmessage = ({ data }: MessageEvent<Uint8Array | null>) => {
+      port.close();
+      if (data) resolve(data);
+      else reject(Object.assign(new Error(RELEASED), { code: 'picture' }));
+    };
+  });
+}
+
+function copiedOut(solution: Solution): SolutionData {
+  const data: SolutionData = {
+    positions: solution.positions,
+    triangles: solution.triangles,
+    backgroundPositions: solution.background_positions,
+    backgroundTriangles: solution.background_triangles,
+    offsets: solution.offsets,
+    sites: solution.sites,
+    weights: solution.weights,
+    siteRest: solution.site_rest,
+    siteHandle: solution.site_handle,
+    siteEdges: solution.site_edges,
+    poser: solution.poser,
+    report: JSON.parse(solution.report) as Report,
+  };
+  solution.free();
+  return data;
+}
+
+function buffers({ report: _, ...arrays }: SolutionData): ArrayBuffer[] {
+  return Object.values(arrays).map(({ buffer }) => buffer);
+}
+
+function asFailure(error: unknown): Failure | undefined {
+  if (!(error instanceof Error) || !('code' in error) || typeof error.code !== 'string') return undefined;
+  const { handles } = error as Partial<Failure>;
+  return { code: error.code, message: error.message, ...(handles && { handles }) };
+}
+
+function warmUp(): void {
+  const scratch = new Session();
+  scratch.set_picture(WARM_UP.size, WARM_UP.size, WARM_UP.pixels());
+  scratch.begin(WARM_UP.project);
+  while (scratch.advance() !== undefined);
+  scratch.free();
+}
