@@ -1,9 +1,9 @@
 /**
  * Serves the pages of the browser tests, built in memory so that concurrent runs do not disturb each other.
  *
- * The editor is at /, the harness at /harness/, the element at /element/ and the player of rigs at /player/. Pages that
- * embed the element are at /plain/, /strict/ and /article/. All have the strictest Content Security Policy that the
- * program supports.
+ * The editor is at /, the harness at /harness/, the element at /element/, the player of rigs at /player/ and the core
+ * at /core/. Pages that embed the element are at /plain/, /strict/ and /article/. All have the strictest Content
+ * Security Policy that the program supports.
  */
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -31,6 +31,7 @@ await add('', 'vite.config.ts', {});
 await add('harness/', 'vite.config.ts', { root: path('harness'), publicDir: false });
 await add('element/', 'vite.element.config.ts', {});
 await add('player/', 'vite.player.config.ts', {});
+await add('core/', 'vite.core.config.ts', {});
 for (const page of ['plain', 'strict', 'article'])
   files.set(`${page}/index.html`, await readFile(path(`${page}.html`)));
 

@@ -1,6 +1,6 @@
 /**
- * `npm run build`: writes the editor as static files to web/dist, the element for other pages to web/dist/element, and
- * the player of rigs to web/dist/player.
+ * `npm run build`: writes the editor as static files to web/dist, the element for other pages to web/dist/element, the
+ * player of rigs to web/dist/player, and the solver without a screen to web/dist/core.
  */
 import { writeDeclarations } from './declarations.mjs';
 import { checkPlayerSize } from './player_size.mjs';
@@ -13,8 +13,10 @@ await main(async () => {
   await vite('Element', 'web/vite.element.config.ts');
   await vite('Player', 'web/vite.player.config.ts');
   checkPlayerSize('web/dist/player');
+  await vite('Core', 'web/vite.core.config.ts');
   await writeDeclarations('web/dist/element/types', 'element');
   await writeDeclarations('web/dist/player/types', 'player');
+  await writeDeclarations('web/dist/core/types', 'core');
 });
 
 /**

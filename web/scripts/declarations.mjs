@@ -8,7 +8,7 @@ const RELATIVE = /(from '|import\(")(\.[^'"]*)/g;
 
 /**
  * @param {string} folder The output folder, relative to the root of the repository.
- * @param {'element' | 'player'} entry
+ * @param {'element' | 'player' | 'core'} entry
  */
 export async function writeDeclarations(folder, entry) {
   await step(

@@ -32,6 +32,7 @@ const MAY = {
   player: ['a shader'],
   compute: ['document', 'geometry', 'error'],
   io: ['error'],
+  core: ['document', 'geometry', 'compute', 'io', 'error'],
   runtime: ALL,
   element: [...ALL, 'runtime', 'element.ts'],
 };

@@ -7,8 +7,8 @@
  */
 import type { TrustedTypePolicy, TrustedTypesWindow } from 'trusted-types/lib';
 
-/** Created at first use, so that the error appears there if the page forbids the policy. */
-let policy: Pick<TrustedTypePolicy, 'createScriptURL'> | undefined;
+/** By name. Created at first use, so that the error appears there if the page forbids the policy. */
+const policies: Record<string, Pick<TrustedTypePolicy, 'createScriptURL'> | undefined> = {};
 
 /** URLs of importing scripts of the page's origin, by the URL of the imported module. */
 const importerUrls: Record<string, string> = {};
@@ -16,13 +16,14 @@ const importerUrls: Record<string, string> = {};
 /**
  * Starts a module worker.
  *
+ * @param policy The name of the policy for Trusted Types. Each script of a page needs one of its own.
  * @throws Error if the page's policy forbids it.
  */
-export function startWorker(address: string): Worker {
+export function startWorker(address: string, policy = 'c2warp'): Worker {
   const { href, origin: home } = new URL(address, document.baseURI);
-  if (home === origin) return new Worker(trusted(href), { type: 'module' });
+  if (home === origin) return new Worker(trusted(href, policy), { type: 'module' });
   importerUrls[href] ??= URL.createObjectURL(new Blob([importer(href)], { type: 'text/javascript' }));
-  return new Worker(trusted(importerUrls[href]));
+  return new Worker(trusted(importerUrls[href], policy));
 }
 
 /**
@@ -55,8 +56,9 @@ const importer = (address: string) => `
   import(${JSON.stringify(address)}).then(() => early.forEach((event) => onmessage(event)), reportError);
 `;
 
-function trusted(address: string): string {
+function trusted(address: string, name: string): string {
   const { trustedTypes } = window as Partial<TrustedTypesWindow>;
-  policy ??= trustedTypes?.createPolicy('c2warp', { createScriptURL: (own) => own });
+  const policy = policies[name] ?? trustedTypes?.createPolicy(name, { createScriptURL: (own) => own });
+  policies[name] = policy;
   return (policy?.createScriptURL(address) ?? address) as string;
 }

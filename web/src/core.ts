@@ -1,0 +1,20 @@
+/** `c2warp/core` for pages and workers: the solver without a screen. `web/docs/core.md` explains it. */
+import { browser } from './core/browser';
+import type { PictureInput, WarperOptions } from './core/types';
+import { Warper } from './core/warper';
+
+export { encodePng } from './core/encode_png';
+export type { PosedSolution } from './core/posed';
+export type { Solution } from './core/solution';
+export type * from './core/types';
+export { WarpError } from './error';
+export type { Warper };
+
+/**
+ * Opens a picture.
+ *
+ * @throws WarpError with the code `picture` for anything but a picture, `engine` if the solver cannot be loaded.
+ * @throws the reason of the signal if that is aborted.
+ */
+export const createWarper = (picture: PictureInput, options?: WarperOptions): Promise<Warper> =>
+  Warper.create(browser, picture, options);

@@ -1,0 +1,205 @@
+import { readFileSync } from 'node:fs';
+import { encode } from 'fast-png';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { Session } from '../compute/generated/c2warp';
+import { createWarper, encodePng, type Warper } from '../core_node';
+import type { WarpError } from '../error';
+
+const file = (name: string) => readFileSync(new URL(`../../public/samples/${name}`, import.meta.url));
+
+const SIZE = 64;
+const pixels = () => ({ width: SIZE, height: SIZE, data: new Uint8ClampedArray(4 * SIZE * SIZE).fill(255) });
+const HANDLES = [
+  { id: 'left', kind: 'point', rest: [16, 32] },
+  { id: 'right', kind: 'point', rest: [48, 32], posed: [48, 24] },
+] as const;
+const PROJECT = { handles: HANDLES, samples: 500 };
+
+const open: Warper[] = [];
+
+async function warper(picture: Parameters<typeof createWarper>[0] = pixels()): Promise<Warper> {
+  const created = await createWarper(picture);
+  open.push(created);
+  return created;
+}
+
+afterEach(() => {
+  for (const warper of open.splice(0)) warper[Symbol.dispose]();
+  vi.restoreAllMocks();
+});
+
+const codeOf = async (work: Promise<unknown>) =>
+  work.then(
+    () => 'done',
+    (error: WarpError) => error.code,
+  );
+
+describe('createWarper in Node', () => {
+  it('solves, poses, maps both ways and draws', async () => {
+    const own = await warper();
+    expect([own.width, own.height]).toEqual([SIZE, SIZE]);
+    const stages: string[] = [];
+    const solution = await own.solve(PROJECT, { onProgress: (stage) => stages.push(stage) });
+    expect(stages).toEqual(['domain', 'sampling', 'regions', 'weights']);
+    expect(solution.report.point_handles).toBe(2);
+    expect(Array.from(solution.sites.rest.subarray(0, 4))).toEqual([16, 32, 48, 32]);
+
+    const places = Float64Array.of(48, 32, 20, 40, 99, 5);
+    const posed = solution.pose();
+    const mapped = await posed.map(places);
+    expect(Array.from(mapped.posed.subarray(0, 2))).toEqual([48, 24]);
+    expect(mapped.det[0]).toBeGreaterThan(0);
+    expect(Array.from(mapped.posed.subarray(4))).toEqual([Number.NaN, Number.NaN]);
+    const { rest } = await posed.inverse(mapped.posed.subarray(0, 4));
+    for (const [k, value] of rest.entries()) expect(value).toBeCloseTo(places[k] ?? 0, 1);
+
+    const weights = await solution.weights(places);
+    expect(weights.offsets[3]).toBe(weights.offsets[2]);
+    const sum = weights.weights.subarray(weights.offsets[1], weights.offsets[2]).reduce((a, b) => a + b, 0);
+    expect(sum).toBeCloseTo(1, 12);
+
+    const mesh = await posed.mesh();
+    expect(mesh.positions).toHaveLength(solution.mesh.positions.length);
+    const parts: number[] = [];
+    const { image, origin } = await posed.warp({ scale: 2, onProgress: (part) => parts.push(part) });
+    expect([image.width, image.height, image.data.length, ...origin]).toEqual([
+      128,
+      128,
+      128 * 128 * 4,
+      0,
+      0,
+    ]);
+    expect(parts.at(-1)).toBe(1);
+    const grown = await solution.pose({ right: { posed: [60, 10] } }).warp({ area: 'grown' });
+    expect(grown.image.height).toBeGreaterThan(SIZE);
+    expect(grown.origin[1]).toBeGreaterThan(0);
+  });
+
+  it('answers questions about many points in batches', async () => {
+    const solution = await (await warper()).solve(PROJECT);
+    const one = Float64Array.of(20, 40);
+    const many = new Float64Array(2 * 70_000);
+    for (let at = 0; at < many.length; at += 2) many.set(one, at);
+    const [single, all] = [await solution.weights(one), await solution.weights(many)];
+    const entries = single.sites.length;
+    expect(all.offsets.every((offset, point) => offset === point * entries)).toBe(true);
+    expect(all.sites.every((site, k) => site === single.sites[k % entries])).toBe(true);
+    expect(all.weights.every((weight, k) => weight === single.weights[k % entries])).toBe(true);
+  });
+
+  it('poses by clips', async () => {
+    const clips = [
+      {
+        name: 'up',
+        duration: 1,
+        loop: 'none',
+        tracks: [
+          {
+            handle: 'right',
+            keys: [
+              { time: 0, posed: [48, 32] },
+              { time: 1, posed: [48, 20] },
+            ],
+          },
+        ],
+      },
+    ] as const;
+    const solution = await (await warper()).solve({ ...PROJECT, clips });
+    const { posed } = await solution.clip('up', 1).map(Float64Array.of(48, 32));
+    expect(Array.from(posed)).toEqual([48, 20]);
+    expect(() => solution.clip('down', 0)).toThrow('There is no clip "down".');
+    expect(() => solution.clip('up', Number.NaN)).toThrow('seconds');
+  });
+
+  it('refuses bad input by a code and goes on', async () => {
+    const bytes = file('gingerbread.png');
+    expect(await codeOf(createWarper(new Uint8Array(0)))).toBe('picture');
+    expect(await codeOf(createWarper(bytes.subarray(0, 5000)))).toBe('picture');
+    expect(await codeOf(createWarper({ ...pixels(), width: 63 }))).toBe('picture');
+    expect(await codeOf(createWarper({ width: 1, height: 1, data: new Uint8Array(4) }))).toBe('picture');
+    await expect(createWarper(Uint8Array.of(0xff, 0xd8, 0xff, 0xe0))).rejects.toThrow(
+      'This is a JPEG picture, and Node reads PNG alone.',
+    );
+    const damaged = Uint8Array.from(bytes);
+    damaged[2000] = 1 - (damaged[2000] ?? 0);
+    expect(await codeOf(createWarper(damaged))).toBe('picture');
+
+    const own = await warper();
+    expect(await codeOf(own.solve('{'))).toBe('project');
+    expect(await codeOf(own.solve('null'))).toBe('project');
+    await expect(own.solve({ handles: [{ ...HANDLES[0], rest: [Number.NaN, 1] }] })).rejects.toThrow(
+      'handles[0].rest[0]',
+    );
+    const stray = { id: 'stray', kind: 'point', rest: [99, 1] } as const;
+    expect(await codeOf(own.solve({ handles: [stray] }))).toBe('handle-outside');
+    const solution = await own.solve(PROJECT);
+    expect(() => solution.pose({ nobody: {} })).toThrow('There is no handle "nobody".');
+    expect(await codeOf(solution.pose({ left: { scale: -1 } }).warp())).toBe('project');
+    expect(await codeOf(solution.pose().warp({ scale: 0 }))).toBe('scale');
+    expect(await codeOf(solution.pose().map(new Float64Array(3)))).toBe('points');
+    own.dispose();
+    expect(await codeOf(solution.pose().warp())).toBe('engine');
+  });
+
+  it('stops at a signal, and solves one project after another', async () => {
+    const own = await warper();
+    const reason = new Error('enough');
+    expect(await own.solve(PROJECT, { signal: AbortSignal.abort(reason) }).catch((e) => e)).toBe(reason);
+    const stopping = new AbortController();
+    const stopped = own.solve(PROJECT, {
+      signal: stopping.signal,
+      onProgress: () => stopping.abort(reason),
+    });
+    const [, first, second] = await Promise.all([
+      stopped.catch((error) => expect(error).toBe(reason)),
+      own.solve({ ...PROJECT, handles: HANDLES.slice(0, 1) }),
+      own.solve(PROJECT),
+    ]);
+    expect([first, second].map(({ report }) => report.point_handles)).toEqual([1, 2]);
+    const drawing = new AbortController();
+    const drawn = second.pose().warp({
+      scale: 16,
+      signal: drawing.signal,
+      onProgress: () => drawing.abort(reason),
+    });
+    expect(await drawn.catch((error) => error)).toBe(reason);
+    expect((await first.pose().warp()).image.width).toBe(SIZE);
+  });
+
+  it('goes on with a new instance after a panic', async () => {
+    const [own, other] = [await warper(), await warper()];
+    const solution = await other.solve(PROJECT);
+    const before = await solution.pose().warp();
+    vi.spyOn(Session.prototype, 'advance').mockImplementationOnce(() => {
+      throw new WebAssembly.RuntimeError('unreachable');
+    });
+    expect((await own.solve(PROJECT)).report.point_handles).toBe(2);
+    expect((await solution.pose().warp()).image.data).toEqual(before.image.data);
+    vi.spyOn(Session.prototype, 'weights').mockImplementation(() => {
+      throw new WebAssembly.RuntimeError('unreachable');
+    });
+    expect(await codeOf(solution.weights(Float64Array.of(1, 1)))).toBe('too-much');
+    expect((await own.solve(PROJECT)).report.point_handles).toBe(2);
+  });
+});
+
+describe('pictures in Node', () => {
+  it('are decoded from PNG files of all kinds, and written again', async () => {
+    const rgba = Uint8Array.from({ length: 4 * 4 * 4 }, (_, k) => (k * 37) % 256);
+    const png = encode({ width: 4, height: 4, data: rgba, channels: 4 });
+    const { image } = await (await (await warper(png)).solve({})).pose().warp();
+    expect(Array.from(image.data)).toEqual(Array.from(rgba));
+    const again = await (await (await warper(await encodePng(image))).solve({})).pose().warp();
+    expect(again.image.data).toEqual(image.data);
+    const deep = Uint16Array.from({ length: 4 * 4 }, (_, k) => k * 4369);
+    const grey = encode({ width: 4, height: 4, data: deep, channels: 1, depth: 16 });
+    const drawn = await (await (await warper(grey)).solve({})).pose().warp();
+    expect(Array.from(drawn.image.data.subarray(4, 12))).toEqual([17, 17, 17, 255, 34, 34, 34, 255]);
+  });
+
+  it('are decoded by a function of the program', async () => {
+    const own = await createWarper(Uint8Array.of(1, 2, 3), { decode: (bytes) => ({ ...pixels(), bytes }) });
+    open.push(own);
+    expect([own.width, own.height]).toEqual([SIZE, SIZE]);
+  });
+});

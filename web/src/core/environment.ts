@@ -1,0 +1,18 @@
+/** The parts that differ between browsers and Node. */
+import type { Port } from '../compute/link';
+import type { Pixels } from '../compute/solution';
+import type { PictureInput, WarpedImage } from './types';
+
+export interface Environment {
+  /** Whether a worker solves unless the caller says otherwise. */
+  readonly usesWorker: boolean;
+  /** The compiled solver of this package. @throws WarpError with the code `engine`. */
+  loadModule(): Promise<WebAssembly.Module>;
+  /** Starts a worker with a solver. @throws WarpError with the code `engine`. */
+  spawn(): Port;
+  /** Decodes a file. @throws WarpError with the code `picture`. */
+  decode(bytes: Uint8Array<ArrayBuffer>, signal: AbortSignal): Promise<Pixels>;
+  /** The pixels of a bitmap or a canvas; undefined for any other object. */
+  drawn(input: Exclude<PictureInput, ArrayBuffer>): Pixels | undefined;
+  image(pixels: Pixels): WarpedImage;
+}

@@ -1,0 +1,53 @@
+/** Node: PNG files are decoded here, for other kinds the program brings a decoder. */
+import { readFile } from 'node:fs/promises';
+import { notLoaded, SOLVER } from '../compute/loading';
+import type { Pixels } from '../compute/solution';
+import { ENGINE, WarpError } from '../error';
+import { readHeader } from '../io/formats/header';
+import { checkSize } from '../io/limits';
+import type { Environment } from './environment';
+import { pngPixels } from './png_pixels';
+import type { WarpedImage } from './types';
+
+const NO_WORKER = 'In Node the solver runs on the thread of the caller: start a worker thread around it.';
+
+let loading: Promise<WebAssembly.Module> | undefined;
+
+export const node: Environment = {
+  usesWorker: false,
+
+  loadModule() {
+    loading ??= readFile(SOLVER)
+      .then((bytes) => WebAssembly.compile(bytes))
+      .catch((error: unknown) => {
+        loading = undefined;
+        throw notLoaded(error);
+      });
+    return loading;
+  },
+
+  spawn() {
+    throw new WarpError(ENGINE, NO_WORKER);
+  },
+
+  async decode({ buffer }) {
+    const { kind, name, size, end } = readHeader(buffer);
+    if (kind !== 'png') throw new WarpError('picture', refusal(name));
+    if (size) checkSize(size.width, size.height);
+    if (end === 'missing') throw new WarpError('picture', 'The picture is incomplete: its end is missing.');
+    try {
+      return pngPixels(buffer);
+    } catch (cause) {
+      const message = `The picture is damaged: ${(cause as Error).message}.`;
+      throw new WarpError('picture', message, { cause });
+    }
+  },
+
+  drawn: () => undefined,
+
+  image: ({ width, height, rgba }: Pixels) =>
+    ({ width, height, data: new Uint8ClampedArray(rgba.buffer) }) as WarpedImage,
+};
+
+const refusal = (name = 'an unknown kind of file'): string =>
+  `This is ${name}, and Node reads PNG alone. Pass pixels as { width, height, data }, or a function as \`decode\`.`;

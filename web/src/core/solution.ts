@@ -1,0 +1,108 @@
+/** A solved project. It holds no resources of its own. */
+import type { Moment, Points } from '../compute/messages';
+import type { PointWeights } from '../compute/points';
+import type { SolutionData } from '../compute/solution';
+import type { HandleFile, ProjectFile } from '../document/project';
+import { WarpError } from '../error';
+import type { Environment } from './environment';
+import { PosedSolution } from './posed';
+import type { Solver } from './solver';
+import type { Cancellable, HandlePose, Mesh, Report, Sites } from './types';
+
+/** How the handles of a project move each point of its picture, wherever they are posed. */
+export class Solution {
+  /** A copy of the project. */
+  readonly project: ProjectFile;
+  /** The figures of `c2warp inspect --json`. */
+  readonly report: Report;
+  readonly sites: Sites;
+  readonly mesh: Mesh;
+  readonly #solver: Solver;
+  readonly #environment: Environment;
+
+  /** @internal */
+  constructor(solver: Solver, environment: Environment, project: ProjectFile, data: SolutionData) {
+    const { positions, triangles, offsets, sites, weights, siteRest, siteHandle, report } = data;
+    this.#solver = solver;
+    this.#environment = environment;
+    this.project = project;
+    this.report = report;
+    this.sites = { rest: siteRest, handle: siteHandle };
+    this.mesh = { positions, triangles, offsets, sites, weights };
+  }
+
+  /**
+   * The weights of sites at any points of the picture, in rows: those of `c2warp weights`. They have a closed form, and
+   * are not interpolated.
+   *
+   * @param points Points × 2, in image pixels.
+   * @throws the reason of the signal if that is aborted.
+   */
+  async weights(points: Float64Array, { signal }: Cancellable = {}): Promise<PointWeights> {
+    const project = problemText(this.project);
+    const rows: PointWeights[] = [];
+    const bodyOf = (points: Points) => ({ project, points });
+    for await (const batch of this.#solver.batches('weights', points, bodyOf, signal)) rows.push(batch);
+    return joined(rows);
+  }
+
+  /**
+   * Poses handles, by their ids. Handles that are not named keep their pose in the project. The solution does not
+   * change. The solver refuses invalid poses at the first use of the result.
+   *
+   * @throws WarpError with the code `pose` if there is no such handle.
+   */
+  pose(poses: Readonly<Record<string, HandlePose>> = {}): PosedSolution {
+    const unknown = Object.keys(poses).find((id) => this.project.handles.every((handle) => handle.id !== id));
+    if (unknown !== undefined) {
+      throw new WarpError('pose', `There is no handle ${JSON.stringify(unknown)}.`, { handles: [unknown] });
+    }
+    const handles = this.project.handles.map((handle) => ({ ...handle, ...poses[handle.id] }) as HandleFile);
+    return this.#posed({ ...this.project, handles }, null);
+  }
+
+  /**
+   * Poses all handles as a clip of the project does at a time.
+   *
+   * @param time Seconds.
+   * @throws WarpError with the code `clip` if there is no such clip, or the time is no finite number.
+   */
+  clip(name: string, time: number): PosedSolution {
+    const clip = this.project.clips?.find((clip) => clip.name === name);
+    if (!clip) throw new WarpError('clip', `There is no clip ${JSON.stringify(name)}.`);
+    if (!Number.isFinite(time)) throw new WarpError('clip', `The time of a clip is in seconds, not ${time}.`);
+    return this.#posed(this.project, { clip: JSON.stringify(clip), time });
+  }
+
+  #posed(project: ProjectFile, moment: Moment | null): PosedSolution {
+    return new PosedSolution(this.#solver, this.#environment, problemText(project), moment);
+  }
+}
+
+/** Clips were checked with the solve, and only one of them poses. */
+const problemText = ({ clips: _, ...problem }: ProjectFile): string => JSON.stringify(problem);
+
+/** All rows of some batches. */
+function joined(batches: readonly PointWeights[]): PointWeights {
+  const [first] = batches;
+  if (first && batches.length === 1) return first;
+  const entries = batches.reduce((sum, { sites }) => sum + sites.length, 0);
+  const points = batches.reduce((sum, { offsets }) => sum + offsets.length - 1, 0);
+  const all = {
+    offsets: new Uint32Array(points + 1),
+    sites: new Uint32Array(entries),
+    weights: new Float64Array(entries),
+  };
+  let [point, entry] = [0, 0];
+  for (const { offsets, sites, weights } of batches) {
+    all.offsets.set(
+      offsets.map((offset) => offset + entry),
+      point,
+    );
+    all.sites.set(sites, entry);
+    all.weights.set(weights, entry);
+    point += offsets.length - 1;
+    entry += sites.length;
+  }
+  return all;
+}

@@ -1,0 +1,109 @@
+/** The connection of a warper to its solver. All calls can be cancelled. */
+import { Drawing } from '../compute/drawing';
+import type { Link } from '../compute/link';
+import type { DrawingOptions, Messages, Moment, Points } from '../compute/messages';
+import type { SolutionData } from '../compute/solution';
+import { ENGINE, WarpError } from '../error';
+import type { SolveOptions } from './types';
+
+const DISPOSED = 'The warper is disposed of.';
+const PAIRS = 'Points are a Float64Array of pairs: x and y.';
+
+/** Points a request. The solver looks for a cancellation between requests. */
+const BATCH = 2 ** 15;
+
+/** The names of requests about points. */
+type PointName = 'map' | 'inverse' | 'weights';
+
+export class Solver {
+  readonly #link: Link;
+  #disposed = false;
+  /** Ends with the last solve. */
+  #turn: Promise<unknown> = Promise.resolve();
+
+  constructor(link: Link) {
+    this.#link = link;
+  }
+
+  /** Solves after all solves that were asked for before. */
+  solve(project: string, options: SolveOptions): Promise<SolutionData> {
+    const before = this.#turn;
+    const solved = this.#solveAfter(before, project, options);
+    this.#turn = Promise.allSettled([before, solved]);
+    return solved;
+  }
+
+  async #solveAfter(
+    before: Promise<unknown>,
+    project: string,
+    { signal, onProgress }: SolveOptions,
+  ): Promise<SolutionData> {
+    await cancellable(before, signal);
+    this.#check(signal);
+    const solved = this.#link.send('solve', { project }, onProgress);
+    return cancellable(solved, signal, () => {
+      this.#link.abandon('solve');
+      this.#link.send('stop', null).catch(() => {});
+    });
+  }
+
+  async ask<N extends 'picture' | 'posed-mesh' | PointName>(
+    name: N,
+    body: Messages[N][0],
+    signal?: AbortSignal,
+  ): Promise<Messages[N][1]> {
+    this.#check(signal);
+    return cancellable(this.#link.send(name, body), signal);
+  }
+
+  /** Asks about points in batches. */
+  async *batches<N extends PointName>(
+    name: N,
+    points: Float64Array,
+    bodyOf: (batch: Points) => Messages[N][0],
+    signal?: AbortSignal,
+  ): AsyncGenerator<Messages[N][1]> {
+    if (!(points instanceof Float64Array) || points.length % 2 !== 0) throw new WarpError('points', PAIRS);
+    let from = 0;
+    do {
+      yield await this.ask(name, bodyOf(points.slice(from, from + 2 * BATCH)), signal);
+      from += 2 * BATCH;
+    } while (from < points.length);
+  }
+
+  /** Prepares to draw. The caller takes all bands or releases the drawing. */
+  async draw(
+    project: string,
+    moment: Moment | null,
+    options: DrawingOptions,
+    signal?: AbortSignal,
+  ): Promise<Drawing> {
+    this.#check(signal);
+    const size = this.#link.send('draw', { project, moment, ...options });
+    const drawing = size.then((size) => new Drawing(this.#link, size, () => true));
+    return cancellable(drawing, signal, () => void drawing.then((late) => late.release()).catch(() => {}));
+  }
+
+  dispose(): void {
+    this.#disposed = true;
+    this.#link.dispose();
+  }
+
+  #check(signal: AbortSignal | undefined): void {
+    signal?.throwIfAborted();
+    if (this.#disposed) throw new WarpError(ENGINE, DISPOSED);
+  }
+}
+
+/** The answer, unless the signal is aborted before. */
+function cancellable<T>(answer: Promise<T>, signal: AbortSignal | undefined, cancel = () => {}): Promise<T> {
+  if (!signal) return answer;
+  return new Promise((resolve, reject) => {
+    const abort = () => {
+      reject(signal.reason);
+      cancel();
+    };
+    signal.addEventListener('abort', abort, { once: true });
+    answer.then(resolve, reject).finally(() => signal.removeEventListener('abort', abort));
+  });
+}

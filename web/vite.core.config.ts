@@ -1,0 +1,57 @@
+/**
+ * Builds the solver without a screen, in dist/core: one module for pages and workers, and one for Node. They use
+ * the solver and the worker of the element, in dist/element.
+ */
+import { fileURLToPath } from 'node:url';
+import { defineConfig, type Plugin } from 'vite';
+import { licences } from './scripts/licences.mjs';
+import { trimmed } from './scripts/trimmed.mjs';
+
+const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
+
+/** An expression that bundlers find files by. It is no file of this build. */
+const ofElement = (file: string) => `new URL(/* @vite-ignore */ '../element/${file}', import.meta.url)`;
+
+const WORKER = './worker/worker?worker&url';
+
+const filesOfElement: Plugin = {
+  name: 'c2warp:files-of-element',
+  enforce: 'pre',
+  resolveId: (id) => (id.endsWith(WORKER.slice(1)) ? `\0${WORKER}` : null),
+  load: (id) => (id === `\0${WORKER}` ? `export default ${ofElement('worker.js')}.href` : null),
+  transform(code, id) {
+    if (!id.endsWith('/compute/loading.ts')) return null;
+    const file = "new URL('./generated/c2warp_bg.wasm', import.meta.url)";
+    if (!code.includes(file)) throw new Error('loading.ts does not name the solver as expected');
+    return { code: code.replace(file, ofElement('c2warp_bg.wasm')), map: null };
+  },
+  // The bundlers of others shall find them.
+  generateBundle(_, bundle) {
+    for (const chunk of Object.values(bundle)) {
+      if (chunk.type === 'chunk') chunk.code = chunk.code.replaceAll(/\/\* @vite-ignore \*\/\s*/g, '');
+    }
+  },
+};
+
+const { plugins } = licences();
+
+export default defineConfig({
+  plugins: [filesOfElement, trimmed(), ...plugins],
+  root: path('.'),
+  base: './',
+  publicDir: false,
+  cacheDir: path('../node_modules/.vite'),
+  build: {
+    outDir: 'dist/core',
+    target: 'es2022',
+    // Without the code by which pages load style sheets.
+    lib: {
+      entry: { core: path('src/core.ts'), node: path('src/core_node.ts') },
+      formats: ['es'],
+    },
+    rolldownOptions: {
+      external: /^node:/,
+      output: { entryFileNames: '[name].js', chunkFileNames: '[name].js' },
+    },
+  },
+});
