@@ -1,6 +1,6 @@
 /**
- * Builds the solver without a screen, in dist/core: one module for pages and workers, and one for Node. They use
- * the solver and the worker of the element, in dist/element.
+ * Builds the solver without a screen, in dist/core: one module for pages and workers, one for Node, and the command.
+ * They use the solver and the worker of the element, in dist/element.
  */
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
@@ -33,7 +33,7 @@ const filesOfElement: Plugin = {
   },
 };
 
-const { plugins } = licences();
+const { plugins } = licences(['c2warp-bind', 'c2warp-cli']);
 
 export default defineConfig({
   plugins: [filesOfElement, trimmed(), ...plugins],
@@ -46,7 +46,7 @@ export default defineConfig({
     target: 'es2022',
     // Without the code by which pages load style sheets.
     lib: {
-      entry: { core: path('src/core.ts'), node: path('src/core_node.ts') },
+      entry: { core: path('src/core.ts'), node: path('src/core_node.ts'), command: path('src/command.ts') },
       formats: ['es'],
     },
     rolldownOptions: {

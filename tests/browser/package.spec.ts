@@ -133,7 +133,8 @@ test('the core without a screen stays small beside the solver, and its entries e
   request,
 }) => {
   const { types: _, ...core }: Readonly<Record<string, string>> = PACKAGE.exports['./core'];
-  const sizes = Object.values(core).map(async (entry) => {
+  const { c2warp }: Readonly<Record<string, string>> = PACKAGE.bin;
+  const sizes = [...Object.values(core), c2warp].map(async (entry) => {
     const names = [served(String(entry))];
     let bytes = 0;
     for (const name of names) {
@@ -147,10 +148,11 @@ test('the core without a screen stays small beside the solver, and its entries e
     }
     return bytes / 1000;
   });
-  const [node = 0, page = 0] = await Promise.all(sizes);
-  // Compressed, measured in November 2026: 28 and 24.
+  const [node = 0, page = 0, command = 0] = await Promise.all(sizes);
+  // Compressed, measured in November 2026: 28, 24 and 0.6.
   expect(node).toBeLessThan(31);
   expect(page).toBeLessThan(27);
+  expect(command).toBeLessThan(1);
 });
 
 test('the package’s entries exist, and servers of all kinds can import one', async ({ request }) => {

@@ -1,11 +1,14 @@
 /**
  * `npm run build`: writes the editor as static files to web/dist, the element for other pages to web/dist/element, the
- * player of rigs to web/dist/player, and the solver without a screen to web/dist/core.
+ * player of rigs to web/dist/player, and the solver without a screen, with the command, to web/dist/core.
  */
+import { copyFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { buildCommand } from './command.mjs';
 import { writeDeclarations } from './declarations.mjs';
 import { checkPlayerSize } from './player_size.mjs';
 import { prepare } from './prepare.mjs';
-import { main, step, toolPath } from './steps.mjs';
+import { main, ROOT, step, toolPath } from './steps.mjs';
 
 await main(async () => {
   await prepare();
@@ -14,6 +17,7 @@ await main(async () => {
   await vite('Player', 'web/vite.player.config.ts');
   checkPlayerSize('web/dist/player');
   await vite('Core', 'web/vite.core.config.ts');
+  copyFileSync(await buildCommand(), join(ROOT, 'web/dist/core/command.wasm'));
   await writeDeclarations('web/dist/element/types', 'element');
   await writeDeclarations('web/dist/player/types', 'player');
   await writeDeclarations('web/dist/core/types', 'core');

@@ -17,9 +17,10 @@ const TARGET = 'wasm32-unknown-unknown';
 
 /**
  * Plugins for a build and for its workers. They write `LICENSES.md` beside the files.
+ * @param {string[]} [crates] those of the WebAssembly modules
  * @returns {{ plugins: Plugin[], worker: () => Plugin[] }}
  */
-export function licences() {
+export function licences(crates = MODULES) {
   /** @type {Set<string>} */
   const folders = new Set();
   /** @type {Plugin} */
@@ -37,7 +38,7 @@ export function licences() {
   const writer = {
     name: 'c2warp:licences',
     async generateBundle() {
-      const source = await licencesOf([...folders]);
+      const source = await licencesOf([...folders], crates);
       this.emitFile({ type: 'asset', fileName: FILE, source });
     },
   };
@@ -47,10 +48,11 @@ export function licences() {
 /**
  * The text of `LICENSES.md`.
  * @param {string[]} folders those of the bundled npm packages
+ * @param {string[]} [linked] the crates of the WebAssembly modules
  */
-export async function licencesOf(folders) {
+export async function licencesOf(folders, linked = MODULES) {
   const bundled = await Promise.all(folders.map(npmPackage));
-  const packages = [...bundled, ...(await crates())].sort((a, b) => (a.name < b.name ? -1 : 1));
+  const packages = [...bundled, ...(await crates(linked))].sort((a, b) => (a.name < b.name ? -1 : 1));
   const chapters = await Promise.all(packages.map(chapter));
   const own = await readFile(join(ROOT, 'LICENSE-MIT'), 'utf8');
   return [
@@ -77,9 +79,10 @@ async function npmPackage(folder) {
 
 /**
  * The crates linked into the modules, without those that only run while it is built.
+ * @param {string[]} linked
  * @returns {Promise<Package[]>}
  */
-async function crates() {
+async function crates(linked) {
   const { stdout } = await promisify(execFile)(
     process.env.CARGO ?? 'cargo',
     ['metadata', '--format-version', '1', '--locked', '--filter-platform', TARGET],
@@ -88,7 +91,7 @@ async function crates() {
   const { packages, resolve } = JSON.parse(stdout);
   const byId = new Map(packages.map((/** @type {{ id: string }} */ one) => [one.id, one]));
   const nodes = new Map(resolve.nodes.map((/** @type {{ id: string }} */ node) => [node.id, node]));
-  const modules = packages.filter((/** @type {Package} */ { name }) => MODULES.includes(name));
+  const modules = packages.filter((/** @type {Package} */ { name }) => linked.includes(name));
   const reached = new Set(modules.map((/** @type {{ id: string }} */ { id }) => id));
   for (const id of reached) {
     for (const { pkg, dep_kinds } of nodes.get(id).deps) {

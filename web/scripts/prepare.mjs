@@ -60,19 +60,26 @@ async function prepareRust() {
     throw new StepError('Rust is missing: install rustup from https://rustup.rs and run the command again.');
   }
   checkRustVersion(version);
+  await prepareTarget(WASM_TARGET);
+}
 
-  const library = printed('rustc', ['--print', 'target-libdir', '--target', WASM_TARGET]);
+/**
+ * Installs the standard library of a target.
+ * @param {string} target
+ */
+export async function prepareTarget(target) {
+  const library = printed('rustc', ['--print', 'target-libdir', '--target', target]);
   if (library !== undefined && existsSync(library)) return;
-  if (!rustup) {
+  if (printed('rustup', ['--version']) === undefined) {
     throw new StepError(
-      `This Rust cannot build for ${WASM_TARGET}: install rustup from https://rustup.rs and run the command again.`,
+      `This Rust cannot build for ${target}: install rustup from https://rustup.rs and run the command again.`,
     );
   }
   await step(
-    `Rust target ${WASM_TARGET}`,
+    `Rust target ${target}`,
     'rustup',
-    ['target', 'add', WASM_TARGET],
-    `rustup could not add the target: run \`rustup target add ${WASM_TARGET}\` to see why.`,
+    ['target', 'add', target],
+    `rustup could not add the target: run \`rustup target add ${target}\` to see why.`,
   );
 }
 

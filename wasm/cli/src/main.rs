@@ -69,6 +69,7 @@ fn definition() -> clap::Command {
 }
 
 fn main() -> ExitCode {
+    enter_folder();
     let command = Arguments::parse().command;
     progress::begin();
     let result = match command {
@@ -99,6 +100,16 @@ fn main() -> ExitCode {
             error::tell(error);
             ExitCode::FAILURE
         }
+    }
+}
+
+/// As WebAssembly, the program starts in the root folder. Relative paths begin at the caller's.
+fn enter_folder() {
+    if cfg!(target_os = "wasi")
+        && let Some(folder) = std::env::var_os("PWD")
+    {
+        // If that fails, the error of the first path names it.
+        let _ = std::env::set_current_dir(folder);
     }
 }
 

@@ -79,7 +79,7 @@ impl Target {
             Ok(metadata) if !metadata.is_file() => {
                 return Ok(Self::Stream(Box::new(OpenOptions::new().write(true).open(path)?)));
             }
-            Ok(metadata) if metadata.permissions().readonly() => return Err(io::ErrorKind::PermissionDenied.into()),
+            Ok(metadata) if is_read_only(path, &metadata) => return Err(io::ErrorKind::PermissionDenied.into()),
             Ok(metadata) => Some(metadata.permissions()),
             Err(reason) if reason.kind() == io::ErrorKind::NotFound => None,
             Err(reason) => return Err(reason),
@@ -143,6 +143,15 @@ pub(crate) fn print(bytes: &[u8]) -> Result<(), CliError> {
     progress::clear();
     let mut stdout = io::stdout().lock();
     stdout.write_all(bytes).and_then(|()| stdout.flush()).map_err(CliError::Print)
+}
+
+fn is_read_only(path: &Path, metadata: &fs::Metadata) -> bool {
+    if cfg!(target_os = "wasi") {
+        // It has no permissions, but the system outside refuses to open such a file.
+        OpenOptions::new().append(true).open(path).is_err()
+    } else {
+        metadata.permissions().readonly()
+    }
 }
 
 /// Returns whether the path is a name of standard output.
