@@ -101,15 +101,18 @@ impl<'a> Drawing<'a> {
                 results
             };
             made = thread::scope(|scope| {
-                let workers: Vec<_> = (0..cores.min(poses.len())).map(|_| scope.spawn(work)).collect();
+                let start = |_| thread::Builder::new().spawn_scoped(scope, work).ok();
+                let workers: Vec<_> = (0..cores.min(poses.len())).map_while(start).collect();
                 // Meanwhile this thread encodes the batch before.
                 for result in made.drain(..) {
                     take(taken, result)?;
                     taken += 1;
                     progress::count("frame", taken, all);
                 }
-                let mut batch: Vec<_> =
-                    workers.into_iter().flat_map(|worker| worker.join().expect("drawing does not panic")).collect();
+                // In WebAssembly no thread can be started.
+                let here = if workers.is_empty() { work() } else { Vec::new() };
+                let drawn = workers.into_iter().flat_map(|worker| worker.join().expect("drawing does not panic"));
+                let mut batch: Vec<_> = drawn.chain(here).collect();
                 batch.sort_by_key(|&(at, _)| at);
                 batch.into_iter().map(|(_, result)| result).collect::<Result<Vec<T>, _>>().map_err(refused)
             })?;
