@@ -16,8 +16,9 @@ export const notice = (model: EditorModel, dispatch: Dispatch): TemplateResult =
 function card(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
   if (!model.notice) return nothing;
   const { kind, text, action, other } = model.notice;
-  // Out of the way of a drag.
-  const place = `${model.noticeAside ? 'aside' : ''} ${model.pressing ? 'away' : ''}`;
+  // Out of the way of a drag, and of presses that wait for another picture: the notice is about the last one.
+  const away = model.pressing || (model.awaiting && kind === 'info');
+  const place = `${model.noticeAside ? 'aside' : ''} ${away ? 'away' : ''}`;
   return html`<div class="notice card ${kind} ${place}" part="notice" role=${kind === 'error' ? 'alert' : nothing}
     @pointerenter=${() => dispatch({ type: 'notice-hovered', on: true })}
     @pointerleave=${() => dispatch({ type: 'notice-hovered', on: false })}
