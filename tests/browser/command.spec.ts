@@ -41,6 +41,8 @@ const RUNS: readonly (readonly [args: readonly string[], outputs: readonly strin
 ];
 
 test('as WebAssembly the command does what the native one does', async ({ request }) => {
+  // Cargo may have to build the command first.
+  test.setTimeout(900_000);
   const root = mkdtempSync(join(tmpdir(), 'c2warp-command-'));
   try {
     const script = join(root, 'command.mjs');

@@ -27,7 +27,7 @@ test('a dropped picture takes the rig of the one before, lined up with its outli
   await bring(editor, 'drop', png('smaller.png', halfSample([150, 30])));
   await expect(editor.solved).toContainText('712 × 760 px');
   await expect(editor.handles).toHaveCount(0);
-  await expect(page.getByText('It can take the handles of gingerbread.png')).toBeVisible();
+  await expect(page.getByText('smaller.png is open.')).toBeVisible();
   await expect(editor.button('Back to gingerbread.png')).toBeVisible();
   await editor.button('Use this rig').click();
   await expect(editor.handles).toHaveCount(5);

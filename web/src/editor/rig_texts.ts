@@ -2,10 +2,6 @@
 
 export const USE_RIG = 'Use this rig';
 
-/** A picture is open in place of another one with handles. */
-export const offeredText = (picture: string, last: string): string =>
-  `${picture} is open. It can take the handles of ${last}.`;
-
 /**
  * A project waits for its picture.
  *

@@ -9,7 +9,7 @@ import { notCarriedText, twoVersionsText } from '../notice_texts';
 import type { OpeningState, OpenRequest, ProjectRead, Purpose, Trial } from '../opening_state';
 import { belongs, fits, misfit, type Picture, type SourceFile } from '../picture';
 import { otherVersion, withReplaced } from '../recent';
-import { awaitingText, offeredText } from '../rig_texts';
+import { awaitingText } from '../rig_texts';
 import { type EditorState, projectOf } from '../state';
 import type { Work, WorkSnapshot } from '../work';
 import { saveOpened, snapshotOf, workOf } from './autosave';
@@ -211,8 +211,7 @@ function offerNext(state: EditorState, emit: Emit, rig: NoticeAction | null = nu
     ? { label: `Back to ${last.name}`, event: { type: 'back-asked', work: last } }
     : null;
   const [action, other] = rig ? [rig, back] : [back, null];
-  const from = rig?.event.type === 'rig-asked' ? rig.event.rig.name : null;
-  const text = from === null ? `${picture.name} is open.` : offeredText(picture.name, from);
+  const text = `${picture.name} is open.`;
   const actions = { ...(action && { action }), ...(other && { other }) };
   return notify(state, { kind: 'info', text, ...actions, ofStep: true, passes: true }, emit);
 }

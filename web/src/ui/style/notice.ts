@@ -34,12 +34,15 @@ export const noticeStyle = css`
     white-space: normal;
     text-align: left;
   }
-  /* Two answers have a row of their own. */
+  /* Two answers have a row of their own where they do not fit. */
+  .notice:has(.link ~ .link) {
+    flex-wrap: wrap;
+    row-gap: 4px;
+  }
+  .notice:has(.link ~ .link) p {
+    flex: 1 0 12em;
+  }
   @container ${phone} {
-    .notice:has(.link ~ .link) {
-      flex-wrap: wrap;
-      row-gap: 4px;
-    }
     .notice:has(.link ~ .link) p {
       flex: 1 0 calc(100% - 60px);
     }
