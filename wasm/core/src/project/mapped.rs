@@ -15,39 +15,28 @@ impl Project {
     ///
     /// Everything else is relative: turns, scales, depths, times, the number of samples and the settings of weights.
     pub(crate) fn mapped(&self, map: &DAffine2, (width, height): (u32, u32)) -> Self {
+        let mut project = self.clone();
         // Every field is named, so that a new one cannot be forgotten.
         let Self {
-            format,
-            image: _,
+            image,
             domain,
-            samples,
-            weighting,
-            pose,
-            fix_boundary,
-            edges,
-            loose_parts,
             handles,
             clips,
-        } = self.clone();
-        let mut project = Self {
-            format,
-            image: ImageRef::new("", width, height),
-            domain,
-            samples,
-            weighting,
-            pose,
-            fix_boundary,
-            edges,
-            loose_parts,
-            handles,
-            clips,
-        };
+            format: _,
+            samples: _,
+            weighting: _,
+            pose: _,
+            fix_boundary: _,
+            edges: _,
+            loose_parts: _,
+        } = &mut project;
         let at = |p: &mut DVec2| *p = map.transform_point2(*p);
-        if let Some(DomainSpec::Polygon { rings }) = &mut project.domain {
+        *image = ImageRef::new("", width, height);
+        if let Some(DomainSpec::Polygon { rings }) = domain {
             rings.iter_mut().flatten().for_each(at);
         }
-        project.handles.iter_mut().for_each(|handle| handle.shape.each_position(at));
-        project.clips.iter_mut().for_each(|clip| clip.each_posed(|_| true, at));
+        handles.iter_mut().for_each(|handle| handle.shape.each_position(at));
+        clips.iter_mut().for_each(|clip| clip.each_posed(|_| true, at));
         project
     }
 
