@@ -145,9 +145,8 @@ impl Drawing {
     /// If the rows do not start at a multiple of [`BAND_ROWS`](Self::BAND_ROWS), or do not lie in the result.
     #[must_use]
     pub fn rows(&self, picture: &Picture<'_>, rows: Range<u32>) -> Vec<u8> {
-        let [width, height] = self.frame.size;
-        let (start, end) = (rows.start as usize, rows.end as usize);
-        assert!(start % BAND_ROWS == 0 && start <= end && end <= height, "rows {rows:?} of {height}");
+        let width = self.frame.size[0];
+        let Range { start, end } = self.whole_bands(rows);
         let texture = Texture::new(*picture, self.filter, &self.mip_levels);
         let mut rgba = vec![0; (end - start) * width * 4];
         let mut band = Band::new(width, BAND_ROWS, self.frame.origin);
@@ -168,15 +167,21 @@ impl Drawing {
         rgba
     }
 
+    /// The same rows as indices, if they are of this result and begin with a band.
+    fn whole_bands(&self, rows: Range<u32>) -> Range<usize> {
+        let (start, end, height) = (rows.start as usize, rows.end as usize, self.frame.size[1]);
+        assert!(start % BAND_ROWS == 0 && start <= end && end <= height, "rows {rows:?} of {height}");
+        start..end
+    }
+
     /// The source of each pixel of some rows. `picture` is the one of [`new`](Self::new).
     ///
     /// # Panics
     /// As [`rows`](Self::rows).
     #[must_use]
     pub fn sources(&self, picture: &Picture<'_>, rows: Range<u32>) -> Vec<Source> {
-        let [width, height] = self.frame.size;
-        let (start, end) = (rows.start as usize, rows.end as usize);
-        assert!(start % BAND_ROWS == 0 && start <= end && end <= height, "rows {rows:?} of {height}");
+        let width = self.frame.size[0];
+        let Range { start, end } = self.whole_bands(rows);
         let texture = Texture::new(*picture, self.filter, &self.mip_levels);
         let mut sources = vec![Source::default(); (end - start) * width];
         let bins = self.bins.iter().enumerate().skip(start / BAND_ROWS);
