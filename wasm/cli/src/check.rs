@@ -259,16 +259,13 @@ fn most_folded(clip: &Clip, loaded: &LoadedProject, solution: &Solution) -> Opti
     let mut times: Vec<f64> = clip.tracks.iter().flat_map(|track| &track.keys).map(|key| key.time).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
+    let mut playback = loaded.playback(solution, clip);
     let folded = |&time: &f64| {
-        let mut handles = loaded.project.handles.clone();
-        for (handle, pose) in handles.iter_mut().zip(clip.at(time, &loaded.project.handles)) {
-            handle.shape.posed_mut().copy_from_slice(&pose.posed);
-            (handle.rotation, handle.scale, handle.depth) = (pose.rotation, pose.scale, pose.depth);
-        }
-        let pose = solution.poser().pose(&handles, loaded.project.pose.blend).ok()?;
+        let pose = playback.pose(time, loaded.project.pose.blend).ok()?;
         Some((time, solution.folded_triangles(&pose)))
     };
-    let most = times.iter().take(MOST_KEYS).filter_map(folded).rev().max_by_key(|&(_, folded)| folded);
+    let most = times.iter().take(MOST_KEYS).filter_map(folded);
+    let most = most.reduce(|most, next| if next.1 > most.1 { next } else { most });
     most.filter(|&(_, folded)| folded > 0)
 }
 

@@ -10,7 +10,7 @@ use c2warp::{Picture, Solver};
 use glam::DVec2;
 
 use crate::error::{self, CliError};
-use crate::output::{self, Output};
+use crate::output::{self, Output, is_same_file};
 use crate::points;
 use crate::project::remark;
 use crate::{carried, picture};
@@ -100,10 +100,6 @@ fn check(project: &Project, picture: &Picture<'_>) -> Result<(), c2warp::Error> 
     let mut solver = Solver::new();
     solver.begin(project, picture)?;
     solver.advance().map(|_| ())
-}
-
-fn is_same_file(one: &Path, other: &Path) -> bool {
-    matches!([fs::canonicalize(one), fs::canonicalize(other)], [Ok(one), Ok(other)] if one == other)
 }
 
 /// The address of the picture, relative to the project file. A picture from standard input has none.

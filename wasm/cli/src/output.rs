@@ -154,6 +154,11 @@ fn is_read_only(path: &Path, metadata: &fs::Metadata) -> bool {
     }
 }
 
+/// Returns whether two paths lead to the same existing file.
+pub(crate) fn is_same_file(one: &Path, other: &Path) -> bool {
+    matches!([fs::canonicalize(one), fs::canonicalize(other)], [Ok(one), Ok(other)] if one == other)
+}
+
 /// Returns whether the path is a name of standard output.
 pub(crate) fn is_standard_output(path: &Path) -> bool {
     STANDARD_OUTPUT.iter().any(|name| path == Path::new(name))

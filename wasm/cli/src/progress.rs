@@ -4,7 +4,7 @@
 //! are no threads, as in WebAssembly, there is no progress.
 
 use std::io::{self, IsTerminal, Write};
-use std::sync::{Condvar, Mutex, MutexGuard};
+use std::sync::{Mutex, MutexGuard};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -16,7 +16,6 @@ const TICK: Duration = Duration::from_millis(100);
 const CLEAR: &str = "\r\u{1b}[K";
 
 static LINE: Mutex<Line> = Mutex::new(Line { begun: None, text: String::new(), drawn: String::new() });
-static CHANGED: Condvar = Condvar::new();
 
 /// The line of a run.
 struct Line {
@@ -52,15 +51,9 @@ pub(crate) fn begin() {
     if !io::stderr().is_terminal() {
         return;
     }
-    let drawing = || {
-        let mut line = line();
-        loop {
-            line = match CHANGED.wait_timeout(line, TICK) {
-                Ok((line, _)) => line,
-                Err(_) => return,
-            };
-            line.draw(Instant::now(), io::stderr());
-        }
+    let drawing = || loop {
+        thread::sleep(TICK);
+        line().draw(Instant::now(), io::stderr());
     };
     if thread::Builder::new().spawn(drawing).is_ok() {
         line().begun = Some(Instant::now());

@@ -1,6 +1,5 @@
 //! A project with its picture: the input of every subcommand.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -14,7 +13,7 @@ use crate::carried;
 use crate::error::{self, CliError};
 use crate::fitting::{Fit, FittingProject};
 use crate::input;
-use crate::output::Output;
+use crate::output::{Output, is_same_file};
 use crate::picture::{self, PictureFile};
 use crate::progress;
 
@@ -156,15 +155,15 @@ impl LoadedProject {
 
     /// Prepares an output. It must not replace the project file.
     pub(crate) fn output(&self, path: &Path) -> Result<Output, CliError> {
-        match [fs::canonicalize(path), fs::canonicalize(&self.project_path)] {
-            [Ok(output), Ok(project)] if output == project => Err(CliError::OverProject { path: path.to_owned() }),
-            _ => Output::open(path),
+        if is_same_file(path, &self.project_path) {
+            return Err(CliError::OverProject { path: path.to_owned() });
         }
+        Output::open(path)
     }
 
     /// Returns whether a path is that of the project's picture.
     pub(crate) fn is_picture(&self, path: &Path) -> bool {
-        matches!([fs::canonicalize(path), fs::canonicalize(&self.image_path)], [Ok(path), Ok(image)] if path == image)
+        is_same_file(path, &self.image_path)
     }
 
     /// Returns the name of the picture's file, without its folder.
@@ -225,8 +224,13 @@ impl LoadedProject {
 
     /// Poses the handles as a clip does at a time in seconds.
     pub(crate) fn pose_at(&self, solution: &Solution, clip: &Clip, time: f64) -> Result<Pose, CliError> {
-        let mut playback = Playback::new(solution.poser().clone(), clip.clone(), self.project.handles.clone());
-        playback.pose(time, self.project.pose.blend).map_err(|reason| self.refused(reason))
+        let pose = self.playback(solution, clip).pose(time, self.project.pose.blend);
+        pose.map_err(|reason| self.refused(reason))
+    }
+
+    /// Poses along a clip.
+    pub(crate) fn playback(&self, solution: &Solution, clip: &Clip) -> Playback {
+        Playback::new(solution.poser().clone(), clip.clone(), self.project.handles.clone())
     }
 
     /// Returns an error about the contents of the project.

@@ -37,7 +37,7 @@ impl<'a> Drawing<'a> {
         times: &'a [f64],
         options: ResampleOptions,
     ) -> Result<Self, CliError> {
-        let playback = Playback::new(solution.poser().clone(), clip.clone(), loaded.project.handles.clone());
+        let playback = loaded.playback(solution, clip);
         Ok(Self { loaded, solution, picture: loaded.picture()?, playback, times, options })
     }
 
