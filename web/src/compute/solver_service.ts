@@ -270,7 +270,8 @@ function received(port: MessagePort): Promise<Uint8Array> {
   });
 }
 
-function copiedOut(solution: Solution): SolutionData {
+/** The data of a solution, which is freed. */
+export function copiedOut(solution: Solution): SolutionData {
   const data: SolutionData = {
     positions: solution.positions,
     triangles: solution.triangles,

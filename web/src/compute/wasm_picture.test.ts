@@ -6,7 +6,7 @@ import { rotationOf } from '../document/handle';
 import type { Clip, Handle, Project } from '../document/project';
 import { initSync, Session } from './generated/c2warp';
 import type { PosedPicture } from './posed_picture';
-import type { Report } from './solution';
+import { copiedOut } from './solver_service';
 import { createPosedPicture } from './wasm_picture';
 
 const SIZE = 64;
@@ -31,25 +31,7 @@ function pictureOf(project: Project): PosedPicture {
   session.set_picture(SIZE, SIZE, new Uint8Array(4 * SIZE * SIZE).fill(255));
   session.begin(JSON.stringify(project));
   while (session.advance() !== undefined);
-  const solution = session.solution();
-  const picture = createPosedPicture(
-    {
-      positions: solution.positions,
-      triangles: solution.triangles,
-      backgroundPositions: solution.background_positions,
-      backgroundTriangles: solution.background_triangles,
-      offsets: solution.offsets,
-      sites: solution.sites,
-      weights: solution.weights,
-      siteRest: solution.site_rest,
-      siteHandle: solution.site_handle,
-      siteEdges: solution.site_edges,
-      poser: solution.poser,
-      report: JSON.parse(solution.report) as Report,
-    },
-    project,
-  );
-  solution.free();
+  const picture = createPosedPicture(copiedOut(session.solution()), project);
   session.free();
   return picture;
 }
