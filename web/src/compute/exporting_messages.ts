@@ -1,5 +1,7 @@
 /** The messages between the page and the worker that makes an export with a solver. */
 
+import type { EngineFormat, EngineLoss } from '../document/engine_rig';
+
 type Bytes = Uint8Array<ArrayBuffer>;
 
 /** A rig for web pages. */
@@ -12,7 +14,7 @@ export interface WebRigOrder {
 /** A rig for a game engine. */
 export interface EngineRigOrder {
   readonly kind: 'engine-rig';
-  readonly format: 'spine' | 'dragonbones' | 'gltf' | 'godot';
+  readonly format: EngineFormat;
   /** The most bones besides the root, the most that move a vertex, and the most vertices. */
   readonly bones: number;
   readonly influences: number;
@@ -26,22 +28,6 @@ export interface EngineRigOrder {
 export interface ExportedFile {
   readonly name: string;
   readonly bytes: Bytes;
-}
-
-/** Distances from exact places, in pixels: the largest, and that of 99 of 100 places. */
-export type Errors = readonly [largest: number, percentile99: number];
-
-/** The size of a rig, and its loss. */
-export interface EngineLoss {
-  readonly bones: number;
-  readonly sites: number;
-  readonly vertices: number;
-  /** Vertices in the project's pose, in random poses, and in each clip. */
-  readonly pose: Errors;
-  readonly random: Errors;
-  readonly clips: readonly Errors[];
-  /** The picture between vertices. */
-  readonly between: Errors;
 }
 
 export interface EngineRig {

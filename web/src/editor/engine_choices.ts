@@ -1,8 +1,7 @@
 /** How a person exports rigs for game engines: kept for the next one, and stored with the work. */
 
+import type { EngineFormat } from '../document/engine_rig';
 import { stem } from './picture';
-
-export type EngineFormat = 'spine' | 'dragonbones' | 'gltf' | 'godot';
 
 export interface EngineChoices {
   readonly format: EngineFormat;
@@ -46,19 +45,3 @@ export const engineFile = (picture: string, format: EngineFormat): string => {
 /** The most bones that move a vertex, in a format. */
 export const influencesOf = ({ format, influences }: EngineChoices): number =>
   format === 'godot' ? Math.min(influences, INFLUENCES.mostOfGodot) : influences;
-
-/** Distances from exact places, in pixels: the largest, and that of 99 of 100 places. */
-export type Errors = readonly [largest: number, percentile99: number];
-
-/** The size of a rig, and its loss. */
-export interface EngineLoss {
-  readonly bones: number;
-  readonly sites: number;
-  readonly vertices: number;
-  /** Vertices in the project's pose, in random poses, and in each clip. */
-  readonly pose: Errors;
-  readonly random: Errors;
-  readonly clips: readonly Errors[];
-  /** The picture between vertices. */
-  readonly between: Errors;
-}

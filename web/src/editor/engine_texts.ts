@@ -1,5 +1,5 @@
 /** Texts about rigs for game engines. */
-import type { EngineFormat, EngineLoss, Errors } from './engine_choices';
+import type { EngineFormat, EngineLoss, Errors } from '../document/engine_rig';
 
 export const ENGINE_NOTES: Readonly<Record<EngineFormat, string>> = {
   spine: 'Spine 4.2 and its runtimes: JSON, atlas and PNG.',

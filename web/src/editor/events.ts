@@ -4,9 +4,11 @@
  * A list of events replays a session without a browser. Names are in the past tense: an event says what happened, and
  * `update` decides what follows. Places are image pixels unless the name says otherwise.
  */
+
 import type { Detail } from '../document/bending';
 import type { KeyRef } from '../document/clip_keys';
 import type { ClipPreset } from '../document/clip_presets';
+import type { EngineLoss } from '../document/engine_rig';
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { Ease, Handle, Loop, PoseMode, Project, ProjectFile } from '../document/project';
@@ -19,7 +21,7 @@ import type { ToolName } from '../tools/machine';
 import type { CommandName, PreviewCommand } from './commands';
 import type { Corner } from './corner';
 import type { CellBorders } from './deformation';
-import type { EngineChoices, EngineLoss } from './engine_choices';
+import type { EngineChoices } from './engine_choices';
 import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices, VideoCodecs } from './film_choices';
 import type { MenuState } from './menu_state';

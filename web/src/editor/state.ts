@@ -4,7 +4,9 @@
  * `update` turns a state and an event into the next state and effects; `viewModel` turns a state into what people see.
  * The runtime holds what cannot be a value: workers, pixels, the WebGL context, listeners.
  */
+
 import { type Document, fileProject } from '../document/document';
+import type { EngineLoss } from '../document/engine_rig';
 import type { History } from '../document/history';
 import type { NameFault } from '../document/names';
 import type { Handle, Project } from '../document/project';
@@ -18,7 +20,7 @@ import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
 import type { PreviewCommand } from './commands';
 import type { Crossing } from './crossing';
-import type { EngineChoices, EngineLoss } from './engine_choices';
+import type { EngineChoices } from './engine_choices';
 import type { EditorEvent } from './events';
 import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices, VideoCodecs } from './film_choices';

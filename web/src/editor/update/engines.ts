@@ -1,12 +1,7 @@
 /** Exports of rigs for game engines. */
+import type { EngineLoss } from '../../document/engine_rig';
 import type { Emit } from '../effects';
-import {
-  ENGINE_FORMATS,
-  type EngineChoices,
-  type EngineLoss,
-  engineFile,
-  influencesOf,
-} from '../engine_choices';
+import { ENGINE_FORMATS, type EngineChoices, engineFile, influencesOf } from '../engine_choices';
 import { stem } from '../picture';
 import { type EditorState, filedProject } from '../state';
 import { saveWork } from './autosave';

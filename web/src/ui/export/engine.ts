@@ -1,13 +1,7 @@
 /** The export of a rig for a game engine. */
 import { html, nothing, type TemplateResult } from 'lit';
-import {
-  BONES,
-  ENGINE_FORMATS,
-  type EngineChoices,
-  type EngineFormat,
-  INFLUENCES,
-  VERTICES,
-} from '../../editor/engine_choices';
+import type { EngineFormat } from '../../document/engine_rig';
+import { BONES, ENGINE_FORMATS, type EngineChoices, INFLUENCES, VERTICES } from '../../editor/engine_choices';
 import type { EngineModel } from '../../editor/engine_model';
 import { ENGINE_NOTES, engineClipsText, ROUGH_NOTE } from '../../editor/engine_texts';
 import type { Dispatch } from '../../editor/events';

@@ -1,13 +1,7 @@
 /** A rig for a game engine: its files, and its loss in numbers. */
 import { zipSync } from 'fflate';
-import type {
-  EngineLoss,
-  EngineRig,
-  EngineRigOrder,
-  Errors,
-  ExportedFile,
-  ExportRequest,
-} from '../../exporting_messages';
+import type { EngineLoss, Errors } from '../../../document/engine_rig';
+import type { EngineRig, EngineRigOrder, ExportedFile, ExportRequest } from '../../exporting_messages';
 import { type EngineFiles, EngineFormat, EngineOptions, engine_rig } from '../../generated/c2warp_export';
 
 const FORMATS: Readonly<Record<EngineRigOrder['format'], EngineFormat>> = {
