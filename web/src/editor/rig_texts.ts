@@ -1,5 +1,10 @@
 /** Texts about a rig that is used on another picture. */
 
+import { nameOf } from '../document/handle';
+
+/** More names are a number. */
+const MOST_NAMED = 6;
+
 export const USE_RIG = 'Use this rig';
 
 /**
@@ -21,8 +26,11 @@ export const rigStepText = (name: string): string => `Use rig of ${name}`;
 
 const listed = new Intl.ListFormat('en-GB');
 
-/** @param handles names of handles that were moved into the outline, at least one. */
-export const movedInsideText = (handles: readonly string[]): string =>
-  handles.length === 1
-    ? `${handles[0]} was beside this picture and was moved onto it.`
-    : `${listed.format(handles.length > 6 ? [...handles.slice(0, 5), `${handles.length - 5} more`] : handles)} were beside this picture and were moved onto it.`;
+/** @param moved ids of handles that were moved into the outline, at least one. */
+export function movedInsideText(moved: readonly string[]): string {
+  const names = moved.map((id) => nameOf({ id }));
+  const [only, ...more] = names;
+  if (more.length === 0) return `${only} was beside this picture and was moved onto it.`;
+  const named = names.length > MOST_NAMED ? [...names.slice(0, 5), `${names.length - 5} more`] : names;
+  return `${listed.format(named)} were beside this picture and were moved onto it.`;
+}
