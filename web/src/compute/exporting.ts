@@ -11,7 +11,12 @@ import type { PixelSource } from './solution';
 import exporter from './worker/exporter?worker&url';
 
 const NOT_STARTED = 'The export could not be started: are its files there, and does the page allow workers?';
-const BROKE = 'The clips are more than a rig can hold in this browser: shorten them.';
+/** By kinds of exports, for want of memory. */
+const TOO_LARGE: Readonly<Record<keyof Exports, string>> = {
+  'web-rig': 'The clips are more than a rig can hold in this browser: shorten them.',
+  'engine-rig': 'The clips are more than a rig can hold in this browser: shorten them.',
+  map: 'The file is more than this browser can hold: the command line writes it.',
+};
 
 /**
  * Carries out an order for a project and its picture.
@@ -40,7 +45,8 @@ export async function solvedExport<K extends keyof Exports>(
         if ('part' in data) onProgress(data.part);
         // The worker answers an order of this kind.
         else if ('made' in data) resolve(data.made as Exports[K]['made']);
-        else reject(new WarpError(data.refused === null ? TOO_MUCH : 'rig', sentence(data.refused ?? BROKE)));
+        else if (data.refused === null) reject(new WarpError(TOO_MUCH, TOO_LARGE[order.kind]));
+        else reject(new WarpError('export', sentence(data.refused)));
       };
       const { port1, port2: pixels } = new MessageChannel();
       const { width, height } = source;

@@ -1,6 +1,7 @@
 /** The messages between the page and the worker that makes an export with a solver. */
 
 import type { EngineFormat, EngineLoss } from '../document/engine_rig';
+import type { MapFile } from '../document/map_file';
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
@@ -25,6 +26,19 @@ export interface EngineRigOrder {
   readonly zip: string | null;
 }
 
+/** A map of the warp, a heat map, or weights. */
+export interface MapOrder {
+  readonly kind: 'map';
+  readonly file: MapFile;
+  /** The name of the picture's file. */
+  readonly picture: string;
+  /** Whether the picture is drawn as pixel art. */
+  readonly pixelated: boolean;
+  /** The name of the clip that poses the handles at a time in seconds; null for the pose of the project. */
+  readonly clip: string | null;
+  readonly time: number;
+}
+
 export interface ExportedFile {
   readonly name: string;
   readonly bytes: Bytes;
@@ -39,6 +53,7 @@ export interface EngineRig {
 export interface Exports {
   readonly 'web-rig': { readonly order: WebRigOrder; readonly made: Bytes };
   readonly 'engine-rig': { readonly order: EngineRigOrder; readonly made: EngineRig };
+  readonly map: { readonly order: MapOrder; readonly made: Bytes };
 }
 
 export type ExportOrder = Exports[keyof Exports]['order'];

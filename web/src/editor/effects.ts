@@ -1,4 +1,5 @@
 /** What the runtime does for the editor: everything that takes time or touches the page. */
+import type { MapFile } from '../document/map_file';
 import type { Clip, Project, ProjectFile } from '../document/project';
 import type { Vec } from '../geometry/vec';
 import type { EngineChoices } from './engine_choices';
@@ -148,6 +149,16 @@ export type EditorEffect =
       readonly order: Omit<EngineChoices, 'into'> & { readonly stem: string };
       /** Several files go into a zip or a folder. */
       readonly target: 'file' | 'zip' | 'folder';
+    }
+  /** Answered by `export-ended`. */
+  | {
+      readonly type: 'export-map';
+      readonly name: string;
+      readonly project: Project;
+      /** The time of a clip that poses the handles. */
+      readonly moment: ClipMoment | null;
+      readonly picture: Picture;
+      readonly file: MapFile;
     }
   /** Answered by `code-copied`. */
   | { readonly type: 'copy-code'; readonly code: string }

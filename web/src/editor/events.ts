@@ -24,6 +24,7 @@ import type { CellBorders } from './deformation';
 import type { EngineChoices } from './engine_choices';
 import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices, VideoCodecs } from './film_choices';
+import type { MapChoices } from './map_choices';
 import type { MenuState } from './menu_state';
 import type { OpenOutcome, OpenRequest, Restoring } from './opening_state';
 import type { OverlayName } from './overlays';
@@ -271,6 +272,7 @@ type FileEvent =
       readonly choices: EngineChoices;
       readonly loss: EngineLoss;
     }
+  | { readonly type: 'map-choice-made'; readonly choice: Partial<MapChoices> }
   /** The code that shows the exported rig is asked for. */
   | { readonly type: 'code-asked' }
   /** `copied`: whether the browser took it to the clipboard. */

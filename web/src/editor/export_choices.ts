@@ -1,7 +1,7 @@
 /** How a person exports: kept for the next export, and stored with the work. */
 import type { Area } from '../geometry/area';
 
-export type ExportKind = 'picture' | 'film' | 'page' | 'engine';
+export type ExportKind = 'picture' | 'film' | 'page' | 'engine' | 'maps';
 
 export type ExportFormat = 'png' | 'jpeg' | 'webp';
 

@@ -6,6 +6,7 @@ import { NO_CROSSING } from './crossing';
 import { DEFAULT_ENGINE } from './engine_choices';
 import { DEFAULT_CHOICES } from './export_choices';
 import { DEFAULT_FILM } from './film_choices';
+import { DEFAULT_MAPS } from './map_choices';
 import type { OpeningState } from './opening_state';
 import { NO_OVERLAYS } from './overlays';
 import type { Media, PageAttributes } from './page';
@@ -81,6 +82,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       code: null,
       engine: DEFAULT_ENGINE,
       measured: null,
+      maps: DEFAULT_MAPS,
       running: null,
     },
     autosave: {

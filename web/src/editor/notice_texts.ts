@@ -139,3 +139,5 @@ export const savedText = (name: string, cut: boolean): string =>
   cut ? `Saved as ${name}. The part beyond the frame is cut off.` : `Saved as ${name}.`;
 
 export const EXPORT_CANCELLED = 'The export was cancelled';
+
+export const SELECT_ONE = 'This is about one handle: select it first.';

@@ -55,5 +55,8 @@ export function misfit(picture: Picture, project: Project): WarpError | null {
   return new WarpError('image-size', `The project is for a picture of ${sizes}.`);
 }
 
+/** A name as a part of a file's name: characters that it cannot have become hyphens. */
+export const fileWord = (name: string): string => name.replaceAll(/[\\/:*?"<>|\s]+/g, '-');
+
 /** "cat.png" → "cat". */
 export const stem = (name: string): string => name.replace(/(\.c2warp)?\.[^.]+$/, '') || name;

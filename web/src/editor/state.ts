@@ -5,7 +5,7 @@
  * The runtime holds what cannot be a value: workers, pixels, the WebGL context, listeners.
  */
 
-import { type Document, fileProject } from '../document/document';
+import { type Document, fileProject, selectedHandles } from '../document/document';
 import type { EngineLoss } from '../document/engine_rig';
 import type { History } from '../document/history';
 import type { NameFault } from '../document/names';
@@ -26,6 +26,7 @@ import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices, VideoCodecs } from './film_choices';
 import type { Focus } from './focus';
 import type { FoldGuard } from './fold_guard';
+import type { MapChoices } from './map_choices';
 import type { MenuState } from './menu_state';
 import type { NoticesState } from './notice';
 import type { OpeningState } from './opening_state';
@@ -154,6 +155,7 @@ export interface ExportState {
     readonly choices: EngineChoices;
     readonly loss: EngineLoss;
   } | null;
+  readonly maps: MapChoices;
   /** The export under way, and whether it cuts off a part of the posed picture. */
   readonly running: { readonly cut: boolean } | null;
 }
@@ -195,5 +197,10 @@ export const projectOf = (state: EditorState): Project => documentOf(state).proj
 export const isUnsaved = (state: EditorState): boolean =>
   state.picture !== null && filedProject(state) !== state.document.saved;
 export const selectionOf = (state: EditorState): readonly string[] => documentOf(state).selection;
+/** The only selected handle; null if there are none or several. */
+export function onlySelected(state: EditorState): Handle | null {
+  const [only = null, ...others] = selectedHandles(documentOf(state));
+  return others.length === 0 ? only : null;
+}
 export const overlaysOf = ({ page, display }: EditorState): OverlayFlags =>
   page.posable ? NO_OVERLAYS : display.overlays;

@@ -15,6 +15,7 @@ import {
   toStage,
 } from '../geometry/camera';
 import { add, midpoint, subtract, type Vec } from '../geometry/vec';
+import type { ExportChoices } from './export_choices';
 import { insetsOf } from './insets';
 import { PHONE } from './sizes';
 import { type EditorState, projectOf, selectionOf } from './state';
@@ -39,10 +40,12 @@ export function reachesBeyondFrame(state: EditorState): boolean {
   return bounds !== null && state.picture !== null && reachesBeyond(bounds, frameOf(state), SLACK);
 }
 
-/** The size of an export by the present choices, in pixels. */
-export function exportSize(state: EditorState): Size | null {
+/** The size of an exported picture, in pixels. */
+export function exportSize(
+  state: EditorState,
+  { percent, area }: Pick<ExportChoices, 'percent' | 'area'>,
+): Size | null {
   if (!state.picture) return null;
-  const { percent, area } = state.exporting.choices;
   const posed = posedBounds(state) ?? frameOf(state);
   const whole = { picture: frameOf(state), grown: boxOfBoth(frameOf(state), posed), covered: posed };
   const { min, max } = whole[area];

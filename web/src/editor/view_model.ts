@@ -21,6 +21,7 @@ import { type EngineModel, engineModel } from './engine_model';
 import type { ExportChoices, ExportKind } from './export_choices';
 import { type FilmModel, filmModel } from './film_model';
 import { gripsOf, hiddenOf, hitAt, isLassoing, turnsOf } from './hit_areas';
+import { type MapModel, mapModel } from './map_model';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
 import { noticeIsAside } from './notice_place';
@@ -170,9 +171,10 @@ export interface ExportModel {
   readonly size: Size | null;
   /** Null while the panel shows another kind, or is closed. */
   readonly film: FilmModel | null;
-  /** The same for a web page, and for an engine. */
+  /** The same for a web page, for an engine, and for maps. */
   readonly page: WebPageModel | null;
   readonly engine: EngineModel | null;
+  readonly maps: MapModel | null;
 }
 
 /** The page's hint, and the place of the picture that it points to. */
@@ -280,11 +282,12 @@ export function viewModel(state: EditorState): EditorModel {
       const { kind, choices, running } = state.exporting;
       const open = display.popover === 'export';
       // The bounds of the posed picture take a pass over its mesh.
-      const size = open && kind === 'picture' ? exportSize(state) : null;
+      const size = open && kind === 'picture' ? exportSize(state, choices) : null;
       const film = open && kind === 'film' ? filmModel(state) : null;
       const page = open && kind === 'page' ? webPageModel(state) : null;
       const engine = open && kind === 'engine' ? engineModel(state) : null;
-      return { kind, choices, running: running !== null, size, film, page, engine };
+      const maps = open && kind === 'maps' ? mapModel(state) : null;
+      return { kind, choices, running: running !== null, size, film, page, engine, maps };
     },
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),

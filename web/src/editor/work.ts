@@ -6,6 +6,7 @@ import type { Drawings } from '../tools/machine';
 import type { EngineChoices } from './engine_choices';
 import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices } from './film_choices';
+import type { MapChoices } from './map_choices';
 import type { SourceFile } from './picture';
 import type { ViewState } from './view_state';
 
@@ -38,6 +39,7 @@ export interface WorkSnapshot extends Work {
   readonly exports?: ExportChoices;
   readonly films?: FilmChoices;
   readonly engines?: EngineChoices;
+  readonly maps?: MapChoices;
   readonly exportKind?: ExportKind;
 }
 

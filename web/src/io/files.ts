@@ -17,6 +17,9 @@ const KINDS = {
   mp4: { description: 'MP4 films', mimeTypes: ['video/mp4'], extensions: ['.mp4'] },
   rig: { description: 'c2warp rigs', mimeTypes: ['application/octet-stream'], extensions: ['.c2rig'] },
   glb: { description: 'glTF files', mimeTypes: ['model/gltf-binary'], extensions: ['.glb'] },
+  exr: { description: 'OpenEXR pictures', mimeTypes: ['image/x-exr'], extensions: ['.exr'] },
+  npy: { description: 'NumPy arrays', mimeTypes: ['application/octet-stream'], extensions: ['.npy'] },
+  csv: { description: 'CSV tables', mimeTypes: ['text/csv'], extensions: ['.csv'] },
   zip: { description: 'Zip archives', mimeTypes: ['application/zip'], extensions: ['.zip'] },
 };
 

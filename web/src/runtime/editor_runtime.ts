@@ -15,7 +15,7 @@ import { mayReceive } from '../editor/permissions';
 import { misfit, type NamedFile } from '../editor/picture';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
-import { drawn } from '../editor/update/exporting';
+import { drawn } from '../editor/update/drawn';
 import { asError } from '../error';
 import type { Area } from '../geometry/area';
 import { deviceView } from '../geometry/camera';

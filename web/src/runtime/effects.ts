@@ -12,6 +12,7 @@ import type { Exports } from './exports';
 import type { Files } from './files';
 import { exportFilm, findCodecs } from './films';
 import type { Focus } from './focus';
+import { exportMap } from './maps';
 import type { MenuPopover } from './menu_popover';
 import type { Pictures } from './pictures';
 import { fitRig } from './rig_fitting';
@@ -78,6 +79,8 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     exports.run((following) => exportRig(effect, pictures, following)),
   'export-engine-rig': (effect, { exports, pictures, dispatch }) =>
     exports.run((following) => exportEngineRig(effect, pictures, following, dispatch)),
+  'export-map': (effect, { exports, pictures, pixelated }) =>
+    exports.run((following) => exportMap(effect, pictures, pixelated, following)),
   'cancel-export': (_, { exports }) => exports.cancel(),
   'find-codecs': (effect, { dispatch }) => findCodecs(effect, dispatch),
   'copy-code': (effect, { dispatch }) => copyCode(effect.code, dispatch),

@@ -1,4 +1,4 @@
-/** Runs one export at a time: of a picture, a film, or a rig. */
+/** Runs one export at a time: of a picture, a film, a rig, or a map. */
 import type { Dispatch } from '../editor/events';
 import { asError, isAbort } from '../error';
 

@@ -26,6 +26,7 @@ type StoredDocument = Pick<
   | 'exports'
   | 'films'
   | 'engines'
+  | 'maps'
   | 'exportKind'
 > & {
   readonly mark: string;
@@ -134,7 +135,7 @@ export class StoredWork {
     // An earlier version of this tab is part of this one.
     values.delete(this.#nameOf(this.#writer));
     const { id, file, name, thumbnail, record, drawings = [], guarded, ...more } = work;
-    const { snapping, pixelated, saved, exports, films, engines, exportKind } = more;
+    const { snapping, pixelated, saved, exports, films, engines, maps, exportKind } = more;
     if (file !== this.#file) [this.#file, this.#mark] = [file, unique()];
     const mark = this.#mark;
     if (picture?.mark !== mark) values.put(`${this.#key}/picture`, { id, file, name, thumbnail, mark });
@@ -149,6 +150,7 @@ export class StoredWork {
       ...(exports && { exports }),
       ...(films && { films }),
       ...(engines && { engines }),
+      ...(maps && { maps }),
       ...(exportKind && { exportKind }),
     };
     const writer = this.#writer;

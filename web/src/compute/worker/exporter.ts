@@ -2,6 +2,7 @@
 import type { ExportReply, ExportRequest } from '../exporting_messages';
 import init from '../generated/c2warp_export';
 import { engineRig } from './exports/engine_rig';
+import { mapFile } from './exports/map_file';
 import { webRig } from './exports/web_rig';
 
 declare const self: DedicatedWorkerGlobalScope;
@@ -15,6 +16,9 @@ self.onmessage = async ({ data: request }: MessageEvent<ExportRequest>) => {
     if (order.kind === 'web-rig') {
       const rig = webRig(request, order, rgba, tell);
       post({ made: rig }, [rig.buffer]);
+    } else if (order.kind === 'map') {
+      const file = mapFile(request, order, rgba, tell);
+      post({ made: file }, [file.buffer]);
     } else {
       const rig = engineRig(request, order, rgba, tell);
       post(

@@ -31,8 +31,9 @@ export function snapshotOf(state: EditorState): WorkSnapshot | null {
   const open = opening.trial ? opening.trial.before : picture && { picture, work: workOf(state) };
   if (!open) return null;
   const { id, file, name, thumbnail } = open.picture;
-  const { kind: exportKind, choices: exports, film: films, engine: engines } = exporting;
-  const settings = { guarded: guard.on, snapping: display.snapping, exports, films, engines, exportKind };
+  const { kind: exportKind, choices: exports, film: films, engine: engines, maps } = exporting;
+  const chosen = { exports, films, engines, maps, exportKind };
+  const settings = { guarded: guard.on, snapping: display.snapping, ...chosen };
   return { id, file, name, thumbnail, ...open.work, ...settings };
 }
 

@@ -5,9 +5,8 @@ import { ENGINE_FORMATS, type EngineChoices, engineFile, influencesOf } from '..
 import { stem } from '../picture';
 import { type EditorState, filedProject } from '../state';
 import { saveWork } from './autosave';
-import { withExport } from './export_slice';
+import { beginExport, withExport } from './export_slice';
 import type { Handlers } from './handlers';
-import { beginTask } from './notices';
 
 export function exportEngineRig(state: EditorState, emit: Emit): EditorState {
   const { picture, exporting, media } = state;
@@ -21,8 +20,7 @@ export function exportEngineRig(state: EditorState, emit: Emit): EditorState {
   const order = { format, bones, influences, vertices, stem: stem(picture.name) };
   const name = engineFile(picture.name, format);
   emit({ type: 'export-engine-rig', name, project, choices, picture, order, target });
-  const task = { name: 'export', label: 'Exporting', cancellable: true, fraction: 0 } as const;
-  return beginTask(withExport(state, { running: { cut: false }, measured: null }), task, emit);
+  return beginExport(withExport(state, { measured: null }), emit);
 }
 
 const choose = (state: EditorState, choice: Partial<EngineChoices>, emit: Emit): EditorState =>

@@ -1,20 +1,20 @@
-import { clipNamed } from '../../document/clips';
-import { isAlong } from '../../document/moment';
 import type { Project } from '../../document/project';
-import type { ClipMoment, Emit } from '../effects';
+import type { Emit } from '../effects';
 import { lossText } from '../engine_texts';
 import { EXPORT_FORMATS, type ExportChoices } from '../export_choices';
 import { timeLeftText } from '../film_texts';
 import { EXPORT_CANCELLED, savedText } from '../notice_texts';
 import { stem } from '../picture';
-import { documentOf, type EditorState, filedProject } from '../state';
+import { type EditorState, filedProject } from '../state';
 import { reachesBeyondFrame } from '../view';
 import { saveWork } from './autosave';
+import { drawn } from './drawn';
 import { exportEngineRig, lossOf } from './engines';
-import { withExport } from './export_slice';
+import { beginExport, withExport } from './export_slice';
 import { exportFilm } from './filming';
 import type { Handlers } from './handlers';
-import { announce, beginTask, endTask, followTask, inform, notify, report } from './notices';
+import { exportMap } from './maps';
+import { announce, endTask, followTask, inform, notify, report } from './notices';
 import { exportRig } from './web_page';
 
 /** Steps of the percentage that screen readers announce. */
@@ -44,17 +44,9 @@ export function exportChosen(state: EditorState, emit: Emit): EditorState {
       return exportRig(state, emit);
     case 'engine':
       return exportEngineRig(state, emit);
+    case 'maps':
+      return exportMap(state, emit);
   }
-}
-
-/** The pose that exports draw. Along a clip the picture keeps to the way from its beginning. */
-export function drawn(state: EditorState): { readonly project: Project; readonly moment: ClipMoment | null } {
-  const document = documentOf(state);
-  const clip = document.moment && clipNamed(document.moment.base, document.moment.clip);
-  const deformation = state.solution.shown?.deformation;
-  if (!document.moment || !clip || !deformation || !isAlong(document, deformation.posesAt))
-    return { project: document.project, moment: null };
-  return { project: document.moment.base, moment: { clip, time: document.moment.time } };
 }
 
 export function exportPicture(
@@ -70,8 +62,7 @@ export function exportPicture(
   const cut = choices.area === 'picture' && reachesBeyondFrame(state);
   const carried = { project: projectForFile(state), picture: holdsPicture ? picture : null };
   emit({ type: 'export', name, ...drawn(state), choices, carried });
-  const task = { name: 'export', label: 'Exporting', cancellable: true, fraction: 0 } as const;
-  return beginTask(withExport(state, { running: { cut } }), task, emit);
+  return beginExport(state, emit, cut);
 }
 
 export function cancelExport(state: EditorState, emit: Emit): EditorState {

@@ -13,12 +13,12 @@ import {
 } from '../film_choices';
 import { filmSize } from '../film_model';
 import { NO_CLIP_TO_EXPORT } from '../film_texts';
-import { stem } from '../picture';
+import { fileWord, stem } from '../picture';
 import { type EditorState, filedProject } from '../state';
 import { saveWork } from './autosave';
-import { withExport } from './export_slice';
+import { beginExport, withExport } from './export_slice';
 import type { Handlers } from './handlers';
-import { beginTask, inform } from './notices';
+import { inform } from './notices';
 
 /** Exports the chosen clip. Asks for the browser's codecs first, unless they are known. */
 export function exportFilm(state: EditorState, emit: Emit): EditorState {
@@ -49,12 +49,8 @@ export function exportFilm(state: EditorState, emit: Emit): EditorState {
       name: fileStem,
     },
   });
-  const task = { name: 'export', label: 'Exporting', cancellable: true, fraction: 0 } as const;
-  return beginTask(withExport(state, { running: { cut: false }, awaitsCodecs: false }), task, emit);
+  return beginExport(withExport(state, { awaitsCodecs: false }), emit);
 }
-
-/** Characters that file names cannot have become hyphens. */
-const fileWord = (name: string): string => name.replaceAll(/[\\/:*?"<>|\s]+/g, '-');
 
 function chooseKind(state: EditorState, kind: ExportKind, emit: Emit): EditorState {
   const next = withExport(state, { kind });

@@ -24,6 +24,7 @@ import type { Handlers } from './handlers';
 import { keyHandlers } from './keys';
 import { lassoHandlers } from './lasso';
 import { lensHandlers, requestStudy } from './lens';
+import { mapHandlers } from './maps';
 import { menuHandlers } from './menu';
 import { dismiss, noticeHandlers } from './notices';
 import { pageHandlers } from './page';
@@ -96,6 +97,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...trialHandlers,
   ...waitingHandlers,
   ...engineHandlers,
+  ...mapHandlers,
   ...webPageHandlers,
 };
 

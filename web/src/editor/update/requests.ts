@@ -67,8 +67,8 @@ export function restore(
   const restoring: Restoring = { id, work, from, phase: 'reading' };
   const guard = { ...state.guard, on: work.guarded, holding: false };
   const { choices, film, engine, kind } = state.exporting;
-  const { exports = choices, films = film, engines = engine, exportKind = kind } = work;
-  const chosen = { choices: exports, film: films, engine: engines, kind: exportKind };
+  const { exports = choices, films = film, engines = engine, maps = state.exporting.maps } = work;
+  const chosen = { choices: exports, film: films, engine: engines, maps, kind: work.exportKind ?? kind };
   const exporting = { ...state.exporting, ...chosen };
   const display = { ...state.display, snapping: work.snapping ?? state.display.snapping };
   return withOpening({ ...state, guard, display, exporting }, { restoring, nextId: id + 1 });

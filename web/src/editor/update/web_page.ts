@@ -2,16 +2,14 @@
 import type { Emit } from '../effects';
 import { playerCode, rigName } from '../player_code';
 import { type EditorState, filedProject } from '../state';
-import { withExport } from './export_slice';
+import { beginExport, withExport } from './export_slice';
 import type { Handlers } from './handlers';
-import { beginTask } from './notices';
 
 export function exportRig(state: EditorState, emit: Emit): EditorState {
   const { picture, exporting } = state;
   if (!picture || exporting.running) return state;
   emit({ type: 'export-rig', name: rigName(picture.name), project: filedProject(state), picture });
-  const task = { name: 'export', label: 'Exporting', cancellable: true, fraction: 0 } as const;
-  return beginTask(withExport(state, { running: { cut: false } }), task, emit);
+  return beginExport(state, emit);
 }
 
 function copyCode(state: EditorState, emit: Emit): EditorState {

@@ -16,6 +16,7 @@ const KINDS: Readonly<Record<ExportKind, string>> = {
   film: 'Film',
   page: 'Web page',
   engine: 'Engine',
+  maps: 'Maps',
 };
 
 /** @param pages those that are loaded later; null until then. */
@@ -73,9 +74,10 @@ function page(
   dispatch: Dispatch,
   pages: ExportPages | null,
 ): TemplateResult | typeof nothing {
-  const { kind, film, page, engine } = model.exporting;
+  const { kind, film, page, engine, maps } = model.exporting;
   if (kind === 'picture') return picturePage(model, dispatch);
   if (engine) return pages?.engine(engine, model, dispatch) ?? nothing;
+  if (maps) return pages?.maps(maps, model, dispatch) ?? nothing;
   if (film) return pages?.film(film, model, dispatch) ?? nothing;
   return (page && pages?.page(page, model, dispatch)) ?? nothing;
 }

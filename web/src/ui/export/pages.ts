@@ -4,12 +4,15 @@ import { enginePage } from './engine';
 import { engineStyle } from './engine_style';
 import { filmPage } from './film';
 import { filmStyle } from './film_style';
+import { mapPage } from './map';
+import { mapStyle } from './map_style';
 import { webPage } from './web_page';
 import { webPageStyle } from './web_page_style';
 
 export const exportPages: ExportPages = {
-  styles: [filmStyle, webPageStyle, engineStyle],
+  styles: [filmStyle, webPageStyle, engineStyle, mapStyle],
   film: filmPage,
   page: webPage,
   engine: enginePage,
+  maps: mapPage,
 };

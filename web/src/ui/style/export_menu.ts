@@ -70,6 +70,9 @@ export const exportMenuStyle = css`
   }
   .export .row .faint {
     display: block;
+    min-width: 0;
+    overflow: hidden;
+    text-overflow: ellipsis;
     font-variant-numeric: tabular-nums;
     white-space: nowrap;
   }

@@ -1,8 +1,8 @@
 /** A rig for a game engine: its files, and its loss in numbers. */
-import { zipSync } from 'fflate';
 import type { EngineLoss, Errors } from '../../../document/engine_rig';
-import type { EngineRig, EngineRigOrder, ExportedFile, ExportRequest } from '../../exporting_messages';
+import type { EngineRig, EngineRigOrder, ExportRequest } from '../../exporting_messages';
 import { type EngineFiles, EngineFormat, EngineOptions, engine_rig } from '../../generated/c2warp_export';
+import { zipped } from './zip';
 
 const FORMATS: Readonly<Record<EngineRigOrder['format'], EngineFormat>> = {
   spine: EngineFormat.Spine,
@@ -10,9 +10,6 @@ const FORMATS: Readonly<Record<EngineRigOrder['format'], EngineFormat>> = {
   gltf: EngineFormat.Gltf,
   godot: EngineFormat.Godot,
 };
-
-/** The same rig gives the same bytes: a zip can hold no earlier day. */
-const DAY = '1980-01-01T00:00';
 
 /** @throws Error for options that do not fit the picture. */
 export function engineRig(
@@ -27,13 +24,7 @@ export function engineRig(
     name,
     bytes: rig.bytes(file) as Uint8Array<ArrayBuffer>,
   }));
-  return { files: zip === null ? files : [zipped(zip, files)], loss: lossOf(rig) };
-}
-
-/** Pictures are compressed already. */
-function zipped(name: string, files: readonly ExportedFile[]): ExportedFile {
-  const entries = files.map(({ name, bytes }) => [name, [bytes, { level: name.endsWith('.png') ? 0 : 6 }]]);
-  return { name, bytes: zipSync(Object.fromEntries(entries), { mtime: DAY }) as Uint8Array<ArrayBuffer> };
+  return { files: zip === null ? files : [{ name: zip, bytes: zipped(files) }], loss: lossOf(rig) };
 }
 
 function lossOf({ sizes, errors }: EngineFiles): EngineLoss {

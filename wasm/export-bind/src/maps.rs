@@ -1,0 +1,178 @@
+//! Maps of a warp, heat maps, and weights: the files of `c2warp maps` and `c2warp weights`.
+
+use std::fmt;
+
+use c2warp::{
+    Canvas, Filter, Picture, ResampleOptions, Solution, clip::Playback, deform::Pose, project::Project, solve,
+};
+use c2warp_maps::{Map, MapFormat, Maps, Places, TableFormat, Weights, heat_map};
+use js_sys::{Error as JsError, Function};
+use wasm_bindgen::prelude::*;
+
+/// The part of the work that is done once the project is solved.
+const SOLVED: f64 = 0.2;
+
+/// The largest array: a page holds it as a whole.
+const MOST_BYTES: u64 = 512 << 20;
+
+/// A quantity with a value at each pixel.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy)]
+pub enum MapKind {
+    /// For each pixel of the warped picture, the place of the picture that it shows.
+    Inverse,
+    /// For each pixel of the picture, its place in the warped picture.
+    Forward,
+    /// The growth of areas and lengths.
+    Stretch,
+    /// Places that the warp uncovers and covers.
+    Disocclusion,
+}
+
+/// A map, its format, and the drawing that it belongs to.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy)]
+pub struct MapOptions {
+    map: Map,
+    format: MapFormat,
+    canvas: Canvas,
+    filter: Filter,
+}
+
+/// A solved project with its picture.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct SolvedProject {
+    project: Project,
+    solution: Solution,
+    size: [u32; 2],
+    rgba: Vec<u8>,
+    tell: Function,
+}
+
+fn refused(reason: impl fmt::Display) -> JsError {
+    JsError::new(&reason.to_string())
+}
+
+#[wasm_bindgen]
+impl MapOptions {
+    /// `exr`: OpenEXR with 32-bit floats, in place of PNG with 16 bits. `grow`: the map holds all that is bent beyond
+    /// the picture's rectangle. `pixelated`: the drawing is pixel art.
+    #[wasm_bindgen(constructor)]
+    pub fn new(map: MapKind, exr: bool, grow: bool, pixelated: bool) -> Self {
+        let map = match map {
+            MapKind::Inverse => Map::Inverse,
+            MapKind::Forward => Map::Forward,
+            MapKind::Stretch => Map::Stretch,
+            MapKind::Disocclusion => Map::Disocclusion,
+        };
+        let format = if exr { MapFormat::Exr } else { MapFormat::Png };
+        let canvas = if grow { Canvas::Grown } else { Canvas::Picture };
+        let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
+        Self { map, format, canvas, filter }
+    }
+}
+
+#[wasm_bindgen]
+impl SolvedProject {
+    /// Solves a project.
+    ///
+    /// `rgba` is straight, rows from top to bottom. `tell` gets the part of the export that is done, from 0 to 1.
+    ///
+    /// # Errors
+    /// For a project that cannot be solved with this picture.
+    #[wasm_bindgen(constructor)]
+    pub fn new(project_json: &str, width: u32, height: u32, rgba: Vec<u8>, tell: Function) -> Result<Self, JsError> {
+        let project = Project::from_json(project_json).map_err(refused)?;
+        let solution = solve(&project, &Picture::new(width, height, &rgba).map_err(refused)?).map_err(refused)?;
+        let solved = Self { project, solution, size: [width, height], rgba, tell };
+        solved.tell(0.0);
+        Ok(solved)
+    }
+
+    /// A map of the project's pose, or of its clip with a name at a time in seconds. `name` is that of the picture's
+    /// file.
+    ///
+    /// # Errors
+    /// For an unknown clip, and for a map that is larger than a picture may be.
+    pub fn map(&self, options: MapOptions, name: &str, clip: Option<String>, seconds: f64) -> Result<Vec<u8>, JsError> {
+        let MapOptions { map, format, canvas, filter } = options;
+        let picture = self.picture()?;
+        let pose = self.pose(clip, seconds)?;
+        let drawn = ResampleOptions { scale: 1.0, canvas, filter, edges: self.project.edges };
+        let drawing = self.solution.drawing(&picture, &pose, drawn).map_err(refused)?;
+        let maps = Maps { solution: &self.solution, pose: &pose, picture, drawing: &drawing, name };
+        maps.file(map, format, &mut |part| self.tell(part)).map_err(refused)
+    }
+
+    /// The weight of a handle as a heat map over the picture at rest, as PNG.
+    ///
+    /// # Errors
+    /// For an unknown handle.
+    #[wasm_bindgen(js_name = heatMap)]
+    pub fn heat_map(&self, handle: &str) -> Result<Vec<u8>, JsError> {
+        let weights = Weights::new(&self.solution, &self.project, Some(handle)).map_err(refused)?;
+        heat_map(&self.solution, &weights, self.picture()?, &mut |part| self.tell(part)).map_err(refused)
+    }
+
+    /// The weights of all sites at every N-th pixel, as an array for NumPy or as CSV.
+    ///
+    /// # Errors
+    /// For an array that is too large.
+    pub fn weights(&self, every: u32, npy: bool) -> Result<Vec<u8>, JsError> {
+        self.table(None, every, npy)
+    }
+
+    /// The weight of a handle at every N-th pixel, as an array for NumPy or as CSV.
+    ///
+    /// # Errors
+    /// For an unknown handle, and for an array that is too large.
+    #[wasm_bindgen(js_name = handleWeights)]
+    pub fn handle_weights(&self, handle: &str, every: u32, npy: bool) -> Result<Vec<u8>, JsError> {
+        self.table(Some(handle), every, npy)
+    }
+
+    /// The sites in the order of an array's last side, as CSV.
+    ///
+    /// # Errors
+    /// If the table cannot be written.
+    pub fn sites(&self) -> Result<Vec<u8>, JsError> {
+        let weights = Weights::new(&self.solution, &self.project, None).map_err(refused)?;
+        let mut file = Vec::new();
+        weights.write_sites(&mut file).map_err(refused)?;
+        Ok(file)
+    }
+}
+
+impl SolvedProject {
+    fn picture(&self) -> Result<Picture<'_>, JsError> {
+        let [width, height] = self.size;
+        Picture::new(width, height, &self.rgba).map_err(refused)
+    }
+
+    fn pose(&self, clip: Option<String>, seconds: f64) -> Result<Pose, JsError> {
+        let Self { project, solution, .. } = self;
+        let Some(name) = clip else {
+            return solution.pose(project).map_err(refused);
+        };
+        let clip = project.clips.iter().find(|clip| clip.name == name);
+        let clip = clip.ok_or_else(|| refused(format!("the project has no clip {name:?}")))?.clone();
+        let mut playback = Playback::new(solution.poser().clone(), clip, project.handles.clone());
+        playback.pose(seconds, project.pose.blend).map_err(refused)
+    }
+
+    fn table(&self, handle: Option<&str>, every: u32, npy: bool) -> Result<Vec<u8>, JsError> {
+        let weights = Weights::new(&self.solution, &self.project, handle).map_err(refused)?;
+        let places = Places::grid(self.size, every);
+        weights.check_size(&places, MOST_BYTES).map_err(refused)?;
+        let format = if npy { TableFormat::Npy } else { TableFormat::Csv };
+        let mut file = Vec::new();
+        weights.write(&places, format, &mut file, &mut |part| self.tell(part)).map_err(refused)?;
+        Ok(file)
+    }
+
+    fn tell(&self, part: f64) {
+        // Nothing can be done about a listener that fails.
+        let _ = self.tell.call1(&JsValue::NULL, &(SOLVED + (1.0 - SOLVED) * part).into());
+    }
+}

@@ -1,0 +1,36 @@
+/** The page of the export panel for maps and weights, as people see it. */
+import type { Size } from '../geometry/camera';
+import { type MapChoices, mapFile, mapFileName } from './map_choices';
+import { type EditorState, onlySelected } from './state';
+import { exportSize } from './view';
+
+export interface MapModel {
+  readonly choices: MapChoices;
+  /** The name of the only selected handle. */
+  readonly handle: string | null;
+  /** The name of the file; null if it needs a selected handle. */
+  readonly file: string | null;
+  /** Pixels, or points of a table. */
+  readonly size: Size | null;
+}
+
+export function mapModel(state: EditorState): MapModel {
+  const { picture, exporting } = state;
+  const choices = exporting.maps;
+  const handle = onlySelected(state)?.id ?? null;
+  const file = mapFile(choices, handle);
+  return {
+    choices,
+    handle,
+    file: picture && file && mapFileName(picture.name, file),
+    size: sizeOf(state, choices),
+  };
+}
+
+function sizeOf(state: EditorState, { map, area, every }: MapChoices): Size | null {
+  const { picture } = state;
+  if (map === 'weights')
+    return picture && { width: Math.ceil(picture.width / every), height: Math.ceil(picture.height / every) };
+  const isAtRest = map === 'forward' || map === 'heat';
+  return exportSize(state, { percent: 100, area: isAtRest ? 'picture' : area });
+}

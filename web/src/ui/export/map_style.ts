@@ -1,0 +1,9 @@
+/** The page of the export panel for maps. */
+import { css } from 'lit';
+
+export const mapStyle = css`
+  .export .map-kinds .segments {
+    display: grid;
+    grid-template-columns: repeat(3, 1fr);
+  }
+`;
