@@ -50,6 +50,18 @@ impl Solution {
 }
 
 impl ContinuedMap<'_> {
+    /// Whether a point lies in the domain.
+    #[must_use]
+    pub fn is_inside(&self, p: DVec2) -> bool {
+        self.solution.navigation().triangle_at(p).is_some()
+    }
+
+    /// Whether the picture around the domain stays in place.
+    #[must_use]
+    pub fn background_stays(&self) -> bool {
+        self.background_stays
+    }
+
     /// The posed place of a point, in pixels.
     #[must_use]
     pub fn place(&self, p: DVec2) -> DVec2 {
