@@ -349,7 +349,6 @@ export const CASES: readonly Case[] = [
       ['HEIC', 'a HEIC picture', '\0\0\0\x18ftypheic\0\0\0\0mif1heic'],
       ['TIFF', 'a TIFF picture', 'II*\0\b\0\0\0\0\0'],
       ['Photoshop', 'a Photoshop document', '8BPS\0\x01\0\0\0\0\0\0'],
-      ['SVG', 'an SVG drawing', '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>'],
       ['PDF', 'a PDF document', '%PDF-1.7\n'],
     ] as const
   ).map(
@@ -361,10 +360,19 @@ export const CASES: readonly Case[] = [
     }),
   ),
   {
+    oddity: 'SVG',
+    title: 'drawing',
+    file: latin(
+      '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 3 2"><path d="M0 0h3v2H0z" fill="red"/></svg>',
+    ),
+    editor: named('an SVG drawing'),
+    command: opened(),
+  },
+  {
     oddity: 'no picture',
     title: 'text',
     file: latin('once upon a time'),
-    editor: /is not a (PNG, JPEG or WebP )?picture/,
+    editor: /is not a (PNG, JPEG, WebP or SVG )?picture/,
   },
   { oddity: 'no picture', title: 'nothing', file: [], editor: /file is empty/ },
 ];

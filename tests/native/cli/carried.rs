@@ -79,7 +79,7 @@ fn a_held_picture_is_rejected_by_its_key() {
         ("data:image/png;base64", "the data: URL is damaged"),
         ("data:image/png;base64,&&&", "the data: URL is damaged"),
         ("data:,", "this is not a picture: the file is empty"),
-        ("DATA:text/plain,once%20upon%20a%20time", "this is not a PNG, JPEG or WebP picture"),
+        ("DATA:text/plain,once%20upon%20a%20time", "this is not a PNG, JPEG, WebP or SVG picture"),
     ] {
         folder = folder.edited(|project| project["image"]["src"] = src.into());
         let line = fail(folder.path(), WARP);

@@ -43,7 +43,7 @@ fn invalid_picture_files_are_rejected() {
     let folder = SceneFolder::new("strip");
     for (contents, reason) in [
         (&b""[..], "the file is empty"),
-        (b"once upon a time", "this is not a PNG, JPEG or WebP picture"),
+        (b"once upon a time", "this is not a PNG, JPEG, WebP or SVG picture"),
         (b"GIF89a\x01\0\x01\0\x80\0\0", "this is a GIF picture: save it as PNG, JPEG or WebP"),
         (b"II*\0\x08\0\0\0", "this is a TIFF picture: save it as PNG, JPEG or WebP"),
         (b"\0\0\0\x18ftypheic\0\0\0\0mif1heic", "this is a HEIC picture: save it as"),

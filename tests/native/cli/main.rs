@@ -7,6 +7,7 @@ mod bake;
 mod carried;
 mod check;
 mod command;
+mod drawings;
 mod errors;
 mod export;
 mod fit;

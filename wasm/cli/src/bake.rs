@@ -47,7 +47,7 @@ fn check_is_no_picture(path: &Path) -> Result<(), CliError> {
 
 /// Returns the file, or the same pixels as WebP if that is smaller.
 fn smaller(picture: &PictureFile) -> Vec<u8> {
-    let PictureFile { pixels, profile, format, bytes } = picture;
+    let PictureFile { pixels, profile, format, bytes, .. } = picture;
     if *format != ImageFormat::Png || profile.is_some() {
         return bytes.clone();
     }

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use c2warp::project::ProjectError;
 use c2warp_export::ExportError;
 use c2warp_maps::WeightsError;
+use c2warp_vector::VectorError;
 use image::{ImageError, ImageFormat};
 
 use crate::progress;
@@ -91,12 +92,20 @@ pub(crate) enum CliError {
     NoPicture { path: PathBuf },
     #[error("{}: this is not a picture: the file is empty", path.display())]
     PictureEmpty { path: PathBuf },
-    #[error("{}: this is not a PNG, JPEG or WebP picture", path.display())]
+    #[error("{}: this is not a PNG, JPEG, WebP or SVG picture", path.display())]
     PictureUnknown { path: PathBuf },
     #[error("{}: this is {name}: save it as PNG, JPEG or WebP", path.display())]
     PictureType { path: PathBuf, name: &'static str },
     #[error("{}: the picture is damaged or truncated: {reason}", path.display())]
     PictureDamaged { path: PathBuf, reason: ImageError },
+    #[error("{}: {reason}", path.display())]
+    Drawing { path: PathBuf, reason: VectorError },
+    #[error("{}: this is not a drawing: the file is not UTF-8 text", path.display())]
+    DrawingText { path: PathBuf },
+    #[error("{}: only a drawing can be written as SVG, and the picture has pixels: use .png", path.display())]
+    NoDrawing { path: PathBuf },
+    #[error("{option}: a drawing in SVG has no pixels: use .png")]
+    OfPixels { option: &'static str },
     #[error("{}: {reason}", path.display())]
     Refused { path: PathBuf, reason: c2warp::Error },
     #[error("{}: {reason}", path.display())]

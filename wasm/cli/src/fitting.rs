@@ -49,7 +49,7 @@ impl FittingProject {
     /// The project with a picture. Tells on standard error which handles were moved into its outline.
     pub(crate) fn with_picture(&self, image: Arc<PictureFile>, path: PathBuf) -> Result<LoadedProject, CliError> {
         let picture = image.picture(&path)?;
-        let own = (self.file.project.image.width, self.file.project.image.height);
+        let own = self.file.size();
         if self.fit.is_none() && own == picture.size() {
             return Ok(self.file.with_picture(image, path, self.names_picture));
         }

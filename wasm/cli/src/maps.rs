@@ -80,7 +80,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         let file = maps.file(map, format, &mut |_| {});
         output.write(|writer| writer.write_all(&file.map_err(io::Error::other)?))?;
     }
-    arguments.drawing.print_origin(drawing.extent(), paths.iter().map(|&(_, path)| path))
+    arguments.drawing.print_origin(drawing.extent().origin.map(f64::from), paths.iter().map(|&(_, path)| path))
 }
 
 /// The format of an output. A stream takes OpenEXR.

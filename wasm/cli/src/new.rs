@@ -49,7 +49,7 @@ struct Handles {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let path = &arguments.picture;
-    let file = picture::read(path)?;
+    let file = picture::read(path, None)?;
     let (width, height) = file.pixels.dimensions();
     let picture = Picture::new(width, height, file.pixels.as_raw()).map_err(CliError::refused(path))?;
     let target = match &arguments.output {

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use c2warp::deform::Pose;
-use c2warp::{Canvas, Extent, Filter, ResampleOptions, Solution, raster};
+use c2warp::{Canvas, Filter, ResampleOptions, Solution, raster};
 
 use crate::error::CliError;
 use crate::output;
@@ -16,7 +16,7 @@ use crate::project::LoadedProject;
 pub(crate) struct PosedDrawing {
     /// Pixels of the result per pixel of the picture
     #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
-    scale: f64,
+    pub(crate) scale: f64,
     /// Grow the result to hold everything that is bent beyond the picture's rectangle. Prints X,Y: the position of the
     /// picture's upper left corner in the result. Prints it to standard error if standard output takes a file
     #[arg(long)]
@@ -25,7 +25,7 @@ pub(crate) struct PosedDrawing {
     moment: Moment,
     /// Draw pixel art: take the nearest pixel of the picture, mix no colours and smooth no edges
     #[arg(long)]
-    pixelated: bool,
+    pub(crate) pixelated: bool,
 }
 
 /// A time in a clip.
@@ -74,7 +74,7 @@ impl PosedDrawing {
     /// Prints where the picture lies in a result that may grow. `written` are the paths of all outputs.
     pub(crate) fn print_origin<'a>(
         &self,
-        Extent { origin: [left, top], .. }: Extent,
+        [left, top]: [f64; 2],
         mut written: impl Iterator<Item = &'a Path>,
     ) -> Result<(), CliError> {
         if !self.grow {

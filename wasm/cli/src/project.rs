@@ -8,6 +8,7 @@ use c2warp::deform::Pose;
 use c2warp::domain::{Domain, OutlineDetail};
 use c2warp::project::{Clip, Project};
 use c2warp::{Picture, Solution, Solver, Stage};
+use c2warp_vector::{Drawing, VectorError};
 
 use crate::carried;
 use crate::error::{self, CliError};
@@ -71,13 +72,18 @@ impl ProjectFile {
         carried::project_text(input::read(path).map_err(CliError::read(path))?, path)
     }
 
+    /// The size of the project's picture.
+    pub(crate) fn size(&self) -> (u32, u32) {
+        (self.project.image.width, self.project.image.height)
+    }
+
     /// Reads the picture that the project names or holds. Returns its path as well.
     pub(crate) fn own_picture(&self) -> Result<(PictureFile, PathBuf), CliError> {
-        let (path, source) = (self.own_picture_path()?, self.project.image.src.as_str());
+        let (path, source, size) = (self.own_picture_path()?, self.project.image.src.as_str(), Some(self.size()));
         let image = if carried::is_data_url(source) {
-            picture::read_from(&*carried::data_url_bytes(source, &self.path)?, &path)?
+            picture::read_from(&*carried::data_url_bytes(source, &self.path)?, &path, size)?
         } else {
-            picture::read(&path)?
+            picture::read(&path, size)?
         };
         Ok((image, path))
     }
@@ -129,7 +135,7 @@ impl LoadedProject {
     fn of(file: ProjectFile, image: Option<&Path>, fit: Option<Fit>) -> Result<Self, CliError> {
         match image {
             Some(path) => {
-                let image = picture::read(path)?;
+                let image = picture::read(path, Some(file.size()))?;
                 FittingProject::new(file, fit, false)?.with_picture(Arc::new(image), path.to_owned())
             }
             None => {
@@ -179,6 +185,16 @@ impl LoadedProject {
     /// Returns the ICC profile of the picture's colours, or `None` for sRGB.
     pub(crate) fn profile(&self) -> Option<&[u8]> {
         self.image.profile.as_deref()
+    }
+
+    /// Returns the picture as a drawing, or `None` for pixels.
+    pub(crate) fn drawing(&self) -> Option<&Drawing> {
+        self.image.drawing.as_ref()
+    }
+
+    /// Returns an error about the contents of the drawing.
+    pub(crate) fn drawing_refused(&self, reason: VectorError) -> CliError {
+        CliError::Drawing { path: self.image_path.clone(), reason }
     }
 
     /// Returns the picture file with its pixels.

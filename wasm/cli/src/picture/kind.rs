@@ -31,7 +31,7 @@ const DRAWINGS: &[&str] = &["<?xml", "<!--", "<!doctype svg", "<svg"];
 /// Returns the type of a file by its first [`SIGNATURE_BYTES`], with an article.
 pub(super) fn name(start: &[u8]) -> Option<&'static str> {
     let signature = SIGNATURES.iter().find(|(signature, _)| start.starts_with(signature));
-    signature.map(|&(_, name)| name).or_else(|| media_name(start)).or_else(|| drawing_name(start))
+    signature.map(|&(_, name)| name).or_else(|| media_name(start))
 }
 
 fn media_name(start: &[u8]) -> Option<&'static str> {
@@ -42,10 +42,11 @@ fn media_name(start: &[u8]) -> Option<&'static str> {
     BRANDS.iter().find(|(wanted, _)| has(wanted)).map(|&(_, name)| name)
 }
 
-fn drawing_name(start: &[u8]) -> Option<&'static str> {
+/// Returns whether a file is an SVG drawing.
+pub(super) fn is_drawing(start: &[u8]) -> bool {
     let text = String::from_utf8_lossy(start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start));
     let text = text.trim_start().to_ascii_lowercase();
-    DRAWINGS.iter().any(|word| text.starts_with(word)).then_some("an SVG drawing")
+    DRAWINGS.iter().any(|word| text.starts_with(word))
 }
 
 #[cfg(test)]
@@ -61,7 +62,6 @@ mod tests {
             (b"\0\0\0\x1cftypmif1\0\0\0\0mif1avifmiaf", Some("an AVIF picture")),
             (b"\0\0\0\x18ftypisom\0\0\0\0isomavif", Some("an AVIF picture")),
             (b"\0\0\0\x14ftypisom\0\0\0\0isomavif", None),
-            (b"\xef\xbb\xbf\n<SVG/>", Some("an SVG drawing")),
             (b"once upon a time", None),
             (b"", None),
             (b"\0\0\0\0", None),

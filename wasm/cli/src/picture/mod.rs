@@ -5,6 +5,9 @@
 //! lost. `web/docs/pictures.md` compares the command with the editor.
 
 mod apng;
+mod drawing;
+#[cfg(not(target_family = "wasm"))]
+mod fonts;
 mod jpeg;
 mod kind;
 mod orientation;
@@ -15,6 +18,7 @@ use std::io::{Cursor, Read};
 use std::path::Path;
 
 use c2warp::Picture;
+use c2warp_vector::{Drawing, MAX_BYTES};
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
 
 use crate::error::CliError;
@@ -23,6 +27,9 @@ use crate::input;
 /// Memory limit of decoders: enough for the largest picture at 16 bits per channel and a decoder's own copy.
 const DECODER_BYTES: u64 = 2 << 30;
 
+/// A larger drawing is refused by its size.
+const MAX_DRAWING_BYTES: u64 = MAX_BYTES as u64 + 1;
+
 /// A decoded picture.
 #[derive(Debug)]
 pub(crate) struct PictureFile {
@@ -30,8 +37,10 @@ pub(crate) struct PictureFile {
     /// The ICC profile of RGB colours. `None` for sRGB, and for CMYK, because decoding converts it to RGB.
     pub(crate) profile: Option<Vec<u8>>,
     pub(crate) format: ImageFormat,
-    /// The bytes of the file.
+    /// The bytes of the file. A PNG of the pixels for a drawing.
     pub(crate) bytes: Vec<u8>,
+    /// The drawing that the pixels are of.
+    pub(crate) drawing: Option<Drawing>,
 }
 
 impl PictureFile {
@@ -42,14 +51,17 @@ impl PictureFile {
     }
 }
 
-/// Reads a picture file.
-pub(crate) fn read(path: &Path) -> Result<PictureFile, CliError> {
-    read_from(input::open(path).map_err(CliError::read(path))?, path)
+/// Reads a picture file. A drawing is rendered at the `size` of the project's picture, or large enough for handles.
+pub(crate) fn read(path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
+    read_from(input::open(path).map_err(CliError::read(path))?, path, size)
 }
 
 /// Reads a picture. Errors begin with `path`.
-pub(crate) fn read_from(file: impl Read, path: &Path) -> Result<PictureFile, CliError> {
-    let (format, mut bytes) = read_bytes(file, path)?;
+pub(crate) fn read_from(file: impl Read, path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
+    let (format, mut bytes) = match read_bytes(file, path)? {
+        Contents::Pixels(format, bytes) => (format, bytes),
+        Contents::Drawing(bytes) => return drawing::rendered(bytes, path, size),
+    };
     match format {
         ImageFormat::Jpeg => match jpeg::end(&bytes) {
             jpeg::End::Marked => {}
@@ -76,7 +88,13 @@ fn read_unmarked(path: &Path, [plain, filled @ ..]: [Vec<u8>; 3]) -> Result<Pict
 
 fn decode(path: &Path, format: ImageFormat, bytes: Vec<u8>) -> Result<PictureFile, CliError> {
     let (pixels, profile) = pixels(path, format, &bytes)?;
-    Ok(PictureFile { pixels, profile, format, bytes })
+    Ok(PictureFile { pixels, profile, format, bytes, drawing: None })
+}
+
+/// A file by its type.
+enum Contents {
+    Pixels(ImageFormat, Vec<u8>),
+    Drawing(Vec<u8>),
 }
 
 /// The pixels, and the profile of their colours.
@@ -107,11 +125,15 @@ fn pixels(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<Pixels, CliE
 }
 
 /// Reads a picture file and detects its type. Other files are rejected after the first bytes.
-fn read_bytes(mut file: impl Read, path: &Path) -> Result<(ImageFormat, Vec<u8>), CliError> {
+fn read_bytes(mut file: impl Read, path: &Path) -> Result<Contents, CliError> {
     let mut bytes = Vec::new();
     file.by_ref().take(kind::SIGNATURE_BYTES as u64).read_to_end(&mut bytes).map_err(CliError::read(path))?;
     if bytes.is_empty() {
         return Err(CliError::PictureEmpty { path: path.to_owned() });
+    }
+    if kind::is_drawing(&bytes) {
+        file.take(MAX_DRAWING_BYTES).read_to_end(&mut bytes).map_err(CliError::read(path))?;
+        return Ok(Contents::Drawing(bytes));
     }
     let format = image::guess_format(&bytes).ok().filter(ImageFormat::reading_enabled);
     let format = format.ok_or_else(|| match kind::name(&bytes) {
@@ -119,7 +141,7 @@ fn read_bytes(mut file: impl Read, path: &Path) -> Result<(ImageFormat, Vec<u8>)
         None => CliError::PictureUnknown { path: path.to_owned() },
     })?;
     file.read_to_end(&mut bytes).map_err(CliError::read(path))?;
-    Ok((format, bytes))
+    Ok(Contents::Pixels(format, bytes))
 }
 
 fn truncated(path: &Path) -> CliError {

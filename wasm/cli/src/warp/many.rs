@@ -47,20 +47,22 @@ struct Batch<'a> {
     arguments: &'a Arguments,
     has_many_images: bool,
     projects: Shared<PathBuf, FittingProject>,
-    pictures: Shared<PathBuf, PictureFile>,
+    /// By path, and by the size at which a drawing is rendered.
+    pictures: Shared<(PathBuf, (u32, u32)), PictureFile>,
     solutions: Shared<SolveKey, Solution>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
-    let images = files(&arguments.images)?;
-    let has_many_images = arguments.projects.len() == 1;
+    let images = files(arguments.images())?;
+    let projects = arguments.projects();
+    let has_many_images = projects.len() == 1;
     if !has_many_images && images.len() > 1 {
         return Err(CliError::ManyOfBoth);
     }
     let jobs: Vec<Job> = if has_many_images {
-        images.into_iter().map(|image| arguments.job(&arguments.projects[0], Some(image.clone()), &image)).collect()
+        images.into_iter().map(|image| arguments.job(&projects[0], Some(image.clone()), &image)).collect()
     } else {
-        arguments.projects.iter().map(|path| arguments.job(path, images.first().cloned(), path)).collect()
+        projects.iter().map(|path| arguments.job(path, images.first().cloned(), path)).collect()
     };
     for folder in [Some(&arguments.output), arguments.stmap.as_ref()].into_iter().flatten() {
         fs::create_dir_all(folder).map_err(CliError::write(folder))?;
@@ -76,7 +78,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
     };
     if has_many_images {
         // An error about the only project is told once.
-        batch.project(&arguments.projects[0])?;
+        batch.project(&projects[0])?;
     }
     let failed = AtomicBool::new(false);
     let tell = |reason: CliError| {
@@ -161,15 +163,16 @@ impl Batch<'_> {
 
     fn open(&self, job: &Job) -> Result<LoadedProject, CliError> {
         let project = self.project(&job.project)?;
-        let read = |path: &Path| picture::read(path);
+        let size = project.file().size();
+        let read = |path: &Path| picture::read(path, Some(size));
         match &job.image {
             // Each picture is used once.
             Some(path) if self.has_many_images => project.with_picture(Arc::new(read(path)?), path.clone()),
-            Some(path) => project.with_picture(self.pictures.get(path.clone(), || read(path))?, path.clone()),
+            Some(path) => project.with_picture(self.pictures.get((path.clone(), size), || read(path))?, path.clone()),
             None => {
                 let file = project.file();
                 let path = file.own_picture_path()?;
-                let image = self.pictures.get(path.clone(), || file.own_picture().map(|(image, _)| image))?;
+                let image = self.pictures.get((path.clone(), size), || file.own_picture().map(|(image, _)| image))?;
                 Ok(file.with_picture(image, path, false))
             }
         }

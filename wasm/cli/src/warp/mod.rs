@@ -1,6 +1,7 @@
-//! `c2warp warp`: the warped picture as a PNG at full quality, and its ST map. Many pictures or projects are warped in
-//! parallel.
+//! `c2warp warp`: the warped picture as a PNG at full quality, and its ST map, or a bent drawing as SVG. Many pictures
+//! or projects are warped in parallel.
 
+mod bent;
 mod many;
 mod targets;
 
@@ -17,25 +18,28 @@ use crate::fitting::Fit;
 use crate::posed_drawing::PosedDrawing;
 use crate::project::LoadedProject;
 
-/// Warps pictures at full quality and writes a PNG for each
+/// Warps pictures at full quality and writes a PNG for each. Bends a drawing and writes an SVG
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example: the picture at twice its size, with room for what is bent beyond it\n  \
                         c2warp warp cat.c2warp.json -o bent.png --scale 2 --grow")]
 pub(crate) struct Arguments {
     /// The project file *.c2warp.json, or a PNG that the editor exported. Use - to read this or any other input from
-    /// standard input. Of several projects, each has its own result
-    #[arg(required = true)]
-    projects: Vec<PathBuf>,
+    /// standard input. Of several projects, each has its own result. With --project, pictures
+    #[arg(required = true, value_name = "PROJECTS")]
+    inputs: Vec<PathBuf>,
     /// Use this picture instead of the project's image.src. If it has another size, the project is scaled. Of several
     /// pictures, or those in a folder, each has its own result
-    #[arg(long = "image", value_name = "FILE|FOLDER")]
+    #[arg(long = "image", value_name = "FILE|FOLDER", group = "others")]
     images: Vec<PathBuf>,
+    /// The project, if pictures come first: c2warp warp cat.svg --project cat.c2warp.json -o bent.svg
+    #[arg(long, value_name = "PROJECT", group = "others")]
+    project: Option<PathBuf>,
     /// Fit the project to pictures of other proportions, or with their outline in another place
-    #[arg(long, requires = "images")]
+    #[arg(long, requires = "others")]
     fit: Option<Fit>,
-    /// The output file, or - for standard output. For several inputs a folder: results have the names of the pictures,
-    /// or of the projects if there are several
-    #[arg(short, long, value_name = "OUT.png|FOLDER")]
+    /// The output file, or - for a PNG on standard output. OUT.svg bends the paths of a picture that is a drawing. For
+    /// several inputs a folder of PNGs: they have the names of the pictures, or of the projects if there are several
+    #[arg(short, long, value_name = "OUT.png|OUT.svg|FOLDER")]
     output: PathBuf,
     /// Work on up to this many inputs at a time. The default is the number of cores
     #[arg(short, long, value_name = "N")]
@@ -48,19 +52,33 @@ pub(crate) struct Arguments {
     stmap: Option<PathBuf>,
 }
 
+impl Arguments {
+    fn projects(&self) -> &[PathBuf] {
+        self.project.as_ref().map_or(&self.inputs, std::slice::from_ref)
+    }
+
+    /// The pictures in place of the project's own, with their folders.
+    fn images(&self) -> &[PathBuf] {
+        if self.project.is_some() { &self.inputs } else { &self.images }
+    }
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
-    let is_folder = |path: &PathBuf| path.is_dir();
-    if arguments.projects.len() > 1 || arguments.images.len() > 1 || arguments.images.iter().any(is_folder) {
+    let (projects, images) = (arguments.projects(), arguments.images());
+    if projects.len() > 1 || images.len() > 1 || images.iter().any(|path| path.is_dir()) {
         return many::run(arguments);
     }
-    let image = arguments.images.first().map(PathBuf::as_path);
-    let loaded = LoadedProject::read(&arguments.projects[0], image, arguments.fit)?;
+    let loaded = LoadedProject::read(&projects[0], images.first().map(PathBuf::as_path), arguments.fit)?;
     arguments.drawing.check(&loaded)?;
+    if bent::is_svg(&arguments.output) {
+        return bent::run(arguments, &loaded);
+    }
     let targets = Targets::open(&loaded, &arguments.output, arguments.stmap.as_deref())?;
     let solution = loaded.solve()?;
     let extent = targets.write(&loaded, &solution, &arguments.drawing)?;
     let written = [Some(&arguments.output), arguments.stmap.as_ref()];
-    arguments.drawing.print_origin(extent, written.into_iter().flatten().map(PathBuf::as_path))
+    let origin = extent.origin.map(f64::from);
+    arguments.drawing.print_origin(origin, written.into_iter().flatten().map(PathBuf::as_path))
 }
 
 pub(crate) fn encode_png(warped: &Warped, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {
