@@ -54,3 +54,23 @@ fn latin(text: &str) -> String {
     let character = |c: char| if c.is_ascii() { c.to_string() } else { c.escape_unicode().to_string() };
     text.chars().map(character).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use super::*;
+
+    #[test]
+    fn rows_are_made_once_and_a_band_at_a_time() {
+        let made = Mutex::new(Vec::new());
+        let rows = |band: Range<u32>| {
+            made.lock().unwrap().push(band.clone());
+            vec![[0.5; 4]; band.len() * 3]
+        };
+        let mut told = Vec::new();
+        encode([3, 40], "a map", rows, &mut |part| told.push(part)).unwrap();
+        assert_eq!(*made.lock().unwrap(), [0..16, 16..32, 32..40]);
+        assert!(told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
+    }
+}
