@@ -84,7 +84,7 @@ test('maps and weights are those of the command, at the playhead', async ({ page
   await editor.button('Export as …').click();
   await press(page, 'Heat map');
   await expect(panel(page).getByText('select it first')).toBeVisible();
-  await expect(panel(page).getByRole('button', { name: 'Export heat map' })).toBeDisabled();
+  await expect(panel(page).getByRole('button', { name: 'Export map' })).toBeDisabled();
   await page.keyboard.press('Escape');
   await editor.handle('head').click();
   const heat = await exported(editor, page, ['Heat map']);

@@ -1,4 +1,5 @@
 /** The page of the export panel for maps and weights, as people see it. */
+import { nameOf } from '../document/handle';
 import type { Size } from '../geometry/camera';
 import { type MapChoices, mapFile, mapFileName } from './map_choices';
 import { type EditorState, onlySelected } from './state';
@@ -6,7 +7,7 @@ import { exportSize } from './view';
 
 export interface MapModel {
   readonly choices: MapChoices;
-  /** The name of the only selected handle. */
+  /** The only selected handle in words. */
   readonly handle: string | null;
   /** The name of the file; null if it needs a selected handle. */
   readonly file: string | null;
@@ -17,11 +18,11 @@ export interface MapModel {
 export function mapModel(state: EditorState): MapModel {
   const { picture, exporting } = state;
   const choices = exporting.maps;
-  const handle = onlySelected(state)?.id ?? null;
-  const file = mapFile(choices, handle);
+  const handle = onlySelected(state);
+  const file = mapFile(choices, handle?.id ?? null);
   return {
     choices,
-    handle,
+    handle: handle && nameOf(handle),
     file: picture && file && mapFileName(picture.name, file),
     size: sizeOf(state, choices),
   };

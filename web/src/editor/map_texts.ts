@@ -35,6 +35,6 @@ export function tableNote({ table }: MapChoices, isZip: boolean): string {
 export const pointsText = (size: Size | null): string =>
   size ? `${size.width.toLocaleString('en')} × ${size.height.toLocaleString('en')} points` : '';
 
-/** @param handle the name of the selected handle. */
+/** @param handle the selected one in words. */
 export const heatText = (handle: string | null): string =>
-  handle === null ? SELECT_ONE : `Of the selected handle “${handle}”.`;
+  handle === null ? SELECT_ONE : `Selected: ${handle}.`;

@@ -58,7 +58,7 @@ describe('a map', () => {
   it('of one handle needs a selection', () => {
     const runtime = opened();
     choose(runtime, { map: 'heat' });
-    expect(mapModel(runtime.state)).toMatchObject({ handle: 'tail: tip', file: 'cat-heat-tail-tip.png' });
+    expect(mapModel(runtime.state)).toMatchObject({ file: 'cat-heat-tail-tip.png' });
     runtime.dispatch({ type: 'command-run', command: 'bail' });
     expect(mapModel(runtime.state)).toMatchObject({ handle: null, file: null });
     runtime.dispatch({ type: 'command-run', command: 'export' });

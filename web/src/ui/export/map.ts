@@ -39,10 +39,8 @@ export function mapPage(maps: MapModel, model: EditorModel, dispatch: Dispatch):
   return html`<div class="map-kinds">${choice('Map', MAP_NAMES, map, (map) => choose({ map }))}</div>
     <p class="faint">${MAP_NOTES[map]}</p>
     ${map === 'heat' ? heat(maps) : map === 'weights' ? weights(maps, choose, model, dispatch) : warpMap(maps, choose)}
-    ${exportRow(told(maps), WORDS[map] ?? 'map', maps.file === null, model, dispatch)}`;
+    ${exportRow(told(maps), map === 'weights' ? map : 'map', maps.file === null, model, dispatch)}`;
 }
-
-const WORDS: Readonly<Record<string, string>> = { heat: 'heat map', weights: 'weights' };
 
 const warpMap = (
   { choices: { format, area } }: MapModel,
@@ -72,5 +70,5 @@ function weights(maps: MapModel, choose: Choose, model: EditorModel, dispatch: D
 
 function told({ choices: { map, area }, file, size }: MapModel): TemplateResult {
   const sides = map === 'weights' ? pointsText(size) : sizeText(size, area === 'grown');
-  return html`${file === null ? nothing : html`${file}<br />`}${sides}`;
+  return html`${file === null ? nothing : html`<span class="map-file">${file}</span>`}${sides}`;
 }

@@ -6,4 +6,9 @@ export const mapStyle = css`
     display: grid;
     grid-template-columns: repeat(3, 1fr);
   }
+  .export .map-file {
+    display: block;
+    white-space: normal;
+    overflow-wrap: anywhere;
+  }
 `;
