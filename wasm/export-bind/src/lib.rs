@@ -3,5 +3,7 @@
 //! It lives in a worker that ends with the export. So a cancel needs no pause in it. One file an export.
 
 pub mod bake;
+pub mod drawing;
 pub mod engine;
 pub mod maps;
+pub mod solved;

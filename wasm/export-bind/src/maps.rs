@@ -1,16 +1,11 @@
 //! Maps of a warp, heat maps, and weights: the files of `c2warp maps` and `c2warp weights`.
 
-use std::fmt;
-
-use c2warp::{
-    Canvas, Filter, Picture, ResampleOptions, Solution, clip::Playback, deform::Pose, project::Project, solve,
-};
+use c2warp::{Canvas, Filter, ResampleOptions};
 use c2warp_maps::{Map, MapFormat, Maps, Places, TableFormat, Weights, heat_map};
-use js_sys::{Error as JsError, Function};
+use js_sys::Error as JsError;
 use wasm_bindgen::prelude::*;
 
-/// The part of the work that is done once the project is solved.
-const SOLVED: f64 = 0.2;
+use crate::solved::{SolvedProject, refused};
 
 /// The largest array: a page holds it as a whole.
 const MOST_BYTES: u64 = 512 << 20;
@@ -39,21 +34,6 @@ pub struct MapOptions {
     filter: Filter,
 }
 
-/// A solved project with its picture.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct SolvedProject {
-    project: Project,
-    solution: Solution,
-    size: [u32; 2],
-    rgba: Vec<u8>,
-    tell: Function,
-}
-
-fn refused(reason: impl fmt::Display) -> JsError {
-    JsError::new(&reason.to_string())
-}
-
 #[wasm_bindgen]
 impl MapOptions {
     /// `exr`: OpenEXR with 32-bit floats, in place of PNG with 16 bits. `grow`: the map holds all that is bent beyond
@@ -75,21 +55,6 @@ impl MapOptions {
 
 #[wasm_bindgen]
 impl SolvedProject {
-    /// Solves a project.
-    ///
-    /// `rgba` is straight, rows from top to bottom. `tell` gets the part of the export that is done, from 0 to 1.
-    ///
-    /// # Errors
-    /// For a project that cannot be solved with this picture.
-    #[wasm_bindgen(constructor)]
-    pub fn new(project_json: &str, width: u32, height: u32, rgba: Vec<u8>, tell: Function) -> Result<Self, JsError> {
-        let project = Project::from_json(project_json).map_err(refused)?;
-        let solution = solve(&project, &Picture::new(width, height, &rgba).map_err(refused)?).map_err(refused)?;
-        let solved = Self { project, solution, size: [width, height], rgba, tell };
-        solved.tell(0.0);
-        Ok(solved)
-    }
-
     /// A map of the project's pose, or of its clip with a name at a time in seconds. `name` is that of the picture's
     /// file.
     ///
@@ -145,22 +110,6 @@ impl SolvedProject {
 }
 
 impl SolvedProject {
-    fn picture(&self) -> Result<Picture<'_>, JsError> {
-        let [width, height] = self.size;
-        Picture::new(width, height, &self.rgba).map_err(refused)
-    }
-
-    fn pose(&self, clip: Option<String>, seconds: f64) -> Result<Pose, JsError> {
-        let Self { project, solution, .. } = self;
-        let Some(name) = clip else {
-            return solution.pose(project).map_err(refused);
-        };
-        let clip = project.clips.iter().find(|clip| clip.name == name);
-        let clip = clip.ok_or_else(|| refused(format!("the project has no clip {name:?}")))?.clone();
-        let mut playback = Playback::new(solution.poser().clone(), clip, project.handles.clone());
-        playback.pose(seconds, project.pose.blend).map_err(refused)
-    }
-
     fn table(&self, handle: Option<&str>, every: u32, npy: bool) -> Result<Vec<u8>, JsError> {
         let weights = Weights::new(&self.solution, &self.project, handle).map_err(refused)?;
         let places = Places::grid(self.size, every);
@@ -169,10 +118,5 @@ impl SolvedProject {
         let mut file = Vec::new();
         weights.write(&places, format, &mut file, &mut |part| self.tell(part)).map_err(refused)?;
         Ok(file)
-    }
-
-    fn tell(&self, part: f64) {
-        // Nothing can be done about a listener that fails.
-        let _ = self.tell.call1(&JsValue::NULL, &(SOLVED + (1.0 - SOLVED) * part).into());
     }
 }

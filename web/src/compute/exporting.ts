@@ -16,6 +16,7 @@ const TOO_LARGE: Readonly<Record<keyof Exports, string>> = {
   'web-rig': 'The clips are more than a rig can hold in this browser: shorten them.',
   'engine-rig': 'The clips are more than a rig can hold in this browser: shorten them.',
   map: 'The file is more than this browser can hold: the command line writes it.',
+  drawing: 'The drawing is more than this browser can bend: simplify it.',
 };
 
 /**
@@ -60,5 +61,5 @@ export async function solvedExport<K extends keyof Exports>(
 }
 
 /** The words of the command, as a sentence. */
-const sentence = (words: string): string =>
+export const sentence = (words: string): string =>
   `${words.charAt(0).toUpperCase()}${words.slice(1)}${words.endsWith('.') ? '' : '.'}`;

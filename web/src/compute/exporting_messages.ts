@@ -39,6 +39,23 @@ export interface MapOrder {
   readonly time: number;
 }
 
+/** A drawing with bent paths. */
+export interface DrawingOrder {
+  readonly kind: 'drawing';
+  readonly svg: string;
+  /** Whether the frame grows to hold all that is bent beyond it. */
+  readonly grow: boolean;
+  /** The name of the clip that poses the handles at a time in seconds; null for the pose of the project. */
+  readonly clip: string | null;
+  readonly time: number;
+}
+
+export interface BentDrawing {
+  readonly svg: string;
+  /** Parts that are left out or do not bend, in words. */
+  readonly remarks: readonly string[];
+}
+
 export interface ExportedFile {
   readonly name: string;
   readonly bytes: Bytes;
@@ -54,6 +71,7 @@ export interface Exports {
   readonly 'web-rig': { readonly order: WebRigOrder; readonly made: Bytes };
   readonly 'engine-rig': { readonly order: EngineRigOrder; readonly made: EngineRig };
   readonly map: { readonly order: MapOrder; readonly made: Bytes };
+  readonly drawing: { readonly order: DrawingOrder; readonly made: BentDrawing };
 }
 
 export type ExportOrder = Exports[keyof Exports]['order'];

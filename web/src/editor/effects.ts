@@ -116,6 +116,7 @@ export type EditorEffect =
   | {
       readonly type: 'export';
       readonly name: string;
+      readonly picture: Picture;
       readonly project: Project;
       /** The time of a clip that poses the handles. */
       readonly moment: ClipMoment | null;

@@ -256,6 +256,8 @@ type FileEvent =
       /** The name of the saved file; null if it was cancelled or has failed. */
       readonly saved: string | null;
       readonly error: Error | null;
+      /** Sentences on parts that the file lacks. */
+      readonly remarks?: readonly string[];
     }
   /** `left`: seconds until it ends, if that is known. */
   | { readonly type: 'export-progressed'; readonly fraction: number; readonly left?: number }

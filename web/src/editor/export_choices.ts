@@ -3,7 +3,10 @@ import type { Area } from '../geometry/area';
 
 export type ExportKind = 'picture' | 'film' | 'page' | 'engine' | 'maps';
 
-export type ExportFormat = 'png' | 'jpeg' | 'webp';
+export type ExportFormat = 'png' | 'jpeg' | 'webp' | 'svg';
+
+/** Formats of pixels. */
+export type PixelFormat = Exclude<ExportFormat, 'svg'>;
 
 export interface ExportChoices {
   readonly format: ExportFormat;
@@ -24,6 +27,13 @@ export const DEFAULT_CHOICES: ExportChoices = {
   background: '#ffffff',
 };
 
+/** The choices for a picture: only a drawing is exported as one, which has no size of its covered part. */
+export function choicesFor(choices: ExportChoices, isDrawing: boolean): ExportChoices {
+  if (choices.format !== 'svg') return choices;
+  if (!isDrawing) return { ...choices, format: 'png' };
+  return choices.area === 'covered' ? { ...choices, area: 'grown' } : choices;
+}
+
 export const QUALITIES = { least: 1, most: 100 } as const;
 export const PERCENTS = { least: 1, most: 1000 } as const;
 
@@ -31,4 +41,5 @@ export const EXPORT_FORMATS = {
   png: { name: 'PNG', extension: 'png', type: 'image/png' },
   jpeg: { name: 'JPEG', extension: 'jpg', type: 'image/jpeg' },
   webp: { name: 'WebP', extension: 'webp', type: 'image/webp' },
+  svg: { name: 'SVG', extension: 'svg', type: 'image/svg+xml' },
 } as const satisfies Record<ExportFormat, object>;

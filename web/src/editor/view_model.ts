@@ -18,7 +18,7 @@ import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
 import { type EngineModel, engineModel } from './engine_model';
-import type { ExportChoices, ExportKind } from './export_choices';
+import { choicesFor, type ExportChoices, type ExportKind } from './export_choices';
 import { type FilmModel, filmModel } from './film_model';
 import { gripsOf, hiddenOf, hitAt, isLassoing, turnsOf } from './hit_areas';
 import { type MapModel, mapModel } from './map_model';
@@ -30,7 +30,7 @@ import { isOpening, readingName } from './opening_state';
 import type { OverlayFlags } from './overlays';
 import type { Sample } from './page';
 import { handlesAreShown } from './permissions';
-import type { Picture } from './picture';
+import { isDrawing, type Picture } from './picture';
 import { snapped } from './snapping';
 import type { SolveReport } from './solution';
 import {
@@ -163,6 +163,8 @@ export interface EditorModel {
 export interface ExportModel {
   readonly kind: ExportKind;
   readonly choices: ExportChoices;
+  /** Whether the picture is a drawing, so that it can be exported as SVG. */
+  readonly isOfDrawing: boolean;
   readonly running: boolean;
   /**
    * Of the export, in pixels; for an area that follows the posed picture, about. Null without a picture, and while the
@@ -279,7 +281,9 @@ export function viewModel(state: EditorState): EditorModel {
     alt: page.alt,
     dark: media.dark,
     get exporting() {
-      const { kind, choices, running } = state.exporting;
+      const { kind, running } = state.exporting;
+      const isOfDrawing = state.picture !== null && isDrawing(state.picture);
+      const choices = choicesFor(state.exporting.choices, isOfDrawing);
       const open = display.popover === 'export';
       // The bounds of the posed picture take a pass over its mesh.
       const size = open && kind === 'picture' ? exportSize(state, choices) : null;
@@ -287,7 +291,7 @@ export function viewModel(state: EditorState): EditorModel {
       const page = open && kind === 'page' ? webPageModel(state) : null;
       const engine = open && kind === 'engine' ? engineModel(state) : null;
       const maps = open && kind === 'maps' ? mapModel(state) : null;
-      return { kind, choices, running: running !== null, size, film, page, engine, maps };
+      return { kind, choices, isOfDrawing, running: running !== null, size, film, page, engine, maps };
     },
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),

@@ -6,9 +6,9 @@ const KINDS = {
   any: {
     description: 'Pictures and c2warp projects',
     mimeTypes: ['image/*', 'application/json'],
-    extensions: ['.png', '.jpg', '.jpeg', '.webp', '.avif', '.gif', '.bmp', '.json'],
+    extensions: ['.png', '.jpg', '.jpeg', '.webp', '.svg', '.avif', '.gif', '.bmp', '.json'],
   },
-  svg: { description: 'SVG figures', mimeTypes: ['image/svg+xml'], extensions: ['.svg'] },
+  svg: { description: 'SVG drawings', mimeTypes: ['image/svg+xml'], extensions: ['.svg'] },
   png: { description: 'PNG pictures', mimeTypes: ['image/png'], extensions: ['.png'] },
   jpeg: { description: 'JPEG pictures', mimeTypes: ['image/jpeg'], extensions: ['.jpg', '.jpeg'] },
   webp: { description: 'WebP pictures', mimeTypes: ['image/webp'], extensions: ['.webp'] },

@@ -7,6 +7,8 @@ export interface ExportFollowing {
   readonly signal: AbortSignal;
   /** Gets the fraction that is done, and the seconds that are left, once these are known. */
   onProgress(fraction: number, left?: number): void;
+  /** Takes a sentence on a part that the file lacks. */
+  onRemark(sentence: string): void;
 }
 
 export class Exports {
@@ -24,9 +26,11 @@ export class Exports {
     const { signal } = controller;
     const onProgress = (fraction: number, left?: number) =>
       this.#dispatch({ type: 'export-progressed', fraction, ...(left === undefined ? {} : { left }) });
+    const remarks: string[] = [];
+    const onRemark = (sentence: string) => void remarks.push(sentence);
     try {
-      const saved = await exported({ signal, onProgress });
-      this.#dispatch({ type: 'export-ended', saved, error: null });
+      const saved = await exported({ signal, onProgress, onRemark });
+      this.#dispatch({ type: 'export-ended', saved, error: null, remarks });
     } catch (thrown) {
       const error = asError(thrown);
       this.#dispatch({ type: 'export-ended', saved: null, error: isAbort(error) ? null : error });

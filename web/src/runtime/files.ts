@@ -4,13 +4,14 @@ import type { Project } from '../document/project';
 import { projectText } from '../document/project_text';
 import type { EditorEffect, ProjectSource } from '../editor/effects';
 import type { Dispatch, EventOf } from '../editor/events';
-import { EXPORT_FORMATS } from '../editor/export_choices';
+import { EXPORT_FORMATS, type PixelFormat } from '../editor/export_choices';
 import type { NamedFile, Picture } from '../editor/picture';
 import { asError } from '../error';
 import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
 import { textChunk, textOfFile } from '../io/png_text';
 import { readBytes } from '../io/read';
+import { bentFile } from './bent_file';
 import { joinedProject, KEYWORD, splitProject } from './carried';
 import { writtenFile } from './exporting';
 import type { ExportFollowing } from './exports';
@@ -53,7 +54,8 @@ export class Files {
         given && !signal.aborted ? await this.#project(given, signal) : NO_PROJECT;
       if (signal.aborted) return;
       const pictures = files.length > 0 ? files : own ? [own] : [];
-      const picture = pictures.length > 0 ? await this.#firstPicture(pictures, signal) : null;
+      const { picture, source } =
+        pictures.length > 0 ? await this.#firstPicture(pictures, signal) : { picture: null, source: null };
       const read =
         picture && inside && !project
           ? await this.#inside(picture, signal)
@@ -61,7 +63,7 @@ export class Files {
       if (read.picture && signal.aborted) this.#pictures.drop(read.picture);
       if (signal.aborted) return;
       if (read.picture) this.#pictures.handOver(read.picture);
-      this.#dispatch({ type: 'read-ended', id, source: picture?.file ?? null, ...read });
+      this.#dispatch({ type: 'read-ended', id, source, ...read });
     } catch (error) {
       if (!signal.aborted) this.#dispatch({ type: 'read-failed', id, error: asError(error) });
     } finally {
@@ -87,13 +89,20 @@ export class Files {
     }
   }
 
-  /** The first file that is a picture. @throws WarpError about the first file if none is. */
-  async #firstPicture(files: readonly NamedFile[], signal: AbortSignal): Promise<Picture> {
+  /**
+   * The first file that is a picture. A drawing is kept as another file than its source.
+   *
+   * @throws WarpError about the first file if none is a picture.
+   */
+  async #firstPicture(
+    files: readonly NamedFile[],
+    signal: AbortSignal,
+  ): Promise<{ readonly picture: Picture; readonly source: NamedFile['file'] }> {
     let refusal: unknown;
     for (const { file, name } of files) {
       signal.throwIfAborted();
       try {
-        return await this.#pictures.read(file, name, signal);
+        return { picture: await this.#pictures.read(file, name, signal), source: file };
       } catch (error) {
         refusal ??= error;
       }
@@ -144,7 +153,12 @@ export class Files {
 
   /** Saves the warped picture. A PNG carries the project. */
   exportPicture(order: ExportOrder, pixelated: boolean, following: ExportFollowing): Promise<string | null> {
-    return saveFile(this.#written(order, pixelated, following), order.name, order.choices.format);
+    const { format } = order.choices;
+    const file =
+      format === 'svg'
+        ? bentFile(order, this.#pictures, following)
+        : this.#written(order, format, pixelated, following);
+    return saveFile(file, order.name, format);
   }
 
   dispose(): void {
@@ -157,10 +171,11 @@ export class Files {
 
   async #written(
     { project, moment, choices, carried }: ExportOrder,
+    format: PixelFormat,
     pixelated: boolean,
     following: ExportFollowing,
   ): Promise<Blob> {
-    const { format, percent, area, quality, background } = choices;
+    const { percent, area, quality, background } = choices;
     const chunks =
       format === 'png' ? [textChunk(KEYWORD, await this.#text(carried.project, carried.picture))] : [];
     const drawing = this.#solver.draw(project, { scale: percent / 100, area, pixelated }, moment);

@@ -109,13 +109,17 @@ async function written(
 const GROWN = 0.1;
 
 /** Grows the frames to hold all that is drawn in any. Returns how to follow the rest. */
-async function grown(filming: Filming, { signal, onProgress }: ExportFollowing): Promise<ExportFollowing> {
+async function grown(filming: Filming, following: ExportFollowing): Promise<ExportFollowing> {
+  const { signal, onProgress } = following;
   const { frames } = filming.size;
   for (let frame = 0; frame < frames; frame++) {
     await unlessAborted(filming.include(frame), signal);
     onProgress((GROWN * (frame + 1)) / frames);
   }
-  return { signal, onProgress: (fraction, left) => onProgress(GROWN + (1 - GROWN) * fraction, left) };
+  return {
+    ...following,
+    onProgress: (fraction, left) => onProgress(GROWN + (1 - GROWN) * fraction, left),
+  };
 }
 
 async function restPicture(filming: Filming, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer>> {

@@ -2,7 +2,11 @@
 import type { Picture, SourceFile } from '../editor/picture';
 import type { EditorState } from '../editor/state';
 import { codeOf, WarpError } from '../error';
+import type { Drawn } from '../io/drawing';
+import { signatureOf } from '../io/formats/signature';
 import { type OpenPicture, openPicture } from '../io/open_picture';
+import { readBytes } from '../io/read';
+import { notLoaded } from './lazy_view';
 
 export class Pictures {
   readonly #open = new Map<Picture, OpenPicture>();
@@ -21,14 +25,14 @@ export class Pictures {
    * @throws WarpError whose message begins with the file's name; AbortError if the signal is aborted.
    */
   async read(file: SourceFile, name: string, signal: AbortSignal): Promise<Picture> {
-    const open = await openedFile(file, name, signal);
+    const { open, kept } = await openedFile(file, name, signal);
     const { bitmap, preview } = open.texture;
     const picture: Picture = {
       id: `${performance.timeOrigin + performance.now()}`,
       name,
       // A large bitmap takes too long to scale in the page.
       thumbnail: thumbnailOf(preview ?? bitmap),
-      file,
+      file: kept,
       ...open.facts,
     };
     this.#open.set(picture, open);
@@ -81,9 +85,29 @@ function thumbnailOf(bitmap: ImageBitmap): string {
   return canvas.toDataURL('image/webp', 0.8);
 }
 
-async function openedFile(file: SourceFile, name: string, signal: AbortSignal): Promise<OpenPicture> {
+/** Bytes that tell whether a file is a drawing. */
+const START = 256;
+
+/** The picture of a drawing; null for any other file. The rest of the code for drawings is loaded at the first one. */
+async function drawnFile(file: Blob): Promise<Drawn | null> {
+  const start = new DataView(await readBytes(file.slice(0, START)));
+  if (signatureOf(start).kind !== 'drawing') return null;
+  const { drawnPicture } = await import('../io/drawing').catch((cause: unknown) => {
+    throw notLoaded(cause);
+  });
+  return drawnPicture(file);
+}
+
+/** The open picture, and the file that it is kept as: the same, but for a drawing. */
+async function openedFile(
+  file: SourceFile,
+  name: string,
+  signal: AbortSignal,
+): Promise<{ readonly open: OpenPicture; readonly kept: Blob }> {
   try {
-    return await openPicture(file as Blob, signal);
+    const drawn = await drawnFile(file as Blob);
+    const kept = drawn?.file ?? (file as Blob);
+    return { open: await openPicture(drawn?.pixels ?? kept, signal), kept };
   } catch (error) {
     throw withFileName(name, error);
   }

@@ -1,6 +1,7 @@
 /** Worker: makes one export with a solver. Each kind of export is a file in `exports`. */
 import type { ExportReply, ExportRequest } from '../exporting_messages';
 import init from '../generated/c2warp_export';
+import { bentDrawing } from './exports/bent_drawing';
 import { engineRig } from './exports/engine_rig';
 import { mapFile } from './exports/map_file';
 import { webRig } from './exports/web_rig';
@@ -19,6 +20,8 @@ self.onmessage = async ({ data: request }: MessageEvent<ExportRequest>) => {
     } else if (order.kind === 'map') {
       const file = mapFile(request, order, rgba, tell);
       post({ made: file }, [file.buffer]);
+    } else if (order.kind === 'drawing') {
+      post({ made: bentDrawing(request, order, rgba, tell) });
     } else {
       const rig = engineRig(request, order, rgba, tell);
       post(

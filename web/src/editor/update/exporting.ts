@@ -1,10 +1,11 @@
 import type { Project } from '../../document/project';
 import type { Emit } from '../effects';
 import { lossText } from '../engine_texts';
-import { EXPORT_FORMATS, type ExportChoices } from '../export_choices';
+import type { EventOf } from '../events';
+import { choicesFor, EXPORT_FORMATS, type ExportChoices } from '../export_choices';
 import { timeLeftText } from '../film_texts';
 import { EXPORT_CANCELLED, savedText } from '../notice_texts';
-import { stem } from '../picture';
+import { isDrawing, stem } from '../picture';
 import { type EditorState, filedProject } from '../state';
 import { reachesBeyondFrame } from '../view';
 import { saveWork } from './autosave';
@@ -56,12 +57,12 @@ export function exportPicture(
 ): EditorState {
   const { picture, exporting } = state;
   if (!picture || exporting.running) return state;
-  const choices = { ...exporting.choices, ...instead };
+  const choices = choicesFor({ ...exporting.choices, ...instead }, isDrawing(picture));
   const { extension } = EXPORT_FORMATS[choices.format];
   const name = `${stem(picture.name)}-warped${choices.area === 'grown' ? '-all' : ''}.${extension}`;
   const cut = choices.area === 'picture' && reachesBeyondFrame(state);
   const carried = { project: projectForFile(state), picture: holdsPicture ? picture : null };
-  emit({ type: 'export', name, ...drawn(state), choices, carried });
+  emit({ type: 'export', name, picture, ...drawn(state), choices, carried });
   return beginExport(state, emit, cut);
 }
 
@@ -82,13 +83,17 @@ function follow(state: EditorState, fraction: number, seconds: number | undefine
   return isStep ? announce(next, `Exporting, ${Math.round(now * 100)} percent`) : next;
 }
 
-function ended(before: EditorState, saved: string | null, error: Error | null, emit: Emit): EditorState {
+function ended(
+  before: EditorState,
+  { saved, error, remarks = [] }: EventOf<'export-ended'>,
+  emit: Emit,
+): EditorState {
   const cut = before.exporting.running?.cut ?? false;
   const state = withExport(endTask(before, 'export', emit), { running: null });
   if (error) return report(state, error, emit);
   if (saved === null) return announce(state, EXPORT_CANCELLED);
   const loss = lossOf(before);
-  const text = [savedText(saved, cut), ...(loss ? [lossText(loss)] : [])].join(' ');
+  const text = [savedText(saved, cut), ...(loss ? [lossText(loss)] : []), ...remarks].join(' ');
   if (!cut) return inform(state, text, emit);
   const event = { type: 'command-run', command: 'export-all' } as const;
   const action = { label: 'Export all', readsOnly: true, event } as const;
@@ -97,7 +102,7 @@ function ended(before: EditorState, saved: string | null, error: Error | null, e
 
 export const exportHandlers: Handlers<'export-ended' | 'export-progressed' | 'export-choice-made'> = {
   'export-progressed': (state, { fraction, left }, emit) => follow(state, fraction, left, emit),
-  'export-ended': (state, { saved, error }, emit) => ended(state, saved, error, emit),
+  'export-ended': ended,
   'export-choice-made': (state, { choice }, emit) =>
     saveWork(withExport(state, { choices: { ...state.exporting.choices, ...choice } }), emit),
 };

@@ -26,13 +26,13 @@ export function changed(value: number, change: NumberChange): number {
 /** A choice among a few words. `lacking` ones cannot be chosen. */
 export const choice = <T extends string>(
   label: string,
-  words: Readonly<Record<T, string>>,
+  words: Readonly<Partial<Record<T, string>>>,
   chosen: T | null,
   choose: (value: T) => void,
   lacking: readonly T[] = [],
 ): TemplateResult => html`<div class="segments" role="group" aria-label=${label}>
   ${(Object.keys(words) as T[]).map((value) =>
-    segment(words[value], value === chosen, lacking.includes(value), () => choose(value)),
+    segment(words[value] ?? value, value === chosen, lacking.includes(value), () => choose(value)),
   )}
 </div>`;
 

@@ -7,12 +7,14 @@ import type { Area } from '../../geometry/area';
 import { numberField } from '../number_field';
 import { changed, choice, colourOption, exportRow, qualityOption, SIZE, sizeText } from './controls';
 
-const FORMATS: Readonly<Record<ExportFormat, string>> = { png: 'PNG', jpeg: 'JPEG', webp: 'WebP' };
+const PIXEL_FORMATS = { png: 'PNG', jpeg: 'JPEG', webp: 'WebP' } as const;
+const FORMATS: Readonly<Record<ExportFormat, string>> = { ...PIXEL_FORMATS, svg: 'SVG' };
 
 const FORMAT_NOTES: Readonly<Record<ExportFormat, string>> = {
   png: 'Every pixel as it is, with transparency.',
   jpeg: 'Small files of photographs, without transparency.',
   webp: 'Small files, with transparency.',
+  svg: 'The drawing with bent paths, which stay sharp at any size.',
 };
 
 const AREAS: Readonly<Record<Area, string>> = {
@@ -28,7 +30,7 @@ const AREA_NOTES: Readonly<Record<Area, string>> = {
 };
 
 export function picturePage(model: EditorModel, dispatch: Dispatch): TemplateResult {
-  const { choices, size } = model.exporting;
+  const { choices, isOfDrawing, size } = model.exporting;
   const { format, quality, percent, area, background } = choices;
   const choose = (choice: Partial<ExportChoices>) => dispatch({ type: 'export-choice-made', choice });
   const resize = numberField(
@@ -38,12 +40,12 @@ export function picturePage(model: EditorModel, dispatch: Dispatch): TemplateRes
     model,
     dispatch,
   );
-  return html`${choice('Format', FORMATS, format, (format) => choose({ format }))}
+  return html`${choice<ExportFormat>('Format', isOfDrawing ? FORMATS : PIXEL_FORMATS, format, (format) => choose({ format }))}
     <p class="faint">${FORMAT_NOTES[format]}</p>
-    ${format === 'png' ? nothing : qualityOption(quality, (quality) => choose({ quality }))}
+    ${format === 'png' || format === 'svg' ? nothing : qualityOption(quality, (quality) => choose({ quality }))}
     ${format === 'jpeg' ? colourOption('Background', 'background', background, (background) => choose({ background })) : nothing}
-    ${choice('Area', AREAS, area, (area) => choose({ area }))}
+    ${choice('Area', AREAS, area, (area) => choose({ area }), format === 'svg' ? ['covered'] : [])}
     <p class="faint">${AREA_NOTES[area]}</p>
-    ${resize}
-    ${exportRow(sizeText(size, area !== 'picture'), EXPORT_FORMATS[format].name, false, model, dispatch)}`;
+    ${format === 'svg' ? nothing : resize}
+    ${exportRow(format === 'svg' ? '' : sizeText(size, area !== 'picture'), EXPORT_FORMATS[format].name, false, model, dispatch)}`;
 }

@@ -1,0 +1,36 @@
+import { describe, expect, it } from 'vitest';
+import { sizedDrawing } from './drawing';
+
+const size = (attributes: string) => {
+  const { width, height } = sizedDrawing(`<svg ${attributes}><path/></svg>`);
+  return [width, height];
+};
+
+describe('sizedDrawing', () => {
+  it('enlarges small drawings, and shrinks large ones', () => {
+    expect(size('viewBox="0 0 24 12"')).toEqual([1024, 512]);
+    expect(size('width="1500" height="1200"')).toEqual([1500, 1200]);
+    expect(size("width='9000px' height='3000'")).toEqual([4096, 1365]);
+  });
+
+  it('takes lengths with units, and ratios of the view box', () => {
+    expect(size('width="100mm" height="50mm"')).toEqual([1024, 512]);
+    expect(size('width="100%" height="100%" viewBox="0,0,30,60"')).toEqual([512, 1024]);
+    expect(size('height="2000" viewBox="0 0 1 2"')).toEqual([1000, 2000]);
+  });
+
+  it('keeps all else, and adds a view box to a drawing without one', () => {
+    const text =
+      '<?xml version="1.0"?><!-- <svg> -->\n<svg xmlns="a" stroke-width="3" width="8" height="8">&amp;</svg>';
+    expect(sizedDrawing(text).sized).toBe(
+      '<?xml version="1.0"?><!-- <svg> -->\n' +
+        '<svg xmlns="a" stroke-width="3" width="1024" height="1024" viewBox="0 0 8 8">&amp;</svg>',
+    );
+  });
+
+  it('refuses drawings without a size, and texts that are none', () => {
+    expect(() => size('')).toThrow(/no size/);
+    expect(() => size('viewBox="0 0 0 5"')).toThrow(/no size/);
+    expect(() => sizedDrawing('<?xml version="1.0"?><html/>')).toThrow(/damaged/);
+  });
+});

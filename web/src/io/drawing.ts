@@ -1,0 +1,120 @@
+/**
+ * SVG drawings as pixels. The page renders them as an image: there, no script runs and no other file is loaded.
+ *
+ * Small drawings are enlarged, so that handles find room.
+ */
+import { WarpError } from '../error';
+import { readBytes } from './read';
+
+/** The longer side of small drawings, in pixels. */
+const LEAST_SIDE = 1024;
+/** The longer side of the largest drawings. */
+const MOST_SIDE = 4096;
+/** Larger files are refused, as in Rust. */
+const MOST_BYTES = 64 << 20;
+
+export const DRAWING_TYPE = 'image/svg+xml';
+
+/** A drawing, and a picture of it. */
+export interface Drawn {
+  readonly file: Blob;
+  readonly pixels: Blob;
+}
+
+const DAMAGED = 'The drawing is damaged, or this browser cannot show it.';
+const NO_SIZE = 'The drawing has no size. Give it a width and a height, or a viewBox.';
+const TOO_LARGE = 'The drawing has more than 64 MB. Simplify it.';
+
+/**
+ * The picture of a drawing.
+ *
+ * @throws WarpError if the drawing cannot be shown; ReadError if the bytes cannot be read.
+ */
+export async function drawnPicture(file: Blob): Promise<Drawn> {
+  if (file.size > MOST_BYTES) throw new WarpError('picture', TOO_LARGE);
+  const text = new TextDecoder().decode(await readBytes(file));
+  const { sized, width, height } = sizedDrawing(text);
+  return {
+    file: new Blob([text], { type: DRAWING_TYPE }),
+    pixels: await rendered(new Blob([sized], { type: DRAWING_TYPE }), width, height),
+  };
+}
+
+interface SizedDrawing {
+  readonly sized: string;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A drawing with a size in whole pixels. @throws WarpError if it has no size. */
+export function sizedDrawing(text: string): SizedDrawing {
+  const prologue =
+    /^(?:\s|\ufeff|<\?[\s\S]*?\?>|<!--[\s\S]*?-->|<!DOCTYPE(?:[^[>]|\[[\s\S]*?\])*>)*/i.exec(text)?.[0] ?? '';
+  const [tag, name, attributes = ''] =
+    /^<((?:[\w.-]+:)?svg)((?:\s+[\w:.-]+\s*=\s*(?:"[^"]*"|'[^']*'))*\s*)/.exec(text.slice(prologue.length)) ??
+    [];
+  if (tag === undefined) throw new WarpError('picture', DAMAGED);
+  const box =
+    attributeOf(attributes, 'viewBox')
+      ?.trim()
+      .split(/[\s,]+/)
+      .map(Number) ?? [];
+  const [, , boxWidth = Number.NaN, boxHeight = Number.NaN] = box;
+  const [ownWidth, ownHeight] = [lengthOf(attributes, 'width'), lengthOf(attributes, 'height')];
+  const ratio = boxWidth / boxHeight;
+  const across = ownWidth ?? (ownHeight === null ? boxWidth : ownHeight * ratio);
+  const down = ownHeight ?? (ownWidth === null ? boxHeight : ownWidth / ratio);
+  if (!(across > 0 && down > 0 && Number.isFinite(across * down))) throw new WarpError('picture', NO_SIZE);
+  const side = Math.max(across, down);
+  const scale = Math.min(Math.max(side, LEAST_SIDE), MOST_SIDE) / side;
+  const [width, height] = [across, down].map((length) => Math.max(1, Math.round(length * scale))) as [
+    number,
+    number,
+  ];
+  const kept = attributes.replace(/\s(?:width|height)\s*=\s*(?:"[^"]*"|'[^']*')/g, '');
+  const seen = box.length === 4 ? '' : ` viewBox="0 0 ${across} ${down}"`;
+  const root = `<${name}${kept} width="${width}" height="${height}"${seen}`;
+  return { sized: prologue + root + text.slice(prologue.length + tag.length), width, height };
+}
+
+function attributeOf(attributes: string, name: string): string | undefined {
+  const [, , double, single] =
+    new RegExp(`(^|\\s)${name}\\s*=\\s*(?:"([^"]*)"|'([^']*)')`).exec(attributes) ?? [];
+  return double ?? single;
+}
+
+/** CSS pixels in each unit. */
+const UNITS: Readonly<Record<string, number>> = {
+  '': 1,
+  px: 1,
+  pt: 4 / 3,
+  pc: 16,
+  mm: 96 / 25.4,
+  cm: 96 / 2.54,
+  in: 96,
+};
+
+/** A length in pixels; null if it is relative or left out. */
+function lengthOf(attributes: string, name: string): number | null {
+  const [, number, unit = ''] =
+    /^\s*([\d.e+-]+)\s*([a-z]*)\s*$/i.exec(attributeOf(attributes, name) ?? '') ?? [];
+  const size = UNITS[unit.toLowerCase()];
+  return number === undefined || size === undefined ? null : Number(number) * size;
+}
+
+async function rendered(file: Blob, width: number, height: number): Promise<Blob> {
+  const image = new Image();
+  image.src = URL.createObjectURL(file);
+  try {
+    await image.decode();
+    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    canvas.getContext('2d')?.drawImage(image, 0, 0, width, height);
+    const png = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
+    if (!png) throw new Error('no memory for the canvas');
+    return png;
+  } catch (cause) {
+    throw new WarpError('picture', DAMAGED, { cause });
+  } finally {
+    URL.revokeObjectURL(image.src);
+  }
+}
