@@ -6,7 +6,9 @@ import { accessSync, constants, existsSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { printed, StepError, step } from './steps.mjs';
 
-const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
+/** A Chromium that cannot open windows takes a third less time. */
+const SHELL = 'chromium-headless-shell';
+const NAMES = [SHELL, 'chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
 /** Where Chrome is installed on macOS and Windows, outside of PATH. */
 const PLACES = [
   '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
@@ -56,10 +58,11 @@ export async function prepareChromium() {
   if (printed('apt-get', ['--version']) === undefined || !(root || sudo)) throw new StepError(missing);
   const [program, ...before] = [...(root ? [] : ['sudo', '-n']), 'apt-get'];
   await step('Package lists', program, [...before, 'update', '--quiet=2'], missing);
+  const name = printed('apt-cache', ['show', SHELL]) ? SHELL : 'chromium';
   await step(
     'Chromium',
     program,
-    [...before, 'install', '--quiet=2', '--yes', '--no-install-recommends', 'chromium', 'fonts-dejavu-core'],
+    [...before, 'install', '--quiet=2', '--yes', '--no-install-recommends', name, 'fonts-dejavu-core'],
     missing,
   );
   if (findChromium() === undefined) throw new StepError(missing);
