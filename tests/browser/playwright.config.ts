@@ -11,7 +11,8 @@ export default defineConfig({
   testDir: '.',
   outputDir: '../../test-results',
   fullyParallel: true,
-  workers: 2,
+  // Some wait for frames and replies while others compute.
+  workers: 3,
   // Graphics run on the CPU, so slow machines need long timeouts.
   timeout: 120_000,
   expect: { timeout: 20_000 },
