@@ -1,18 +1,15 @@
-//! A drawing again, with bent paths.
-//!
-//! Groups keep their transforms: a path is bent in image pixels, and written in its own units again. A definition is
-//! written once for each place that it is bent for. A clip path or mask bends as the paths do. Gradients and
-//! patterns follow the affine map that is closest to the warp over the path. Rectangles of masks and filters grow to
-//! hold the bent ones.
+//! Writes the elements of a drawing again.
 
 use std::collections::{HashMap, HashSet};
 
-use c2warp::ContinuedMap;
 use kurbo::{Affine, BezPath, Point, Rect, Shape};
 use usvg::roxmltree::{Document, Node};
 
+use super::{
+    attributes::{matrix, numbers, qualified, rectangle, rectangle_attributes, stroke_width, transform},
+    follow::Follow,
+};
 use crate::{
-    drawing::Drawing,
     error::VectorError,
     outline::{self, digits, path_text},
     spread::{affine_of, growth},
@@ -22,51 +19,28 @@ use crate::{
 
 /// Most segments of all paths.
 const MAX_NODES: usize = 300_000;
-const SVG: &str = "http://www.w3.org/2000/svg";
-const XLINK: &str = "http://www.w3.org/1999/xlink";
 /// Points along each side of a rectangle, and of a picture, that the warp is looked up at.
 const SIDE_POINTS: u32 = 8;
 
-/// How a bent drawing is framed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BentOptions {
-    /// Size of the file's picture for each unit of the drawing's own size.
-    pub scale: f64,
-    /// Grow the frame to hold all paths.
-    pub grow: bool,
+pub(super) struct Rewriter<'a, 'input> {
+    by_id: HashMap<&'a str, Node<'a, 'input>>,
+    taken: HashSet<String>,
+    /// Names of written definitions, by name and the way that they follow.
+    made: HashMap<String, String>,
+    pub(super) defs: String,
+    warp: Warp<'a>,
+    pub(super) nodes: [usize; 2],
+    /// The box around bent paths with their strokes, in image pixels.
+    pub(super) drawn: Option<Rect>,
+    is_defining: bool,
 }
 
-impl Default for BentOptions {
-    fn default() -> Self {
-        Self { scale: 1.0, grow: false }
-    }
-}
-
-/// A bent drawing.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Bent {
-    /// The SVG file.
-    pub svg: String,
-    /// Nodes of the paths that bent, before and after.
-    pub nodes: [usize; 2],
-    /// The upper left corner of the frame in the units of the drawing's own size: (0, 0) unless it grew.
-    pub origin: [f64; 2],
-}
-
-impl Drawing {
-    /// Bends the drawing. It lies over the whole picture of the solution, whose size is given in pixels.
-    ///
-    /// # Errors
-    /// [`VectorError::TooManyNodes`].
-    pub fn bent(&self, map: &ContinuedMap<'_>, picture: (u32, u32), options: BentOptions) -> Result<Bent, VectorError> {
-        let [width, height] = self.size();
-        let to_pixels = Affine::scale_non_uniform(f64::from(picture.0) / width, f64::from(picture.1) / height);
-        let document = Document::parse(&self.text).map_err(|reason| VectorError::Xml(reason.to_string()))?;
+impl<'a, 'input> Rewriter<'a, 'input> {
+    pub(super) fn new(document: &'a Document<'input>, warp: Warp<'a>) -> Self {
         let by_id: HashMap<&str, Node<'_, '_>> =
             document.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
         let taken = by_id.keys().map(|&id| id.to_owned()).collect();
-        let warp = Warp { map };
-        let mut rewriter = Rewriter {
+        Self {
             by_id,
             taken,
             made: HashMap::new(),
@@ -75,82 +49,10 @@ impl Drawing {
             nodes: [0; 2],
             drawn: None,
             is_defining: false,
-        };
-        let mut body = Xml::default();
-        for child in document.root_element().children().filter(Node::is_element) {
-            if child.tag_name().name() != "defs" {
-                rewriter.element(&mut body, child, Follow::Bend(to_pixels), None)?;
-            }
-        }
-        let mut frame = Rect::new(0.0, 0.0, width, height);
-        if let Some(drawn) = rewriter.drawn.filter(|_| options.grow) {
-            frame = frame.union(to_pixels.inverse().transform_rect_bbox(drawn.expand()));
-        }
-        let mut xml = Xml::default();
-        xml.open("svg");
-        xml.attribute("xmlns", SVG);
-        xml.attribute("xmlns:xlink", XLINK);
-        let text = |value: f64| number(value, 4);
-        xml.attribute("width", text(frame.width() * options.scale));
-        xml.attribute("height", text(frame.height() * options.scale));
-        let view = [frame.x0, frame.y0, frame.width(), frame.height()].map(text);
-        xml.attribute("viewBox", view.join(" "));
-        if !rewriter.defs.is_empty() {
-            xml.open("defs");
-            xml.append(&rewriter.defs);
-            xml.close("defs");
-        }
-        xml.append(&body.into_text());
-        xml.close("svg");
-        let svg = xml.into_text().trim_start().to_owned() + "\n";
-        Ok(Bent { svg, nodes: rewriter.nodes, origin: [frame.x0, frame.y0] })
-    }
-}
-
-/// How an element follows the warp.
-#[derive(Debug, Clone, Copy)]
-enum Follow {
-    /// Not at all.
-    Stay,
-    /// By bending; with the map from the element's units to image pixels.
-    Bend(Affine),
-    /// By an affine map in the units of the element that is painted.
-    Move(Affine),
-}
-
-impl Follow {
-    /// For the children of an element with a transform.
-    fn within(self, transform: Affine) -> Self {
-        if let Self::Bend(to_pixels) = self { Self::Bend(to_pixels * transform) } else { Self::Stay }
-    }
-
-    /// Bending where the units are not squeezed into a line.
-    fn to_pixels(self) -> Option<Affine> {
-        match self {
-            Self::Bend(to_pixels) => {
-                let det = to_pixels.determinant();
-                (det.is_finite() && det.abs() > 1e-12).then_some(to_pixels)
-            }
-            _ => None,
         }
     }
-}
 
-struct Rewriter<'a, 'input> {
-    by_id: HashMap<&'a str, Node<'a, 'input>>,
-    taken: HashSet<String>,
-    /// Names of written definitions, by name and the way that they follow.
-    made: HashMap<String, String>,
-    defs: String,
-    warp: Warp<'a>,
-    nodes: [usize; 2],
-    /// The box around bent paths with their strokes, in image pixels.
-    drawn: Option<Rect>,
-    is_defining: bool,
-}
-
-impl<'a, 'input> Rewriter<'a, 'input> {
-    fn element(
+    pub(super) fn element(
         &mut self,
         xml: &mut Xml,
         node: Node<'a, 'input>,
@@ -397,40 +299,4 @@ fn grid(frame: Rect, pieces: u32) -> impl Iterator<Item = Point> {
         (0..=pieces)
             .map(move |column| Point::new(frame.x0 + frame.width() * at(column), frame.y0 + frame.height() * at(row)))
     })
-}
-
-/// The attributes x, y, width and height; those left out as in another rectangle. `None` without an area.
-fn rectangle(node: Node<'_, '_>, or: Rect) -> Option<Rect> {
-    let length = |name: &str| node.attribute(name).and_then(|text| text.parse::<f64>().ok());
-    let origin = Point::new(length("x").unwrap_or(or.x0), length("y").unwrap_or(or.y0));
-    let size = (length("width").unwrap_or(or.width()), length("height").unwrap_or(or.height()));
-    Some(Rect::from_origin_size(origin, size)).filter(|frame| frame.is_finite() && frame.area() > 0.0)
-}
-
-fn rectangle_attributes(frame: Rect) -> Vec<(&'static str, String)> {
-    let values = [("x", frame.x0), ("y", frame.y0), ("width", frame.width()), ("height", frame.height())];
-    values.map(|(name, value)| (name, number(value, 6))).into()
-}
-
-/// The transform in an attribute, as usvg writes it.
-fn transform(node: Node<'_, '_>, name: &str) -> Affine {
-    let text = node.attribute(name).and_then(|text| text.strip_prefix("matrix(")?.strip_suffix(')'));
-    text.and_then(|text| <[f64; 6]>::try_from(numbers(text)).ok()).map_or(Affine::IDENTITY, Affine::new)
-}
-
-fn numbers(text: &str) -> Vec<f64> {
-    text.split([' ', ',']).filter_map(|number| number.parse().ok()).collect()
-}
-
-fn matrix(affine: Affine) -> String {
-    let coefficients = affine.as_coeffs();
-    format!("matrix({})", coefficients.map(|value| number(value, 8)).join(" "))
-}
-
-fn stroke_width(node: Node<'_, '_>) -> f64 {
-    node.attribute("stroke-width").and_then(|width| width.parse().ok()).unwrap_or(1.0)
-}
-
-fn qualified(namespace: Option<&str>, name: &str) -> String {
-    if namespace == Some(XLINK) { format!("xlink:{name}") } else { name.to_owned() }
 }
