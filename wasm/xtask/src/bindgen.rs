@@ -1,8 +1,10 @@
 //! `xtask bindgen`: the editor's WebAssembly modules with their TypeScript glue, or one of another crate.
 //!
-//! Builds a crate for `wasm32-unknown-unknown` and passes the result to `wasm-bindgen`. That is a library here, in
-//! the version that the crate is compiled with. So nothing must be installed, and versions always match. Takes half a
+//! Builds crates for `wasm32-unknown-unknown` and passes the results to `wasm-bindgen`. That is a library here, in
+//! the version that the crates are compiled with. So nothing must be installed, and versions always match. Takes half a
 //! second if nothing has changed.
+//!
+//! One run of cargo builds all modules. They share what they depend on, and their last steps run side by side.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -44,19 +46,24 @@ pub(crate) enum Profile {
 pub(crate) enum BindgenError {
     #[error("could not run cargo: {0}")]
     Cargo(#[source] std::io::Error),
-    #[error("{0} does not build for {TARGET}. The reason is above")]
-    Build(String),
+    #[error("a module does not build for {TARGET}. The reason is above")]
+    Build,
     #[error("wasm-bindgen rejects {path}: {reason}")]
     Glue { path: PathBuf, reason: String },
 }
 
-/// Builds a module and writes `NAME.js`, `NAME.d.ts` and `NAME_bg.wasm` into its folder.
-pub(crate) fn run(root: &Path, module: Module<'_>, profile: Profile) -> Result<(), BindgenError> {
-    let compiled = compiled_module(root, module.package, profile)?;
-    generate(&compiled, &root.join(module.output), module.name, profile)
+/// Builds modules and writes `NAME.js`, `NAME.d.ts` and `NAME_bg.wasm` of each into its folder.
+pub(crate) fn run(root: &Path, modules: &[Module<'_>], profile: Profile) -> Result<(), BindgenError> {
+    let compiled = compiled_modules(root, modules, profile)?;
+    for module in modules {
+        let file = compiled.join(module.package.replace('-', "_")).with_extension("wasm");
+        generate(&file, &root.join(module.output), module.name, profile)?;
+    }
+    Ok(())
 }
 
-fn compiled_module(root: &Path, package: &str, profile: Profile) -> Result<PathBuf, BindgenError> {
+/// The folder of the compiled modules.
+fn compiled_modules(root: &Path, modules: &[Module<'_>], profile: Profile) -> Result<PathBuf, BindgenError> {
     let (flag, directory) = match profile {
         Profile::Dev => ("dev", "debug"),
         Profile::Release => ("release", "release"),
@@ -67,15 +74,15 @@ fn compiled_module(root: &Path, package: &str, profile: Profile) -> Result<PathB
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |directory| root.join(directory));
     let status = Command::new(cargo)
         .current_dir(root)
-        .args(["build", "--package", package, "--lib"])
-        .args(["--target", TARGET, "--profile", flag, "--target-dir"])
+        .args(["build", "--lib", "--target", TARGET, "--profile", flag, "--target-dir"])
         .arg(&target_dir)
+        .args(modules.iter().flat_map(|module| ["--package", module.package]))
         .status()
         .map_err(BindgenError::Cargo)?;
     if !status.success() {
-        return Err(BindgenError::Build(package.to_owned()));
+        return Err(BindgenError::Build);
     }
-    Ok(target_dir.join(TARGET).join(directory).join(package.replace('-', "_")).with_extension("wasm"))
+    Ok(target_dir.join(TARGET).join(directory))
 }
 
 fn generate(module: &Path, output: &Path, name: &str, profile: Profile) -> Result<(), BindgenError> {

@@ -45,9 +45,9 @@ fn main() -> ExitCode {
             let profile = if dev { bindgen::Profile::Dev } else { bindgen::Profile::Release };
             let built = match (&package, &out) {
                 (Some(package), Some(output)) => {
-                    bindgen::run(&root, bindgen::Module { package, output, name: bindgen::SOLVER }, profile)
+                    bindgen::run(&root, &[bindgen::Module { package, output, name: bindgen::SOLVER }], profile)
                 }
-                _ => bindgen::editor_modules().into_iter().try_for_each(|module| bindgen::run(&root, module, profile)),
+                _ => bindgen::run(&root, &bindgen::editor_modules(), profile),
             };
             built.map_err(|error| error.to_string())
         }
