@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import type { Project } from '../../web/src/document/project';
+import { builtCommand } from './command';
 import { expect, test } from './fixtures';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
@@ -186,13 +187,10 @@ test('a new picture supersedes an export that has not begun', async ({ page }) =
   expect([older, newer]).toEqual(['AbortError', 255]);
 });
 
-/** Returns the output of the command line. Cargo compiles it first if needed. */
+/** Returns the output of the command. */
 function native(args: readonly string[]): string {
-  const { stdout, stderr } = spawnSync(
-    'cargo',
-    ['run', '--quiet', '--package', 'c2warp-cli', '--', ...args],
-    { cwd: path('../..'), encoding: 'utf8', maxBuffer: 1 << 28 },
-  );
+  const options = { cwd: path('../..'), encoding: 'utf8', maxBuffer: 1 << 28 } as const;
+  const { stdout, stderr } = spawnSync(builtCommand(), args, options);
   expect(stderr).toBe('');
   return stdout;
 }

@@ -6,7 +6,8 @@ use std::sync::OnceLock;
 
 /// Returns the binary in the folder of this test, and builds it first.
 ///
-/// Cargo builds it by itself only for tests in the binary's own package.
+/// Cargo builds it by itself only for tests in the binary's own package. With all packages of the workspace in view, it
+/// has the features that the tests were built with: otherwise half of its dependencies would be built again.
 fn binary() -> &'static Path {
     static BINARY: OnceLock<PathBuf> = OnceLock::new();
     BINARY.get_or_init(|| {
@@ -18,7 +19,7 @@ fn binary() -> &'static Path {
         };
         let built = Command::new(env!("CARGO"))
             .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .args(["build", "--quiet", "--package", "c2warp-cli", "--profile", profile, "--target-dir"])
+            .args(["build", "--quiet", "--workspace", "--bin", "c2warp", "--profile", profile, "--target-dir"])
             .arg(folder.parent().unwrap())
             .status()
             .unwrap();
