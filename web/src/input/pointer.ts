@@ -186,15 +186,18 @@ export class PointerInput {
     this.#beside = null;
     if (event.pointerId !== this.#pressing) return;
     this.#pressing = null;
+    const { tool } = this.#editor.state.tools;
     this.#editor.dispatch({ type: 'press-ended', pointer });
-    if (this.#owner === 'editor' && this.#isSecond(pointer, event.timeStamp))
+    if (
+      this.#owner === 'editor' &&
+      this.#isSecond(pointer, { place: pointer.stage, time: event.timeStamp, tool })
+    )
       this.#editor.dispatch({ type: 'double-pressed', pointer });
   }
 
   /** Whether a press that ends now makes a double click with the one before; of three presses, only the second does. */
-  #isSecond(pointer: StagePointer, time: number): boolean {
+  #isSecond(pointer: StagePointer, click: Click): boolean {
     const isClick = this.#begun !== null && !this.#slips(this.#begun, pointer);
-    const click = { place: pointer.stage, time };
     const second = isClick && isDoubleClick(this.#clicked, click, pointer.coarse);
     this.#clicked = isClick && !second ? click : null;
     return second;
