@@ -11,8 +11,7 @@ export default defineConfig({
   testDir: '.',
   outputDir: '../../test-results',
   fullyParallel: true,
-  // Some wait for frames and replies while others compute.
-  workers: 3,
+  workers: 2,
   // Graphics run on the CPU, so slow machines need long timeouts.
   timeout: 120_000,
   expect: { timeout: 20_000 },
