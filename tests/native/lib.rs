@@ -2,7 +2,7 @@
 //!
 //! - The scenes of `scenes/` and their generated pictures.
 //! - Outlines that are difficult for distances, and exact geodesics in them.
-//! - Secondary maxima of weights.
+//! - Secondary maxima of weights, and jumps of their derivatives.
 //! - Pseudo-random numbers.
 
 pub mod outlines;
@@ -10,6 +10,7 @@ pub mod pictures;
 mod random;
 mod scene;
 pub mod secondary_maxima;
+pub mod smoothness;
 pub mod visibility;
 
 pub use random::Random;

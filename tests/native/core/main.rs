@@ -8,6 +8,7 @@ mod bars;
 mod blend;
 mod clips;
 mod cloud;
+mod continuity;
 mod depth;
 mod fine_outlines;
 mod geodesic;

@@ -5,12 +5,12 @@
 use std::sync::Arc;
 
 use crate::{
-    distance::{Navigation, Propagation},
+    distance::{Navigation, Penumbrae, Propagation},
     error::Error,
     loose::Loose,
     pose::{HarmonicFields, Poser, PoserInput, Quadrature},
     prepared_domain::PreparedDomain,
-    project::{LooseParts, PoseMode, Weighting},
+    project::{Continuity, LooseParts, PoseMode, Weighting},
     render_mesh::{RenderMesh, leading_parts},
     sample::{CoarseSamples, Samples, SamplingCache, coarse_sample_count},
     site::{Obstacles, Partition, Site, SiteField, SiteGraph, SiteInserter, Tessellation, insert_virtual_sites},
@@ -57,7 +57,7 @@ pub(crate) fn partition(
 ) -> Result<Partition, Error> {
     let PreparedDomain { domain, navigation, .. } = prepared;
     let obstacles = Obstacles::new(&located.skeleton, navigation, input.fix_boundary.then_some(domain));
-    let mut inserter = SiteInserter::new(navigation, coarse, &obstacles, propagation);
+    let mut inserter = SiteInserter::new(navigation, coarse, &obstacles, propagation, input.weighting.continuity);
     let mut tessellation = Tessellation::new(&obstacles);
     tessellation.insert_real_sites(&mut inserter, &located.points)?;
     let rounds = insert_virtual_sites(&mut inserter, &mut tessellation, input.density)?;
@@ -86,7 +86,11 @@ pub(crate) fn compute_weights(
     let graph = SiteGraph::new(&sites, &fields, &skeleton);
     let harmonic = HarmonicFields::new(&sites, &graph);
     let basis = Basis::new(input.weighting.degree, input.weighting.filling);
-    let functions = WeightFunctions::new(navigation, &sites, fields, &skeleton, basis);
+    let penumbrae = match input.weighting.continuity {
+        Continuity::Exact => Vec::new(),
+        Continuity::C2 => penumbrae(propagation, navigation, &sites, &fields),
+    };
+    let functions = WeightFunctions::new(navigation, &sites, (fields, penumbrae), &skeleton, basis);
     let SampleWeights { mut weights, phi_sums, nearest } = functions.of_samples(navigation, &samples);
     let quadrature =
         (input.mode == PoseMode::Rigid).then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
@@ -131,6 +135,21 @@ fn set_support_radii(sites: &mut [Site], weighting: &Weighting) {
     for (radius, site) in support_radii(weighting, sites).into_iter().zip(sites) {
         site.support_radius = radius;
     }
+}
+
+/// Sites: the penumbrae in the support of each.
+fn penumbrae(
+    propagation: &mut Propagation,
+    navigation: &Navigation,
+    sites: &[Site],
+    fields: &[SiteField],
+) -> Vec<Penumbrae> {
+    let of_site = |(site, field): (&Site, &SiteField)| {
+        let bound = Penumbrae::field_bound(site.support_radius);
+        propagation.field(navigation, field.triangle, site.rest, bound);
+        propagation.penumbrae(navigation, site.support_radius)
+    };
+    sites.iter().zip(fields).map(of_site).collect()
 }
 
 /// Extends the fields of sites to their supports and to the sites that they may be linked with.

@@ -13,7 +13,7 @@ use crate::{
     picture::Picture,
     pose::SolvedHandle,
     prepared_domain::PreparedDomain,
-    project::{Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
+    project::{Continuity, Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
     site::{PointSite, sharp_corners},
 };
 
@@ -195,6 +195,10 @@ impl SolveInput {
         }
         if self.fix_boundary {
             return Err(unsupported("fix_boundary".into(), "a fixed boundary of a point cloud"));
+        }
+        if self.weighting.continuity != Continuity::Exact {
+            let feature = "two continuous derivatives on a point cloud, which has no exact distances";
+            return Err(unsupported("weighting.continuity".into(), feature));
         }
         Ok(())
     }

@@ -67,6 +67,7 @@ impl<'a> CloudPartition<'a> {
             kind,
             separation,
             clearance,
+            unique_reach: f64::INFINITY,
             cell_radius: 0.0,
             farthest: self.cloud.points[at],
             support_radius: 0.0,

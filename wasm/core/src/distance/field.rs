@@ -158,7 +158,7 @@ impl DistanceField {
     }
 
     /// The range of windows of the triangle at an index of `triangles`.
-    fn range_at(&self, at: usize) -> Range<u32> {
+    pub(super) fn range_at(&self, at: usize) -> Range<u32> {
         let end = self.triangles.get(at + 1).map_or(self.windows.len() as u32, |&(_, start)| start);
         self.triangles[at].1..end
     }

@@ -35,6 +35,9 @@
 //!
 //! # Cost and limits
 //!
+//! Exact distances are C¹ where paths begin to bend, and have a crease where two ways around a hole are equally long.
+//! `penumbra` makes them C² at the former, and `unique` finds how far the latter are.
+//!
 //! A distance field takes about ten windows for each corner within its bound. See also [`Navigation`].
 
 mod cone;
@@ -43,7 +46,9 @@ mod field;
 pub mod graph;
 mod navigation;
 mod path_end;
+mod penumbra;
 mod propagate;
+mod unique;
 mod window;
 
 pub use distances::{Distances, Located};
@@ -51,5 +56,6 @@ pub(crate) use field::DistanceField;
 pub(crate) use navigation::NavTriangle;
 pub use navigation::Navigation;
 pub(crate) use path_end::PathEnd;
+pub(crate) use penumbra::Penumbrae;
 pub(crate) use propagate::Propagation;
 pub(crate) use window::{WINDOW_SLACK, Window};

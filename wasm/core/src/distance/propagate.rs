@@ -34,6 +34,20 @@ pub(crate) struct Propagation {
     found: Vec<(u32, Window)>,
     /// The triangle of each window found, and the index of the window.
     order: Vec<(u32, u32)>,
+    /// The corners at which paths of the last field bend, in the order of their distance.
+    bends: Vec<Bend>,
+}
+
+/// A corner at which shortest paths bend, and the side that only paths around it see.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bend {
+    pub(super) corner: u32,
+    /// The pseudo-source before the corner.
+    pub(super) before: DVec2,
+    /// Length of the path to `before`.
+    pub(super) offset: f64,
+    /// Whether the shadow lies on the positive side of the ray from `before` through the corner.
+    pub(super) is_shadow_positive: bool,
 }
 
 /// A path to a corner of the outline.
@@ -90,6 +104,12 @@ impl Propagation {
         }
         self.pending.clear();
         self.found.clear();
+        self.bends.clear();
+    }
+
+    /// The corners at which paths of the last field bend.
+    pub(super) fn bends(&self) -> &[Bend] {
+        &self.bends
     }
 
     /// Sorts the windows by triangle, and within each by least distance.
@@ -243,16 +263,20 @@ impl Wavefront<'_> {
             return;
         }
         let source = self.navigation.mesh.vertices[corner];
-        let before = self.memory.corners[corner].pseudo_source;
+        let CornerPath { distance, pseudo_source: before } = self.memory.corners[corner];
         // A source on the corner itself sees all around it already.
         let Some(ahead) = (source - before).try_normalize() else { return };
         // A nearby source on a wall may deviate from its line by an angle above rounding.
         let slack = EPSILON.max(ON_EDGE / before.distance(source));
         let sides = (ahead.perp_dot(walls.next), ahead.perp_dot(walls.prev));
+        let offset = distance - before.distance(source);
+        let bend = Bend { corner: corner as u32, before, offset, is_shadow_positive: true };
         if sides.0 >= -slack && sides.1 >= -slack {
+            self.memory.bends.push(bend);
             self.spread(corner, Cone { first: ahead, last: walls.prev });
         }
         if sides.0 <= slack && sides.1 <= slack {
+            self.memory.bends.push(Bend { is_shadow_positive: false, ..bend });
             self.spread(corner, Cone { first: walls.next, last: ahead });
         }
     }

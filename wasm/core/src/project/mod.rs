@@ -66,7 +66,7 @@ pub use self::pose::{Blend, PoseMode, PoseSpec};
 pub use self::rotation::Rotation;
 pub use self::shape::Shape;
 pub use self::shape_kind::ShapeKind;
-pub use self::weighting::{Filling, Support, Weighting};
+pub use self::weighting::{Continuity, Filling, Support, Weighting};
 
 use self::cursor::Cursor;
 use self::layout::Layout;

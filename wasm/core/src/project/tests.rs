@@ -158,6 +158,11 @@ fn errors_name_the_key() {
         ("10000", "2000001", "samples: expected a whole number from 100 to 2000000, found 2000001"),
         ("0.25", "1.01", "weighting.shape_factor: expected a number from 0 to 1, found 1.01"),
         (r#""degree": 7"#, r#""degree": 4"#, "weighting.degree: expected a whole number from 5 to 32, found 4"),
+        (
+            r#""support": "smooth""#,
+            r#""continuity": "C2""#,
+            r#"weighting.continuity: expected "exact" or "c2", found "C2""#,
+        ),
         (r#""half""#, "null", r#"weighting.filling: expected "line" or "half", found null"#),
         (r#""density": 120"#, r#""density": -1"#, "pose.density: expected a whole number from 0 to 4096, found -1"),
         (r#""density": 120"#, r#""density": 4097"#, "pose.density: expected a whole number from 0 to 4096, found 4097"),
@@ -226,6 +231,16 @@ fn code_and_text_make_the_same_project() {
     assert_eq!(rigid, Project::from_json(&read).unwrap());
     made.handles[0].rotation = Rotation::Degrees(20.0);
     assert_eq!(made.with_editor_settings().handles[0].rotation, Rotation::Degrees(20.0));
+}
+
+#[test]
+fn files_hold_continuity_only_if_it_is_not_the_default() {
+    let exact = LEAST.replace("a.png", "");
+    let c2 = exact.replace("\"handles\"", r#""weighting": { "continuity": "c2" }, "handles""#);
+    let [exact, c2] = [exact, c2].map(|text| Project::from_json(&text).unwrap());
+    assert_eq!((exact.weighting.continuity, c2.weighting.continuity), (Continuity::Exact, Continuity::C2));
+    assert!(!exact.to_json().contains("continuity"));
+    assert_eq!(Project::from_json(&c2.to_json()).unwrap(), c2);
 }
 
 #[test]

@@ -35,6 +35,10 @@ pub struct Weighting {
     /// Rule for the radius of a support.
     #[schemars(default)]
     pub support: Support,
+    /// Where weights have two continuous derivatives.
+    #[serde(skip_serializing_if = "Continuity::is_exact")]
+    #[schemars(default, extend("default" = Continuity::default()))]
+    pub continuity: Continuity,
 }
 
 /// Position of the inner control points of φ (section V-A).
@@ -62,6 +66,28 @@ pub enum Support {
     Smooth,
 }
 
+/// Where weights have two continuous derivatives.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[non_exhaustive]
+pub enum Continuity {
+    /// Weights of the exact distance. Second derivatives jump where paths begin to bend around a corner of the outline.
+    /// Weights have a crease where two ways around a hole are equally long.
+    #[default]
+    Exact,
+    /// Two continuous derivatives everywhere inside the outline. Distances are blended where paths begin to bend, and
+    /// supports end before two ways around a hole are equally long. Holes take more virtual sites.
+    C2,
+}
+
+impl Continuity {
+    /// Whether it is the default, which files leave out.
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+    fn is_exact(&self) -> bool {
+        *self == Self::Exact
+    }
+}
+
 fn default_shape_factor() -> f64 {
     1.0
 }
@@ -77,6 +103,7 @@ impl Default for Weighting {
             degree: default_degree(),
             filling: Filling::default(),
             support: Support::default(),
+            continuity: Continuity::default(),
         }
     }
 }
@@ -84,7 +111,7 @@ impl Default for Weighting {
 impl Weighting {
     pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
         let weighting = value.object()?;
-        weighting.allow_only(&["shape_factor", "degree", "filling", "support"])?;
+        weighting.allow_only(&["shape_factor", "degree", "filling", "support", "continuity"])?;
         let default = Self::default();
         Ok(Self {
             shape_factor: weighting.value_or("shape_factor", default.shape_factor, |value| value.number())?,
@@ -95,6 +122,9 @@ impl Weighting {
             })?,
             support: weighting.value_or("support", default.support, |value| {
                 value.one_of(&[("paper", Support::Paper), ("smooth", Support::Smooth)])
+            })?,
+            continuity: weighting.value_or("continuity", default.continuity, |value| {
+                value.one_of(&[("exact", Continuity::Exact), ("c2", Continuity::C2)])
             })?,
         })
     }

@@ -151,7 +151,7 @@ mod tests {
         distance::Propagation,
         domain::Domain,
         prepared_domain::PreparedDomain,
-        project::{Handle, Project},
+        project::{Continuity, Handle, Project},
         sample::{BaseSamples, CoarseSamples},
         site::SiteKind,
         solve,
@@ -172,7 +172,7 @@ mod tests {
         let skeleton = Skeleton::default();
         let obstacles = Obstacles::new(&skeleton, navigation, None);
         let mut propagation = Propagation::default();
-        let mut inserter = SiteInserter::new(navigation, &coarse, &obstacles, &mut propagation);
+        let mut inserter = SiteInserter::new(navigation, &coarse, &obstacles, &mut propagation, Continuity::Exact);
         let free = [(30.0, 120.0), (170.0, 120.0)].map(|p| (DVec2::from(p), SiteKind::Virtual));
         let point = |(handle, &p): (u32, &DVec2)| (p, SiteKind::Point { handle });
         for (p, kind) in (0..).zip(&points).map(point).chain(free) {

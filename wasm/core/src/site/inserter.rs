@@ -6,7 +6,7 @@
 use glam::DVec2;
 
 use super::{
-    Round, Site, SiteField, SiteKind,
+    Round, Site, SiteField, SiteKind, UNIQUE,
     farthest::{FarPoint, FarthestPoints},
     obstacles::Obstacles,
     room::{Room, extend_field, make_room},
@@ -16,6 +16,7 @@ use crate::{
     distance::{DistanceField, NavTriangle, Navigation, Propagation},
     error::Error,
     limits::MAX_FIELD_BYTES,
+    project::Continuity,
     sample::CoarseSamples,
 };
 
@@ -39,6 +40,8 @@ pub(crate) struct SiteInserter<'a> {
     pub(super) farthest: FarthestPoints,
     pub(super) obstacles: &'a Obstacles<'a>,
     propagation: &'a mut Propagation,
+    /// Whether shortest paths in a support must be unique.
+    is_unique: bool,
     /// Memory of the fields of all sites, in bytes, when they were inserted.
     field_bytes: usize,
 }
@@ -49,9 +52,17 @@ impl<'a> SiteInserter<'a> {
         coarse: &'a CoarseSamples,
         obstacles: &'a Obstacles<'a>,
         propagation: &'a mut Propagation,
+        continuity: Continuity,
     ) -> Self {
         let farthest = FarthestPoints::new(coarse.mesh.triangles.len());
-        Self { voronoi: Voronoi::new(navigation, coarse), farthest, obstacles, propagation, field_bytes: 0 }
+        Self {
+            voronoi: Voronoi::new(navigation, coarse),
+            farthest,
+            obstacles,
+            propagation,
+            is_unique: continuity == Continuity::C2,
+            field_bytes: 0,
+        }
     }
 
     /// The sites inserted so far.
@@ -80,12 +91,28 @@ impl<'a> SiteInserter<'a> {
             make_room(&mut self.voronoi, self.obstacles, self.propagation, (rest, kind, &field));
         let (cell_radius, support_radius) = (0.0, 0.0);
         let farthest = rest;
-        let site = Site { rest, kind, separation, clearance, cell_radius, farthest, support_radius, in_acute_joint };
+        let unique_reach = self.unique_reach(&field.distances);
+        let site = Site {
+            rest,
+            kind,
+            separation,
+            clearance,
+            unique_reach,
+            cell_radius,
+            farthest,
+            support_radius,
+            in_acute_joint,
+        };
         let coarse_triangle = coarse.triangle_at(rest);
         self.voronoi.insert(site, field, coarse_triangle);
         let bound = radius.map_or(f64::INFINITY, |radius| radius + coarse.longest_edge);
         self.farthest.insert(&self.voronoi, coarse_triangle, bound);
         Ok(())
+    }
+
+    /// See [`Site::unique_reach`].
+    fn unique_reach(&self, field: &DistanceField) -> f64 {
+        if self.is_unique { UNIQUE * field.unique_radius(self.voronoi.navigation) } else { f64::INFINITY }
     }
 
     /// The distance field of a point, up to a bound in pixels.
@@ -113,6 +140,7 @@ impl<'a> SiteInserter<'a> {
         for (site, &radius) in radii.iter().enumerate() {
             if radius > self.voronoi.fields[site].distances.bound() {
                 let distances = self.field(self.voronoi.sites[site].rest, self.voronoi.fields[site].triangle, radius);
+                self.voronoi.sites[site].unique_reach = self.unique_reach(&distances);
                 extend_field(&mut self.voronoi, self.obstacles, site, distances);
             }
         }

@@ -49,6 +49,10 @@ const GRADING: f64 = 1.7;
 /// Greatest cell radius in an acute joint, over the clearance of its site. See [`Site::in_acute_joint`].
 const ACUTE_JOINT_GRADING: f64 = 1.1;
 
+/// A C² support may reach this far, over the distance up to which shortest paths are unique. A path around the other
+/// side of a hole is then longer by 10 % of the support's radius.
+const UNIQUE: f64 = 0.95;
+
 /// The kind of a site, with the handle that it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum SiteKind {
@@ -120,6 +124,9 @@ pub struct Site {
     pub separation: f64,
     /// Distance to the nearest other point handle, bone or held outline; infinite if the island has none.
     pub clearance: f64,
+    /// Distance that the support may not exceed, so that shortest paths in it are unique. It is infinite if the weights
+    /// need not be C², and if no hole lies within reach.
+    pub unique_reach: f64,
     /// r_d: distance to the farthest point of the cell.
     pub cell_radius: f64,
     /// A farthest point of the cell, at that distance.
@@ -148,7 +155,7 @@ impl Site {
     /// refinement (1995).
     pub(crate) fn reach_limit(&self) -> f64 {
         let clearance = if self.in_acute_joint { ACUTE_JOINT_GRADING * self.clearance } else { self.clearance };
-        (GRADING * self.separation).min(clearance)
+        (GRADING * self.separation).min(clearance).min(self.unique_reach)
     }
 }
 

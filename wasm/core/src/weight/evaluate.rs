@@ -3,7 +3,8 @@
 //! Cost: for each support that reaches the point's triangle, the windows of its field there. If bones share a body,
 //! O(n log n) in these supports.
 //!
-//! Limits: where two paths to a site are equally short, weights have a crease, and the gradient is a mean.
+//! Limits: where two paths to a site are equally short, weights have a crease, and the gradient is a mean. With
+//! penumbrae, no support reaches such points.
 
 use std::{
     collections::{BTreeSet, HashSet},
@@ -19,7 +20,7 @@ use super::{
 };
 use crate::{
     bone::Skeleton,
-    distance::{NavTriangle, Navigation},
+    distance::{NavTriangle, Navigation, Penumbrae},
     rows::Rows,
     sample::Samples,
     site::{Site, SiteField},
@@ -35,6 +36,8 @@ pub(crate) struct WeightFunctions {
     supports: Vec<SupportDisc>,
     /// Sites: the distance field of each.
     fields: Vec<SiteField>,
+    /// Sites: the penumbrae of each; empty if distances are exact.
+    penumbrae: Vec<Penumbrae>,
     /// Triangles of the navigation mesh × the supports that reach into each, ascending by site.
     reaching: Rows<Reaching>,
 }
@@ -52,28 +55,34 @@ struct Reaching {
     site: u32,
     /// The windows of the site's field in the triangle.
     windows: Range<u32>,
+    /// The site's penumbrae in the triangle.
+    penumbrae: Range<u32>,
 }
 
 impl WeightFunctions {
     /// Prepares the weight functions of sites whose support radii are set. Each field must reach as far as its site's
-    /// support.
+    /// support. Without penumbrae, distances are exact.
     pub(crate) fn new(
         navigation: &Navigation,
         sites: &[Site],
-        fields: Vec<SiteField>,
+        (fields, penumbrae): (Vec<SiteField>, Vec<Penumbrae>),
         skeleton: &Skeleton,
         basis: Basis,
     ) -> Self {
         let reaching = || {
             (0..).zip(sites.iter().zip(&fields)).flat_map(|(number, (site, field))| {
                 let triangles = field.distances.windows_within(site.support_radius);
-                triangles.map(move |(triangle, windows)| (triangle as usize, Reaching { site: number, windows }))
+                let blended = penumbrae.get(number as usize);
+                triangles.map(move |(triangle, windows)| {
+                    let penumbrae = blended.map_or(0..0, |blended| blended.range_in(NavTriangle(triangle)));
+                    (triangle as usize, Reaching { site: number, windows, penumbrae })
+                })
             })
         };
         let reaching = Rows::from_pairs(navigation.mesh.triangles.len(), reaching);
         let disc = |site: &Site| SupportDisc { centre: site.rest, radius: site.support_radius };
         let supports = sites.iter().map(disc).collect();
-        Self { basis, bodies: BodyWeights::new(sites, skeleton), supports, fields, reaching }
+        Self { basis, bodies: BodyWeights::new(sites, skeleton), supports, fields, penumbrae, reaching }
     }
 
     /// φ.
@@ -99,7 +108,7 @@ impl WeightFunctions {
     pub(crate) fn at(&self, triangle: NavTriangle, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
         let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
-        for Reaching { site, windows } in self.reaching_in(triangle) {
+        for Reaching { site, windows, penumbrae } in self.reaching_in(triangle) {
             let site = *site as usize;
             let (&SupportDisc { centre, radius }, field) = (&self.supports[site], &self.fields[site].distances);
             if centre.distance_squared(p) >= radius * radius {
@@ -107,9 +116,17 @@ impl WeightFunctions {
             }
             let windows = field.windows(windows.clone());
             let Some(path) = field.path_end_in(windows, p).filter(|path| path.distance < radius) else { continue };
-            let t = path.distance / radius;
+            let (mut distance, mut direction) = (path.distance, path.gradient_in(windows, p));
+            if !penumbrae.is_empty() {
+                let (longer, turned) = self.penumbrae[site].lengthening_and_gradient(penumbrae.clone(), p);
+                (distance, direction) = (distance + longer, direction + turned);
+                if distance >= radius {
+                    continue;
+                }
+            }
+            let t = distance / radius;
             let (phi, slope) = (self.basis.value(t), self.basis.derivative(t) / radius);
-            let gradient = slope * path.gradient_in(windows, p);
+            let gradient = slope * direction;
             sum += phi;
             sum_gradient += gradient;
             influences.push(Influence { site, weight: phi, gradient });
@@ -150,10 +167,11 @@ impl WeightFunctions {
     /// Cost: see [`sweep`]. A look at every site for each sample that no support covers; there should be none.
     pub(crate) fn of_samples(&self, navigation: &Navigation, samples: &Samples) -> SampleWeights {
         let mut swept = sweep(samples, &self.basis, |triangle| {
-            self.reaching_in(triangle).iter().map(|Reaching { site, windows }| ReachingSite {
+            self.reaching_in(triangle).iter().map(|Reaching { site, windows, penumbrae }| ReachingSite {
                 site: *site,
                 support_radius: self.supports[*site as usize].radius,
                 windows: self.fields[*site as usize].distances.windows(windows.clone()),
+                penumbrae: (!penumbrae.is_empty()).then(|| (&self.penumbrae[*site as usize], penumbrae.clone())),
             })
         });
         self.bodies.redistribute_rows(&samples.mesh.vertices, &mut swept.weights);
@@ -211,7 +229,7 @@ mod tests {
         let samples = base.with_sites(&solution.prepared, &handles);
         let fields = solution.functions.fields().to_vec();
         let basis = Basis::new(5, Filling::default());
-        let functions = WeightFunctions::new(navigation, &sites, fields, &Skeleton::default(), basis);
+        let functions = WeightFunctions::new(navigation, &sites, (fields, Vec::new()), &Skeleton::default(), basis);
         let SampleWeights { phi_sums, nearest, .. } = functions.of_samples(navigation, &samples);
         for (&p, &nearest) in samples.mesh.vertices.iter().zip(&nearest) {
             let on_island = sites.iter().filter(|site| (site.rest.x > 50.0) == (p.x > 50.0));

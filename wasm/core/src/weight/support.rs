@@ -26,13 +26,13 @@ const OVERLAP: f64 = 1.75;
 pub(crate) fn support_radii(weighting: &Weighting, sites: &[Site]) -> Vec<f64> {
     let radius = |site: &Site| {
         if site.separation.is_infinite() {
-            return f64::INFINITY;
+            return site.unique_reach;
         }
-        let least =
-            (site.cell_radius + MIN_SUPPORT_SHARE * (site.reach_limit() - site.cell_radius)).min(site.clearance);
+        let limit = site.clearance.min(site.unique_reach);
+        let least = (site.cell_radius + MIN_SUPPORT_SHARE * (site.reach_limit() - site.cell_radius)).min(limit);
         let greatest = match weighting.support {
-            Support::Paper => site.separation,
-            Support::Smooth => site.clearance.min(OVERLAP * site.cell_radius),
+            Support::Paper => site.separation.min(site.unique_reach),
+            Support::Smooth => limit.min(OVERLAP * site.cell_radius),
         };
         let alpha = weighting.shape_factor;
         ((1.0 - alpha) * least + alpha * greatest.max(least)) * (1.0 - ROUNDING_MARGIN)

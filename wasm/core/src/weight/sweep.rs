@@ -6,11 +6,13 @@
 //! Cost: for each sample and each support that reaches into its triangle, about 4 ns a window. As much again for φ and
 //! the row.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use super::{Basis, SparseWeights};
 use crate::{
-    distance::{NavTriangle, WINDOW_SLACK, Window},
+    distance::{NavTriangle, Penumbrae, WINDOW_SLACK, Window},
     sample::Samples,
     triangulation::NONE,
 };
@@ -35,6 +37,8 @@ pub(super) struct ReachingSite<'a> {
     pub(super) support_radius: f64,
     /// The windows of the site's field in the triangle.
     pub(super) windows: &'a [Window],
+    /// The penumbrae of the site's field in the triangle, if there are any.
+    pub(super) penumbrae: Option<(&'a Penumbrae, Range<u32>)>,
 }
 
 /// Samples of one triangle.
@@ -104,7 +108,7 @@ impl Column {
     /// Evaluates the distances of a site and φ at a batch. Returns false if its support covers none of it.
     fn fill(&mut self, reaching: &ReachingSite, batch: &Batch, basis: &Basis) -> bool {
         let Self { distance, phi, .. } = self;
-        let &ReachingSite { site, support_radius: radius, windows } = reaching;
+        let &ReachingSite { site, support_radius: radius, windows, ref penumbrae } = reaching;
         self.site = site;
         let n = batch.count;
         let (distance, phi, x, y) = (&mut distance[..n], &mut phi[..n], &batch.x[..n], &batch.y[..n]);
@@ -128,6 +132,9 @@ impl Column {
         let least = distance.iter().fold(f64::INFINITY, |least, &d| if d < least { d } else { least });
         if least >= radius {
             return false;
+        }
+        if let Some((penumbrae, range)) = penumbrae {
+            penumbrae.lengthen(range.clone(), (x, y), distance);
         }
         for k in 0..n {
             let t = distance[k] / radius;

@@ -74,6 +74,8 @@ export interface Weighting {
   readonly filling?: Filling;
   /** Rule for the radius of a support. Left out: "paper". */
   readonly support?: Support;
+  /** Where weights have two continuous derivatives. Left out: "exact". */
+  readonly continuity?: Continuity;
 }
 
 /** Position of the inner control points of φ (section V-A). */
@@ -81,6 +83,9 @@ export type Filling = 'line' | 'half';
 
 /** The rule for the radius of a support. */
 export type Support = 'paper' | 'smooth';
+
+/** Where weights have two continuous derivatives. */
+export type Continuity = 'exact' | 'c2';
 
 /** Settings of the pose. */
 export interface Pose {
