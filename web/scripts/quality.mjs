@@ -1,10 +1,10 @@
 /**
- * `npm run quality`: errors of distances, second maxima of weights, and the quality of poses by every mode and by other
- * methods, beside the optimum too.
+ * `npm run quality`: errors of distances, second maxima of weights, jumps of their derivatives, and the quality of poses
+ * by every mode and by other methods, beside the optimum too.
  *
  * Prints tables and writes a sheet of pictures for each pose. The crate `c2warp-quality` measures. `npm run quality --
- * NAME` runs the parts with NAME in their name: poses, `optimum`, `distances` or `maxima`. The run fails if a part does
- * not build or run, never because of a figure.
+ * NAME` runs the parts with NAME in their name: poses, `optimum`, `distances`, `maxima` or `continuity`. The run fails if a
+ * part does not build or run, never because of a figure.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';

@@ -8,9 +8,11 @@
 //! - [`optimum`]: the least energy that a mesh can have. The editor's method is measured against it.
 //!
 //! [`distances`] compares intrinsic distances with exact geodesics. [`maxima`] counts secondary maxima of weights.
+//! [`continuity`] measures jumps of their derivatives.
 
 pub mod comparison_mesh;
 pub mod constraints;
+pub mod continuity;
 pub mod dense_arap;
 pub mod distances;
 pub mod least_squares;

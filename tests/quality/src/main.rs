@@ -1,7 +1,7 @@
 //! `c2warp-quality FOLDER [NAME]`: prints tables and writes a sheet of pictures per pose to the folder.
 //!
-//! It compares distances with geodesics, counts secondary maxima of weights, and compares methods on the standard
-//! poses. With NAME, it runs only the parts and poses whose name contains NAME.
+//! It compares distances with geodesics, counts secondary maxima of weights, measures jumps of their derivatives, and
+//! compares methods on the standard poses. With NAME, it runs only the parts and poses whose name contains NAME.
 //!
 //! `c2warp-quality --overview FILE` draws one pose by the editor's method and the methods it is compared with.
 
@@ -14,6 +14,7 @@ use std::{
 };
 
 use c2warp_quality::{
+    continuity::continuity,
     distances::distances,
     maxima::maxima,
     methods::{Comparison, EDITOR, METHODS, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES},
@@ -26,6 +27,7 @@ use c2warp_quality::{
 /// Names of the parts that do not measure poses.
 const DISTANCES: &str = "distances";
 const MAXIMA: &str = "maxima";
+const CONTINUITY: &str = "continuity";
 
 /// The pose of the overview.
 const WAVING: &str = "2 waving";
@@ -66,10 +68,15 @@ fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
         eprintln!("  {MAXIMA}");
         counted = maxima()?;
     }
+    let mut jumps = Vec::new();
+    if CONTINUITY.contains(name) {
+        eprintln!("  {CONTINUITY}");
+        jumps = continuity()?;
+    }
     let mut comparisons = Comparisons { folder, name, done: Vec::new(), failed: Vec::new() };
     comparisons.run(standard_poses()?, &METHODS, &OTHER_SAMPLES)?;
     comparisons.run(poses_beside_optimum()?, &METHODS_BESIDE_OPTIMUM, &[])?;
-    let text = tables(&measured, &counted, &comparisons.done, &comparisons.failed);
+    let text = tables(&measured, &counted, &jumps, &comparisons.done, &comparisons.failed);
     fs::write(folder.join("tables.md"), &text)?;
     Ok(io::stdout().write_all(text.as_bytes())?)
 }

@@ -3,6 +3,7 @@
 use c2warp::project::Blend;
 
 use crate::{
+    continuity::SceneContinuity,
     distances::{Distances, greatest},
     maxima::{SceneMaxima, Weighting},
     methods::{Comparison, EDITOR, Method, Outcome},
@@ -56,6 +57,21 @@ pub fn maxima_requirements(all: &[SceneMaxima]) -> Vec<Requirement> {
         ]
     };
     all.iter().filter(|of_scene| of_scene.weighting == Weighting::Paper).flat_map(of).collect()
+}
+
+/// Returns the requirements on C² weights: no jumps, and at most twice the time of a solve.
+#[must_use]
+pub fn continuity_requirements(all: &[SceneContinuity]) -> Vec<Requirement> {
+    let of = |pair: &[SceneContinuity]| {
+        let [exact, c2] = pair else { return Vec::new() };
+        let requirement = |name, value, limit| Requirement { subject: c2.scene.clone(), name, value, limit };
+        vec![
+            requirement("c2: sites with a cut support", c2.cut_sites as f64, 0.0),
+            requirement("c2: jump of second derivatives", c2.shadows[1], 1e-3),
+            requirement("c2: time of a solve ÷ that of exact", c2.solve_ms / exact.solve_ms, 2.0),
+        ]
+    };
+    all.chunk_by(|a, b| a.scene == b.scene).flat_map(of).collect()
 }
 
 /// Returns the requirements on a pose by `rigid 100`, the editor's method.
