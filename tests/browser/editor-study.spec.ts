@@ -48,16 +48,17 @@ test.describe('settings', () => {
     const choose = (group: string, name: string) =>
       card(editor).getByRole('group', { name: group }).getByRole('button', { name }).click();
     await choose('Rule of supports', 'Paper');
+    await choose('Continuity', 'C²');
     await choose('Filling of the falloff', 'Half');
     await choose('Blend', 'Rigid');
     expect(await project(editor)).toMatchObject({
       samples: 4000,
-      weighting: { shape_factor: 0.5, degree: 9, filling: 'half', support: 'paper' },
+      weighting: { shape_factor: 0.5, degree: 9, filling: 'half', support: 'paper', continuity: 'c2' },
       pose: { mode: 'rigid', blend: 'rigid', density: 20 },
       domain: { kind: 'alpha', threshold: 0.3 },
     });
     await expect(editor.solved).toContainText(/2\d virtual handles/);
-    for (let step = 0; step < 8; step++) await editor.button(/^Undo/).click();
+    for (let step = 0; step < 9; step++) await editor.button(/^Undo/).click();
     expect(await project(editor)).toEqual(before);
     await expect(number(editor, 'α')).toHaveValue('1');
   });

@@ -13,6 +13,7 @@ const CHANGES: readonly Setting[] = [
   { name: 'degree', value: 9 },
   { name: 'filling', value: 'half' },
   { name: 'support', value: 'paper' },
+  { name: 'continuity', value: 'c2' },
   { name: 'density', value: 7 },
   { name: 'blend', value: 'rigid' },
   { name: 'threshold', value: 0.1 },
@@ -35,10 +36,17 @@ describe('the settings of a project', () => {
       degree: 5,
       filling: 'line',
       support: 'paper',
+      continuity: 'exact',
       density: 0,
       blend: 'linear',
       loose_parts: 'stay',
     });
+  });
+
+  it('leave the default continuity out of the file', () => {
+    const c2 = withSetting(fresh, { name: 'continuity', value: 'c2' });
+    expect(c2.weighting).toEqual({ ...fresh.weighting, continuity: 'c2' });
+    expect(withSetting(c2, { name: 'continuity', value: 'exact' })).toEqual(fresh);
   });
 
   it('have ranges with the defaults in them', () => {

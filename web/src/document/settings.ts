@@ -2,7 +2,7 @@
 
 import { withMode } from './bending';
 import { domainOf } from './domain';
-import type { Blend, Filling, LooseParts, Support } from './generated/project';
+import type { Blend, Continuity, Filling, LooseParts, Support } from './generated/project';
 import { EDITOR_SETTINGS, PAPER_SETTINGS } from './generated/settings';
 import type { PoseMode, Project } from './project';
 
@@ -13,6 +13,7 @@ export interface Settings {
   readonly degree: number;
   readonly filling: Filling;
   readonly support: Support;
+  readonly continuity: Continuity;
   readonly density: number;
   readonly blend: Blend;
   /** Least opacity of what bends; null where the domain does not depend on it. */
@@ -29,6 +30,8 @@ export type Setting = {
 
 /** The threshold that a project file leaves out. */
 const THRESHOLD = 0.5;
+/** The continuity that a project file leaves out. */
+const CONTINUITY: Continuity = 'exact';
 
 /** All settings of a project. What its file leaves out is as in the paper. */
 export function settingsOf({ samples, weighting, pose, domain, loose_parts }: Project): Settings {
@@ -38,6 +41,7 @@ export function settingsOf({ samples, weighting, pose, domain, loose_parts }: Pr
     degree: weighting?.degree ?? PAPER_SETTINGS.degree,
     filling: weighting?.filling ?? PAPER_SETTINGS.filling,
     support: weighting?.support ?? PAPER_SETTINGS.support,
+    continuity: weighting?.continuity ?? CONTINUITY,
     density: pose?.density ?? PAPER_SETTINGS.density,
     blend: pose?.blend ?? PAPER_SETTINGS.blend,
     threshold: domain?.kind === 'alpha' ? (domain.threshold ?? THRESHOLD) : null,
@@ -56,6 +60,13 @@ export function withSetting(project: Project, { name, value }: Setting): Project
       return { ...project, pose: { ...project.pose, [name]: value } };
     case 'threshold':
       return { ...project, domain: domainOf(value) };
+    case 'continuity': {
+      const { continuity: _, ...weighting } = project.weighting ?? {};
+      return {
+        ...project,
+        weighting: value === CONTINUITY ? weighting : { ...weighting, continuity: value },
+      };
+    }
     default:
       return { ...project, weighting: { ...project.weighting, [name]: value } };
   }

@@ -8,6 +8,7 @@ export const SETTING_NAMES: Readonly<Record<SettingName, string>> = {
   degree: 'the degree of the falloff',
   filling: 'the filling of the falloff',
   support: 'the rule of supports',
+  continuity: 'the continuity',
   density: 'the number of virtual handles',
   blend: 'the blend',
   threshold: 'the least opacity',

@@ -78,6 +78,21 @@ export function settingsPage(model: EditorModel, dispatch: Dispatch): TemplateRe
       ),
     )}
     ${setting(
+      'Continuity',
+      now.continuity === 'c2'
+        ? 'Bends are smooth behind corners and around holes too: two continuous derivatives. Holes get virtual handles.'
+        : 'The picture may show a fine crease behind a hole, where two ways around it are equally long.',
+      choice(
+        'Continuity',
+        [
+          ['exact', 'Exact'],
+          ['c2', 'C²'],
+        ],
+        now.continuity,
+        (value) => set({ name: 'continuity', value }),
+      ),
+    )}
+    ${setting(
       'Degree n of the falloff',
       'At 5 the bend between two handles is short, and parts near them move as one. A higher degree spreads it over the way.',
       number('degree', now.degree),
