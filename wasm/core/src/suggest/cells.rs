@@ -96,6 +96,31 @@ impl Cells {
         at.y as usize * self.columns + at.x as usize
     }
 
+    /// The cell of the domain nearest to a point, at most `reach` columns and rows from it. `None` if there is none.
+    pub(super) fn inside_near(&self, p: DVec2, reach: i32) -> Option<usize> {
+        let steps = (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| DVec2::new(x.into(), y.into())));
+        let around = steps.filter_map(|step| self.inside_at(p + step * self.side));
+        let from_point = |&cell: &usize| self.centre(cell).distance_squared(p);
+        around.min_by(|a, b| from_point(a).total_cmp(&from_point(b)))
+    }
+
+    /// The cells of the domain with their centre in a box.
+    pub(super) fn inside_between(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = usize> + '_ {
+        let cells = (0..self.len()).filter(|&cell| self.inside[cell]);
+        cells.filter(move |&cell| {
+            let p = self.centre(cell);
+            p.cmpge(low).all() && p.cmple(high).all()
+        })
+    }
+
+    /// The cell that a point lies in, if it is a cell of the domain.
+    fn inside_at(&self, p: DVec2) -> Option<usize> {
+        let at = ((p - self.first) / self.side).round();
+        let rows = self.len() / self.columns;
+        let is_in = at.cmpge(DVec2::ZERO).all() && at.x < self.columns as f64 && at.y < rows as f64;
+        is_in.then(|| at.y as usize * self.columns + at.x as usize).filter(|&cell| self.inside[cell])
+    }
+
     pub(super) fn len(&self) -> usize {
         self.inside.len()
     }

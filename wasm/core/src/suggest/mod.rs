@@ -18,12 +18,13 @@ mod names;
 mod placing;
 mod skeleton;
 mod spread;
+mod taken;
 #[cfg(test)]
 mod tests;
 
 use glam::DVec2;
 
-use crate::domain::Domain;
+use crate::{domain::Domain, project::Handle};
 
 /// A suggested point handle.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,16 +80,41 @@ impl SuggestedRole {
 /// ```
 #[must_use]
 pub fn suggest(domain: &Domain, count: Option<usize>) -> Vec<SuggestedHandle> {
-    let (low, high) = domain.bounds();
     let count = count.map(|count| count.max(1));
-    let mut places: Vec<(DVec2, SuggestedRole)> = if is_rectangle(domain) {
-        spread::spread(low, high, count).into_iter().map(|p| (p, SuggestedRole::Spread)).collect()
+    let places = if is_rectangle(domain) { spread::spread(domain, count) } else { placing::places(domain, count, &[]) };
+    named(domain, places, &[])
+}
+
+/// Suggests point handles beside those that are there, from top to bottom.
+///
+/// None of them is near to a handle that is there, or has an id that reads like one. They are at most 12, and none if
+/// every place is near to a handle. Without handles, they are those of [`suggest`].
+///
+/// ```
+/// use c2warp::{domain::Domain, project::Handle, suggest::suggest_beside};
+///
+/// let there = [Handle::point("eye", [300.0, 55.0])];
+/// let suggested = suggest_beside(&Domain::rectangle(320, 240), &there);
+/// let ids: Vec<&str> = suggested.iter().map(|handle| handle.id.as_str()).collect();
+/// assert_eq!(ids, ["top-left", "top", "left", "middle", "right", "bottom-left", "bottom", "bottom-right"]);
+/// ```
+#[must_use]
+pub fn suggest_beside(domain: &Domain, handles: &[Handle]) -> Vec<SuggestedHandle> {
+    let places = if is_rectangle(domain) {
+        spread::spread_beside(domain, handles)
     } else {
-        placing::places(domain, count)
+        placing::places(domain, None, handles)
     };
+    let taken: Vec<&str> = handles.iter().map(|handle| handle.id.as_str()).collect();
+    named(domain, places, &taken)
+}
+
+/// Handles at some places, from top to bottom.
+fn named(domain: &Domain, mut places: Vec<(DVec2, SuggestedRole)>, taken: &[&str]) -> Vec<SuggestedHandle> {
+    let (low, high) = domain.bounds();
     places.sort_by(|(a, _), (b, _)| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
     let words: Vec<(DVec2, &str)> = places.iter().map(|&(p, role)| (p, role.word())).collect();
-    let ids = names::ids(&words, low, high);
+    let ids = names::ids(&words, low, high, taken);
     places.into_iter().zip(ids).map(|((rest, role), id)| SuggestedHandle { id, rest, role }).collect()
 }
 

@@ -1,33 +1,81 @@
 //! Names of handles by where they lie.
+//!
+//! The names of a mirrored picture are mirrored: only its left and right are exchanged.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
 
-/// Gives each handle an id by its place in a rectangle and its role, such as `top-left-end`. Equal ids get numbers.
-pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2) -> Vec<String> {
-    let words = places.iter().map(|&(p, role)| named((p - low) / (high - low).max(DVec2::splat(1e-9)), role));
-    let mut counts: HashMap<String, usize> = HashMap::new();
-    words
-        .map(|word| {
-            let count = counts.entry(word.clone()).or_default();
-            *count += 1;
-            if *count == 1 { word } else { format!("{word}-{count}") }
-        })
-        .collect()
+/// Handles within this share of the width from the axis are on neither side of it.
+const ON_AXIS: f64 = 0.03;
+/// How much farther up a handle must lie to come before one that is farther out, as a share of that distance.
+const OUTWARDS: f64 = 0.5;
+
+/// Gives each handle an id by its place in a rectangle and its role, such as `top-left-end`. Handles of equal place and
+/// role get sides if they lie on both sides of the axis, or else numbers. No id reads like a `taken` one.
+pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&str]) -> Vec<String> {
+    let size = (high - low).max(DVec2::splat(1e-9));
+    let shares: Vec<DVec2> = places.iter().map(|&(p, _)| (p - low) / size).collect();
+    let mut words: Vec<String> =
+        shares.iter().zip(places).map(|(&at, &(_, role))| name(at.y, third(at.x), role)).collect();
+    for members in groups(&words) {
+        if members.iter().all(|&k| (shares[k].x - 0.5).abs() > ON_AXIS) && is_on_both_sides(&members, &shares) {
+            for k in members {
+                words[k] = name(shares[k].y, if shares[k].x < 0.5 { "left" } else { "right" }, places[k].1);
+            }
+        }
+    }
+    let mut known: BTreeSet<String> = taken.iter().map(|id| read(id)).collect();
+    let mut ids = vec![String::new(); words.len()];
+    for mut members in groups(&words) {
+        // From top to bottom, and at about the same height from the outside in.
+        let key = |k: usize| shares[k].y - OUTWARDS * (shares[k].x - 0.5).abs();
+        members.sort_by(|&a, &b| key(a).total_cmp(&key(b)).then(shares[a].x.total_cmp(&shares[b].x)));
+        for k in members {
+            let numbered =
+                |number: usize| if number == 1 { words[k].clone() } else { format!("{}-{number}", words[k]) };
+            ids[k] = (1..).map(numbered).find(|id| !known.contains(id)).expect("numbers do not end");
+            known.insert(ids[k].clone());
+        }
+    }
+    ids
 }
 
-/// The name of a place, with coordinates from 0 to 1.
-fn named(at: DVec2, role: &str) -> String {
-    let third = |t: f64, names: [&'static str; 2]| match t {
-        t if t < 0.36 => names[0],
-        t if t > 0.64 => names[1],
+/// The indices of equal words.
+fn groups(words: &[String]) -> Vec<Vec<usize>> {
+    let mut groups: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    words.iter().enumerate().for_each(|(k, word)| groups.entry(word).or_default().push(k));
+    groups.into_values().collect()
+}
+
+fn is_on_both_sides(members: &[usize], shares: &[DVec2]) -> bool {
+    let left = members.iter().filter(|&&k| shares[k].x < 0.5).count();
+    left > 0 && left < members.len()
+}
+
+/// An id as people read it: editors show hyphens as spaces.
+fn read(id: &str) -> String {
+    id.trim().to_lowercase().replace(['_', ' '], "-")
+}
+
+/// The side that the outer thirds of the width lie on.
+fn third(x: f64) -> &'static str {
+    match x {
+        x if x < 0.36 => "left",
+        x if x > 0.64 => "right",
+        _ => "",
+    }
+}
+
+/// The name of a place, with heights from 0 to 1.
+fn name(y: f64, side: &str, role: &str) -> String {
+    let height = match y {
+        y if y < 0.36 => "top",
+        y if y > 0.64 => "bottom",
         _ => "",
     };
-    let words = [third(at.y, ["top", "bottom"]), third(at.x, ["left", "right"])];
-    let middle = if words == ["", ""] && role != "middle" { "middle" } else { "" };
-    let words = if role == "middle" { ["", ""] } else { words };
-    let words = [words[0], words[1], middle, role];
+    let middle = if height.is_empty() && side.is_empty() && role != "middle" { "middle" } else { "" };
+    let words = if role == "middle" { ["", "", "", role] } else { [height, side, middle, role] };
     words.iter().filter(|word| !word.is_empty()).copied().collect::<Vec<_>>().join("-")
 }
 
@@ -37,11 +85,31 @@ mod tests {
 
     use super::ids;
 
+    fn named(places: &[([f64; 2], &str)], taken: &[&str]) -> Vec<String> {
+        let places: Vec<(DVec2, &str)> = places.iter().map(|&(p, role)| (p.into(), role)).collect();
+        ids(&places, DVec2::ZERO, DVec2::splat(100.0), taken)
+    }
+
     #[test]
     fn ids_tell_the_place_and_are_unique() {
         let places = [([5.0, 5.0], "end"), ([8.0, 9.0], "end"), ([50.0, 50.0], "middle"), ([50.0, 95.0], "joint")];
-        let places: Vec<(DVec2, &str)> = places.into_iter().map(|(p, role)| (p.into(), role)).collect();
-        let ids = ids(&places, DVec2::ZERO, DVec2::splat(100.0));
-        assert_eq!(ids, ["top-left-end", "top-left-end-2", "middle", "bottom-joint"]);
+        assert_eq!(named(&places, &[]), ["top-left-end", "top-left-end-2", "middle", "bottom-joint"]);
+    }
+
+    #[test]
+    fn mirrored_places_have_mirrored_ids() {
+        let legs = [(8.0, 90.0), (30.0, 95.0), (44.0, 86.0), (56.0, 86.0), (70.0, 95.0), (92.0, 90.0)];
+        let end = |(x, y): (f64, f64)| ([x, y], "end");
+        let mirrored = |(x, y): (f64, f64)| end((100.0 - x, y));
+        let exchanged = |id: &String| id.replace("left", "?").replace("right", "left").replace('?', "right");
+        let ids = named(&legs.map(end), &[]);
+        assert_eq!(ids.iter().map(exchanged).collect::<Vec<_>>(), named(&legs.map(mirrored), &[]));
+        assert!(ids.iter().all(|id| id.contains("left") != id.contains("right")), "{ids:?}");
+    }
+
+    #[test]
+    fn ids_do_not_read_like_taken_ones() {
+        let places = [([5.0, 5.0], "end"), ([50.0, 50.0], "middle")];
+        assert_eq!(named(&places, &["Top left end", "tail"]), ["top-left-end-2", "middle"]);
     }
 }

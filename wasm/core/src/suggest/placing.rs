@@ -7,8 +7,9 @@ use super::{
     cells::{Cells, FAR},
     joints::MeasuredLimb,
     skeleton::Skeleton,
+    taken::taken_cells,
 };
-use crate::domain::Domain;
+use crate::{domain::Domain, project::Handle};
 
 const FEWEST: usize = 5;
 const MOST: usize = 12;
@@ -30,8 +31,8 @@ const PROBES: i32 = 4;
 /// A handle in a wide part is this many times nearer to other handles than to the outline, or less.
 const FROM_OUTLINE: u32 = 3;
 
-/// Positions of handles with their roles, the most important first.
-pub(super) fn places(domain: &Domain, count: Option<usize>) -> Vec<(DVec2, SuggestedRole)> {
+/// Positions of handles with their roles, the most important first. Handles that are there have room around them, too.
+pub(super) fn places(domain: &Domain, count: Option<usize>, there: &[Handle]) -> Vec<(DVec2, SuggestedRole)> {
     let cells = Cells::new(domain);
     let clearance = cells.clearance();
     let most = count.unwrap_or(MOST);
@@ -43,9 +44,13 @@ pub(super) fn places(domain: &Domain, count: Option<usize>) -> Vec<(DVec2, Sugge
     let measured = |skeleton| MeasuredLimb::of(skeleton, &cells, &clearance);
     let limbs: Vec<MeasuredLimb<'_>> = skeletons.iter().flat_map(measured).collect();
     let longest = f64::from(skeletons.iter().map(|skeleton| skeleton.diameter).max().unwrap_or_default());
-    let nearest = vec![FAR; cells.len()];
+    let nearest = cells.distances(taken_cells(&cells, there).into_iter().map(|cell| (cell, 0)), FAR - 16);
     let mut placing = Placing { cells: &cells, clearance: &clearance, most, nearest, chosen: Vec::new() };
-    skeletons.iter().for_each(|skeleton| placing.choose(skeleton.root, SuggestedRole::Middle, 0));
+    for skeleton in &skeletons {
+        // The first handle of a part needs no room.
+        let room = if there.is_empty() { 0 } else { (f64::from(skeleton.diameter) * JOINT_ROOM) as u32 };
+        placing.choose(skeleton.root, SuggestedRole::Middle, room);
+    }
     placing.choose_ends(&limbs);
     placing.choose_joints(&limbs);
     let lines: Vec<usize> = limbs.iter().flat_map(MeasuredLimb::line).copied().collect();
@@ -54,10 +59,10 @@ pub(super) fn places(domain: &Domain, count: Option<usize>) -> Vec<(DVec2, Sugge
     if count.is_none() {
         placing.fill(&all, SuggestedRole::Spread, most, (longest * WIDE) as u32, FROM_OUTLINE);
     }
-    let wanted = count.unwrap_or(FEWEST);
+    let wanted = count.unwrap_or(FEWEST).saturating_sub(there.len());
     placing.fill(&lines, SuggestedRole::Joint, wanted, (longest * JOINT_ROOM) as u32, u32::MAX);
     let area = all.len() as f64 * cells.side * cells.side;
-    let room = cells.units((area / wanted as f64).sqrt() * ROOM);
+    let room = cells.units((area / wanted.max(1) as f64).sqrt() * ROOM);
     placing.fill(&all, SuggestedRole::Spread, wanted, room, FROM_OUTLINE);
     let chosen = placing.chosen.iter();
     chosen.map(|&(cell, role)| (position(&cells, domain, cell, clearance[cell]), role)).collect()

@@ -2,6 +2,13 @@
 
 use glam::DVec2;
 
+use super::SuggestedRole;
+use crate::{
+    domain::Domain,
+    project::{Handle, Shape},
+    segment::segment_distance,
+};
+
 /// Rows of handles, and handles in a row, if their number is left open.
 const ROWS: f64 = 3.0;
 /// The least distance of handles then, in pixels.
@@ -9,8 +16,32 @@ const ROOM: f64 = 8.0;
 /// Distance of the outer handles from the sides, as a share of the side.
 const INSET: f64 = 0.12;
 
-/// Points in a rectangle: in rows of almost equal length, from top to bottom.
-pub(super) fn spread(low: DVec2, high: DVec2, count: Option<usize>) -> Vec<DVec2> {
+/// Handles that are nearer than this share of a row's or column's distance take a place.
+const NEAR: f64 = 0.6;
+
+/// Handles in a rectangle: in rows of almost equal length, from top to bottom.
+pub(super) fn spread(domain: &Domain, count: Option<usize>) -> Vec<(DVec2, SuggestedRole)> {
+    points(domain, count).into_iter().map(|p| (p, SuggestedRole::Spread)).collect()
+}
+
+/// The same without those near to handles that are there.
+pub(super) fn spread_beside(domain: &Domain, handles: &[Handle]) -> Vec<(DVec2, SuggestedRole)> {
+    let points = points(domain, None);
+    let apart = |p: DVec2| points.iter().filter(|&&q| q != p).map(|q| q.distance(p)).fold(f64::INFINITY, f64::min);
+    let is_free = |p: DVec2| handles.iter().all(|handle| distance(&handle.shape, p) > NEAR * apart(p));
+    points.iter().filter(|&&p| is_free(p)).map(|&p| (p, SuggestedRole::Spread)).collect()
+}
+
+/// The distance from the line or the point of a handle at rest.
+fn distance(shape: &Shape, p: DVec2) -> f64 {
+    let corners = shape.rest();
+    let closing = matches!(shape, Shape::Polygon { .. }).then(|| (corners[corners.len() - 1], corners[0]));
+    let pieces = corners.windows(2).map(|ends| (ends[0], ends[1])).chain(closing);
+    pieces.map(|(a, b)| segment_distance(p, a, b)).fold(corners[0].distance(p), f64::min)
+}
+
+fn points(domain: &Domain, count: Option<usize>) -> Vec<DVec2> {
+    let (low, high) = domain.bounds();
     let size = high - low;
     let (count, rows) = match count {
         Some(count) => (count, ((count as f64 * size.y / size.x).sqrt().round() as usize).clamp(1, count)),

@@ -2,10 +2,11 @@ use std::collections::BTreeSet;
 
 use glam::DVec2;
 
-use super::{SuggestedHandle, SuggestedRole, suggest};
+use super::{SuggestedHandle, SuggestedRole, suggest, suggest_beside};
 use crate::{
     distance::Navigation,
     domain::{Domain, Ring},
+    project::Handle,
 };
 
 fn domain(rings: &[Ring]) -> Domain {
@@ -164,4 +165,59 @@ fn pictures_without_an_outline_have_even_rows() {
     let rows = ["top-left", "top", "top-right", "left", "middle", "right", "bottom-left", "bottom", "bottom-right"];
     assert_eq!(ids, rows);
     assert!(handles.iter().all(|handle| handle.role == SuggestedRole::Spread));
+}
+
+/// The way from each suggested handle to the nearest of some handles.
+fn ways_to(domain: &Domain, suggested: &[SuggestedHandle], there: &[DVec2]) -> Vec<f64> {
+    let way = |handle: &SuggestedHandle| there.iter().map(|p| p.distance(handle.rest)).fold(f64::INFINITY, f64::min);
+    assert_usable(domain, suggested);
+    suggested.iter().map(way).collect()
+}
+
+#[test]
+fn handles_that_are_there_keep_their_places() {
+    let (star, tips) = star(5);
+    let all = suggest(&star, None);
+    assert_eq!(suggest_beside(&star, &[]), all);
+    // One by eye near a tip, and one in the middle.
+    let there = [tips[1].lerp(DVec2::splat(200.0), 0.12), DVec2::new(206.0, 197.0)];
+    let handles = [Handle::point("hand", there[0]), Handle::point("middle", there[1])];
+    let suggested = suggest_beside(&star, &handles);
+    let ways = ways_to(&star, &suggested, &there);
+    assert!(ways.iter().all(|&way| way > 40.0), "{suggested:?}");
+    assert_eq!(of_role(&suggested, SuggestedRole::End).len(), 4);
+    assert!(suggested.iter().all(|handle| handle.id != "middle" && handle.id != "hand"));
+    // All of them are there already.
+    let full: Vec<Handle> = all.iter().map(|handle| Handle::point(handle.id.clone(), handle.rest)).collect();
+    assert_eq!(suggest_beside(&star, &full), []);
+}
+
+#[test]
+fn bars_and_polygons_hold_the_places_along_and_inside_them() {
+    let animal = domain(&[animal()]);
+    let bar = Handle::bar("tail", [(230.0, 160.0), (340.0, 68.0)]);
+    let polygon = Handle::polygon("head", [(50.0, 30.0), (125.0, 30.0), (140.0, 60.0), (120.0, 90.0), (55.0, 85.0)]);
+    let suggested = suggest_beside(&animal, &[bar, polygon]);
+    assert_usable(&animal, &suggested);
+    assert!(!suggested.is_empty());
+    for SuggestedHandle { rest, .. } in &suggested {
+        assert!(!(rest.x < 145.0 && rest.y < 95.0), "{rest}: in the head");
+        assert!(rest.x < 235.0, "{rest}: along the tail");
+    }
+}
+
+#[test]
+fn many_handles_leave_no_place() {
+    let picture = Domain::rectangle(640, 480);
+    let grid =
+        (0..64).map(|k| Handle::point(k.to_string(), [f64::from(k % 8) * 80.0 + 40.0, f64::from(k / 8) * 60.0 + 30.0]));
+    assert_eq!(suggest_beside(&picture, &grid.collect::<Vec<_>>()), []);
+    // Handles beside the picture do not matter.
+    assert_eq!(suggest_beside(&picture, &[Handle::point("far", [-900.0, 20.0])]).len(), 9);
+    // A crowd in the middle leaves the tips.
+    let (star, tips) = star(5);
+    let at = |k: i32| DVec2::new(190.0 + f64::from(k % 6) * 4.0, 190.0 + f64::from(k / 6) * 4.0);
+    let crowd: Vec<Handle> = (0..30).map(|k| Handle::point(k.to_string(), at(k))).collect();
+    let ends = of_role(&suggest_beside(&star, &crowd), SuggestedRole::End);
+    assert_eq!(ends.len(), tips.len());
 }
