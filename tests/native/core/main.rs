@@ -24,3 +24,4 @@ mod rigid;
 mod scenes;
 mod static_background;
 mod symmetry;
+mod unfolding;

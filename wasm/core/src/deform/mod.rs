@@ -15,6 +15,7 @@
 //!   part, and parts that lie in front.
 //! - `folds`, `creases`: where the picture turns over.
 //! - `way`, `fold_guard`: how far handles go before the picture folds. `rounding` is the editor's.
+//! - `forcing`, `free_pose`, `unfolding`: the handles that force folds, and the nearest pose without.
 //! - `reach`, `coverage`, `bounds`, `borders`, `course`: what the overlays and other marks show.
 //!
 //! Cost: a blend visits the supports over each vertex; everything else is linear in the mesh.
@@ -29,6 +30,8 @@ mod drawing_order;
 mod dual;
 mod fold_guard;
 mod folds;
+mod forcing;
+mod free_pose;
 mod handle_pose;
 mod hidden;
 mod inverse;
@@ -42,6 +45,7 @@ mod posed_picture;
 mod reach;
 mod rounding;
 mod triangle;
+mod unfolding;
 mod way;
 
 pub use bounds::Bounds;
@@ -56,4 +60,5 @@ pub use lead::Lead;
 pub use locate::Correspondence;
 pub use pose::{Mapped, Pose};
 pub use posed_picture::{PictureMesh, PosedPicture};
+pub use unfolding::Unfolded;
 pub use way::{GroupMember, GroupTransform, GroupWay, HandleWay, Turn};

@@ -55,10 +55,10 @@ pub struct PictureMesh {
 /// A solved picture and its present pose. At first it is at rest.
 #[derive(Debug)]
 pub struct PosedPicture {
-    mesh: PictureMesh,
-    poser: Poser,
+    pub(super) mesh: PictureMesh,
+    pub(super) poser: Poser,
     /// The handles as they were solved.
-    handles: Vec<Handle>,
+    pub(super) handles: Vec<Handle>,
     folding: FoldingMesh,
     adjacency: Adjacency,
     background: Option<Bounds>,
@@ -159,7 +159,7 @@ impl PosedPicture {
         self.poser.pose(&self.posed_handles(poses)?, blend)
     }
 
-    fn posed_handles(&self, poses: &[HandlePose]) -> Result<Vec<Handle>, Error> {
+    pub(super) fn posed_handles(&self, poses: &[HandlePose]) -> Result<Vec<Handle>, Error> {
         if poses.len() < self.handles.len() {
             return Err(Error::PoseMismatch { expected: self.handles.len(), found: poses.len() });
         }
@@ -291,7 +291,7 @@ impl PosedPicture {
         Ok(self.creases_of(&posed).iter().map(|crease| crease.triangles.len()).sum())
     }
 
-    fn creases_of(&self, posed: &[DVec2]) -> Vec<Crease> {
+    pub(super) fn creases_of(&self, posed: &[DVec2]) -> Vec<Crease> {
         creases(posed, &self.folding.folded(posed).collect::<Vec<_>>())
     }
 
