@@ -5,9 +5,11 @@ use std::sync::Arc;
 use c2warp::{
     Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes,
     deform::Pose,
+    domain::Domain,
     fit::{Fitted, Fitter},
     project::{Project, clip_from_json},
     raster,
+    suggest::{SuggestedHandle, SuggestedRole, suggest_beside},
 };
 use glam::DVec2;
 use serde::Serialize;
@@ -46,6 +48,20 @@ struct Solve {
 struct FittedProject<'a> {
     project: &'a Project,
     moved: Vec<String>,
+}
+
+/// Point handles for the present picture, beside those of a project.
+#[derive(Debug, Serialize)]
+struct Suggestion {
+    handles: Vec<SuggestedPoint>,
+    /// Whether there is an outline that they follow. Otherwise they are in even rows.
+    outlined: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct SuggestedPoint {
+    id: String,
+    rest: [f64; 2],
 }
 
 #[wasm_bindgen]
@@ -191,6 +207,14 @@ impl Session {
         self.try_fit(project_json, own_rgba.as_deref()).map_err(|error| to_js(&error))
     }
 
+    /// Point handles where an animator would begin, beside those of the project: the JSON of `Suggestion`.
+    ///
+    /// # Errors
+    /// For a project without a domain in this picture.
+    pub fn suggest(&self, project_json: &str) -> Result<String, JsValue> {
+        self.try_suggest(project_json).map_err(|error| to_js(&error))
+    }
+
     /// The borders between the cells of a project's solution. Solves first if necessary.
     ///
     /// # Errors
@@ -234,6 +258,17 @@ impl Session {
         let Fitted { project, moved, .. } = fitter.fit(&picture)?;
         let moved = moved.into_iter().map(|handle| handle.id).collect();
         Ok(json(&FittedProject { project: &project, moved }))
+    }
+
+    fn try_suggest(&self, project_json: &str) -> Result<String, Error> {
+        let project = Project::from_json(project_json)?;
+        let picture = Picture::new(self.width, self.height, &self.rgba)?;
+        let domain = Domain::new(project.domain.as_ref(), &picture)?;
+        let suggested = suggest_beside(&domain, &project.handles);
+        let outlined = suggested.iter().any(|handle| handle.role != SuggestedRole::Spread);
+        let point = |handle: SuggestedHandle| SuggestedPoint { id: handle.id, rest: handle.rest.to_array() };
+        let handles = suggested.into_iter().map(point).collect();
+        Ok(json(&Suggestion { handles, outlined }))
     }
 
     fn try_begin(&mut self, project: Project) -> Result<(), Error> {

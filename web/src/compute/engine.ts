@@ -8,6 +8,7 @@
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { Clip, Project } from '../document/project';
+import type { Suggestion } from '../document/suggestion';
 import { ENGINE, WarpError } from '../error';
 import type { Vec } from '../geometry/vec';
 import { startWorker } from '../start_worker';
@@ -87,6 +88,20 @@ export class Engine {
   }
 
   /**
+   * Handles where an animator would begin, beside those of a project. Ends a suggestion under way.
+   * @throws DOMException `AbortError` when a newer one or {@link stopSuggesting} ends this one; else as {@link cells}.
+   */
+  async suggest(project: Project): Promise<Suggestion> {
+    this.stopSuggesting();
+    return JSON.parse(await this.#ask('suggest', { project: problemText(project) }));
+  }
+
+  /** The answer to a suggestion under way is dropped. */
+  stopSuggesting(): void {
+    this.#link.abandon('suggest');
+  }
+
+  /**
    * Prepares to draw the warped picture in straight alpha. Solves go on between its bands. With a moment the handles
    * are posed as there.
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; WarpError otherwise.
@@ -149,7 +164,7 @@ export class Engine {
   }
 
   /** Asks about the present picture, once the worker has it. */
-  async #ask<N extends 'fit' | 'draw' | 'film' | 'cells' | 'study' | 'lens'>(
+  async #ask<N extends 'fit' | 'suggest' | 'draw' | 'film' | 'cells' | 'study' | 'lens'>(
     name: N,
     body: Messages[N][0],
   ): Promise<Messages[N][1]> {

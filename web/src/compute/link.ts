@@ -55,6 +55,7 @@ const TOO_MUCH_TO_FILM = 'The film needs more memory to be drawn than this brows
 const BROKE: Readonly<Record<Name, string>> = {
   picture: 'The picture needs more memory than there is: scale it down.',
   fit: 'The pictures need more memory than there is: scale them down.',
+  suggest: 'The picture needs more memory than there is to suggest handles: scale it down.',
   solve: TOO_MUCH_TO_SOLVE,
   draw: TOO_MUCH_TO_DRAW,
   rows: TOO_MUCH_TO_DRAW,

@@ -70,6 +70,8 @@ export interface Messages {
   stop: [request: null, response: null];
   /** Prepares the warped picture at full quality. It is drawn by `rows` until `release`. */
   draw: [request: PosedRequest & DrawingOptions, response: DrawingSize];
+  /** Suggests handles beside those of the project. Answers with the JSON of a `Suggestion`. */
+  suggest: [request: { readonly project: string }, response: string];
   /** Some rows of a drawing. */
   rows: [
     request: { readonly drawing: number; readonly from: number; readonly to: number },

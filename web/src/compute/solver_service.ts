@@ -126,6 +126,8 @@ export class SolverService {
         const rgba = own ? await received(own.pixels) : undefined;
         return done(session.fit(project, rgba));
       }
+      case 'suggest':
+        return done(session.suggest(request.body.project));
       case 'solve': {
         if (!(await this.#advanced(session, request.body.project, id))) {
           return this.#post({ id, kind: 'failed', failure: { code: SUPERSEDED, message: 'superseded' } });

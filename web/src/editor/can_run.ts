@@ -109,6 +109,7 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   'select-all': either(unlessChangeable, withoutHandles),
   copy: either(unlessChangeable, withoutHandles),
   paste: either(unlessChangeable, withoutHandles),
+  suggest: either(unlessOpen, unlessChangeable),
   reset: unlessSelected((handle) => !isAtRest(handle), AT_REST),
   mirror: unlessAnySelected,
   rename: either(unlessChangeable, (state) => (selectionOf(state).length === 1 ? null : NO_SINGLE)),

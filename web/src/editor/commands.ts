@@ -33,6 +33,7 @@ export const COMMANDS = {
   copy: { label: 'Copy the pose', keys: ['Mod+C'] },
   paste: { label: 'Paste a pose', keys: ['Mod+V'] },
   rename: { label: 'Rename', keys: ['F2'] },
+  suggest: { label: 'Suggest handles', keys: ['N'] },
   remove: { label: 'Delete', keys: ['Delete', 'Backspace'] },
   'add-point': { label: 'Add a point here', keys: [] },
   'add-corner': { label: 'Add a corner', keys: ['C'] },

@@ -79,6 +79,9 @@ export type EditorEffect =
   | { readonly type: 'solve'; readonly key: string; readonly project: Project }
   /** Fits a rig to the open picture. Answered by `rig-fitted` or `error-reported`. */
   | { readonly type: 'fit-rig'; readonly rig: RigSource; readonly picture: Picture }
+  /** Answered by `handles-suggested` or `suggestion-failed`, unless `stop-suggesting` or a newer one ends it. */
+  | { readonly type: 'suggest-handles'; readonly project: Project }
+  | { readonly type: 'stop-suggesting' }
   | { readonly type: 'find-borders'; readonly solution: Solution }
   | { readonly type: 'find-study'; readonly solution: Solution }
   /** Saves a figure of the study card as SVG. */

@@ -13,6 +13,7 @@ import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { Ease, Handle, Loop, PoseMode, Project, ProjectFile } from '../document/project';
 import type { Preset, Setting } from '../document/settings';
+import type { Suggestion } from '../document/suggestion';
 import type { Variant } from '../document/variants';
 import type { Camera, Size } from '../geometry/camera';
 import type { Blend } from '../geometry/skin';
@@ -296,6 +297,9 @@ type SolverEvent =
   | { readonly type: 'solved'; readonly solution: Solution }
   /** `failed`: the solver itself failed, so the project is not to blame. */
   | { readonly type: 'solve-refused'; readonly key: string; readonly error: Error; readonly failed: boolean }
+  /** The project is the one that handles were suggested for. */
+  | { readonly type: 'handles-suggested'; readonly project: Project; readonly suggestion: Suggestion }
+  | { readonly type: 'suggestion-failed'; readonly project: Project; readonly error: Error }
   | { readonly type: 'borders-found'; readonly solution: Solution; readonly borders: CellBorders }
   /** Null if the solver could not answer. */
   | { readonly type: 'study-found'; readonly solution: Solution; readonly study: Study | null }

@@ -48,6 +48,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       ready: false,
       borders: null,
     },
+    suggesting: null,
     stage,
     view: { camera: { scale: 1, x: 0, y: 0 }, stage, fitted: true, sheet: 'none' },
     widened: false,

@@ -55,6 +55,8 @@ export interface EditorState {
   /** A person's input for the picture that is being opened, in its order. */
   readonly waiting: readonly EditorEvent[];
   readonly solution: SolutionState;
+  /** What handles are being suggested for. */
+  readonly suggesting: { readonly project: Project; readonly picture: Picture | null } | null;
   /** CSS pixels. */
   readonly stage: Size;
   readonly view: ViewState;

@@ -1,4 +1,4 @@
-export type TaskName = 'open' | 'solve' | 'export';
+export type TaskName = 'open' | 'solve' | 'export' | 'suggest';
 
 /** A task that takes noticeable time. */
 export interface Task {

@@ -1,2 +1,9 @@
 /** Timers by their purpose. Starting one again restarts it. */
-export type Timer = 'notice' | 'solve-patience' | 'merge-end' | 'pose-check' | 'graphics' | 'replay';
+export type Timer =
+  | 'notice'
+  | 'solve-patience'
+  | 'merge-end'
+  | 'pose-check'
+  | 'suggest-patience'
+  | 'graphics'
+  | 'replay';

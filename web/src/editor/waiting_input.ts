@@ -67,7 +67,10 @@ export const waitingPlaces = ({ waiting }: EditorState): readonly Vec[] =>
 
 /** Input that is not about what the previous picture shows. */
 const isNew = (event: EditorEvent): boolean =>
-  event.type === 'press-began' || event.type === 'place-pressed' || chosenTool(event) !== null;
+  event.type === 'press-began' ||
+  event.type === 'place-pressed' ||
+  chosenTool(event) !== null ||
+  (event.type === 'command-run' && event.command === 'suggest');
 
 /** Mirroring asks the solution where the other side is. */
 const needsSolution = (event: EditorEvent): boolean =>

@@ -59,6 +59,8 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     solver.usePicture(effect.picture && pictures.opened(effect.picture).pixels),
   solve: (effect, { solver }) => solver.solve(effect.key, effect.project),
   'fit-rig': (effect, { dispatch, pictures, solver }) => fitRig(effect, pictures, solver, dispatch),
+  'suggest-handles': (effect, { solver }) => solver.suggestHandles(effect.project),
+  'stop-suggesting': (_, { solver }) => solver.stopSuggesting(),
   'find-borders': (effect, { solver }) => solver.findBorders(effect.solution),
   'find-study': (effect, { solver }) => solver.findStudy(effect.solution),
   'save-figure': (effect, { files, state, study }) =>

@@ -86,6 +86,24 @@ export class Solver {
     this.#dispatch({ type: 'lens-found', solution, at, lens });
   }
 
+  /** Answers unless a newer suggestion, another picture or {@link stopSuggesting} ends this one. */
+  async suggestHandles(project: Project): Promise<void> {
+    try {
+      const suggestion = await (await this.#started()).suggest(project);
+      this.#dispatch({ type: 'handles-suggested', project, suggestion });
+    } catch (thrown) {
+      const error = asError(thrown);
+      if (!isAbort(error)) this.#dispatch({ type: 'suggestion-failed', project, error });
+    }
+  }
+
+  stopSuggesting(): void {
+    this.#engine?.then(
+      (engine) => engine.stopSuggesting(),
+      () => {},
+    );
+  }
+
   /** A project for another picture, fitted to the present one: see `Engine.fit`. */
   async fit(project: Project, own: PixelSource | null): Promise<FittedProject> {
     return (await this.#started()).fit(project, own);

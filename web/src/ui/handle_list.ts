@@ -4,6 +4,7 @@ import { anchor, isAtRest, nameOf } from '../document/handle';
 import type { Handle } from '../document/project';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
+import { commandButton } from './command_button';
 
 /** Selects a handle and brings it into view. A press also focuses it, for arrow keys. */
 function listed(event: MouseEvent, handle: Handle, dispatch: Dispatch): void {
@@ -18,10 +19,13 @@ const adds = (event: MouseEvent): boolean => event.shiftKey || event.ctrlKey || 
 export function handleList(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { project, selection } = model.document;
   return html`<section class="list">
-    <h3>Handles <span class="faint">${project.handles.length}</span></h3>
+    <div class="head">
+      <h3>Handles <span class="faint">${project.handles.length}</span></h3>
+      ${model.picture && !model.readonly ? commandButton('suggest', model, dispatch, project.handles.length > 0 ? { label: 'Suggest more handles' } : {}) : nothing}
+    </div>
     ${
       project.handles.length === 0
-        ? html`<p class="faint">None yet. Choose the point tool (P) and ${model.press} the picture, or draw a bar (B) or a polygon (G).</p>`
+        ? html`<p class="faint">None yet. Let some be suggested (N), or choose the point tool (P) and ${model.press} the picture. Or draw a bar (B) or a polygon (G).</p>`
         : html`<ul>
             ${project.handles.map(
               (handle) => html`<li>

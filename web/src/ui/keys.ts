@@ -46,6 +46,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'paste',
       'forward',
       'backward',
+      'suggest',
       'add-corner',
       'remove-corner',
       'rename',

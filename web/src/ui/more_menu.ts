@@ -21,6 +21,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
   >
     ${icon(name)}${label}
   </button>`;
+  const suggest = { type: 'command-run', command: 'suggest' } as const;
   const reset = { type: 'command-run', command: 'reset-all' } as const;
   const lens = { type: 'command-run', command: 'lens' } as const;
   const timeline = { type: 'command-run', command: 'timeline' } as const;
@@ -39,6 +40,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
       @beforetoggle=${placeBelowButton}
     >
       ${entry('timeline', COMMANDS.timeline.label, timeline, model.canRun('timeline'))}
+      ${entry('suggest', COMMANDS.suggest.label, suggest, model.canRun('suggest'))}
       ${entry('reset', COMMANDS['reset-all'].label, reset, model.canRun('reset-all'))}
       ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
       ${entry('lens', COMMANDS.lens.label, lens, model.canRun('lens'))}

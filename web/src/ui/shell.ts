@@ -47,7 +47,7 @@ export function shell(
       ${posable ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
       ${model.task ? progressBar(model.task) : nothing}
       ${model.hint && !model.preview && !studying ? bubble(model.hint, model.camera) : nothing}
-      ${posable ? nothing : html`${draftBar(model, dispatch)} ${toolHint(model)} ${legends(model)}`}
+      ${posable ? nothing : html`${draftBar(model, dispatch)} ${toolHint(model, dispatch)} ${legends(model)}`}
       ${model.preview === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing}
       ${posable ? nothing : exportCard(model, dispatch)} ${notice(model, dispatch)}
     </div>

@@ -1,17 +1,39 @@
-/** A hint over the picture: the use of the current tool, or the tool to choose while there are no handles. */
+/**
+ * A hint over the picture: the use of the current tool, or the tool to choose while there are no handles. A picture
+ * without handles gets some by the button in it.
+ */
 import { html, nothing, type TemplateResult } from 'lit';
+import { COMMANDS } from '../editor/commands';
+import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import type { ToolName } from '../tools/machine';
+import { icon } from './icons';
 
-export function toolHint(model: EditorModel): TemplateResult | typeof nothing {
+export function toolHint(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
   const { draft, document, picture } = model;
   // A notice with an action stays until it is answered, so hints appear above it.
   const silent = !model.notice || model.notice.action !== undefined;
   const idle = !model.readonly && silent && !model.hint && !model.preview;
   if (!idle || picture === null || draft !== null || document.selection.length > 0) return nothing;
   const words = wordsOf(model)[model.tool];
-  return words === undefined ? nothing : html`<p class="hint" part="hint">${words}</p>`;
+  if (words === undefined) return nothing;
+  const suggests = document.project.handles.length === 0 && BEGINNERS.includes(model.tool);
+  return html`<p class="hint ${suggests ? 'suggests' : ''}" part="hint">
+    <span>${words}</span>${suggests ? suggestButton(model, dispatch) : nothing}
+  </p>`;
 }
+
+/** Tools that a person has who has not drawn anything yet. */
+const BEGINNERS: readonly ToolName[] = ['select', 'point'];
+
+const suggestButton = (model: EditorModel, dispatch: Dispatch): TemplateResult => html`<button
+  type="button"
+  class="primary"
+  ?disabled=${!model.canRun('suggest')}
+  @click=${() => dispatch({ type: 'command-run', command: 'suggest' })}
+>
+  ${icon('suggest')}${COMMANDS.suggest.label}
+</button>`;
 
 function wordsOf({ press, document }: EditorModel): Partial<Record<ToolName, string>> {
   const lines = {

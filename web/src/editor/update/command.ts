@@ -40,6 +40,7 @@ import { renameSelected } from './renaming';
 import { select } from './selection';
 import { redo, undo } from './steps';
 import { showStudy } from './study';
+import { askForHandles, stopSuggesting } from './suggesting';
 import { takeTool } from './tool_choice';
 
 type Run = (state: EditorState, emit: Emit, menu: MenuState | null) => EditorState;
@@ -94,6 +95,7 @@ const RUN: Readonly<Record<CommandName, Run>> = {
     if (before.focus.on === 'handle' || before.focus.on === 'corner') focus(emit, selectionOf(state)[0]);
     return state;
   }),
+  suggest: edit((state, emit) => askForHandles(state, emit)),
   rename: edit(renameSelected),
   remove: edit((state, emit, menu) =>
     isDrawing(state) ? takeBack(state, emit, menu) : removeSelected(state, emit),
@@ -140,11 +142,12 @@ const RUN: Readonly<Record<CommandName, Run>> = {
 /** What Escape would cancel or dismiss: the innermost thing in progress. */
 function bailTarget(
   state: EditorState,
-): 'press' | 'crosshair' | 'settings' | 'export' | 'notice' | 'selection' | 'study' | null {
+): 'press' | 'crosshair' | 'settings' | 'suggestion' | 'export' | 'notice' | 'selection' | 'study' | null {
   const notice = shownNotice(state);
   if (isPressing(state.tools) || isDrawing(state)) return 'press';
   if (state.display.crosshair) return 'crosshair';
   if (state.display.settings) return 'settings';
+  if (state.suggesting) return 'suggestion';
   if (state.exporting.running) return 'export';
   if (notice && !notice.action) return 'notice';
   // The lens looks through the selection.
@@ -166,6 +169,8 @@ function bail(state: EditorState, emit: Emit): EditorState {
       return hideCrosshair(state);
     case 'settings':
       return openSettings(state, false);
+    case 'suggestion':
+      return stopSuggesting(state, emit);
     case 'export':
       return cancelExport(state, emit);
     case 'notice':

@@ -42,6 +42,7 @@ import { showStage } from './solve_request';
 import { solveHandlers } from './solve_results';
 import { endMerging } from './steps';
 import { studyHandlers } from './study';
+import { showSuggesting, suggestionHandlers, withoutStaleSuggestion } from './suggesting';
 import { reportTitle } from './title';
 import { trialHandlers } from './trial';
 import { askForRelease, keepWaiting, waitingHandlers } from './waiting';
@@ -60,6 +61,8 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
         return playOn(state, emit);
       case 'pose-check':
         return checkPose(state);
+      case 'suggest-patience':
+        return showSuggesting(state, emit);
       case 'graphics':
         return tellOfLostGraphics(state);
     }
@@ -93,6 +96,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...rigHandlers,
   ...solveHandlers,
   ...studyHandlers,
+  ...suggestionHandlers,
   ...timerHandlers,
   ...trialHandlers,
   ...waitingHandlers,
@@ -132,7 +136,7 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
  * released, guides that end, the title.
  */
 const settled = (before: EditorState, emit: Emit): EditorState => {
-  const posed = followClip(withoutGuides(before), emit);
+  const posed = withoutStaleSuggestion(followClip(withoutGuides(before), emit), emit);
   const shown = requestStudy(requestBorders(followCamera(posed), emit), emit);
   return reportTitle(askForRelease(shown, emit), emit);
 };

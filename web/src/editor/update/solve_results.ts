@@ -16,6 +16,7 @@ import { closePicture } from './put_picture';
 import { cancelReading } from './requests';
 import { revertRejected, turnBack } from './revert';
 import { beginStage, endStages, showSolution, withSolution } from './solve_request';
+import { stopSuggesting } from './suggesting';
 import { endTrialOpened, endTrialRejected } from './trial';
 
 function keep(state: EditorState, solution: Solution): EditorState {
@@ -76,6 +77,7 @@ export const solveHandlers: Handlers<
       : state,
   'task-cancelled': (state, { task }, emit) => {
     if (task === 'export') return cancelExport(state, emit);
+    if (task === 'suggest') return stopSuggesting(state, emit);
     if (task === 'open') return cancelReading(state, emit);
     return task === 'solve' && mayChange(state) ? cancelSolve(state, emit) : state;
   },

@@ -25,6 +25,11 @@ export const floatingStyle = css`
     }
   }
   @container ${notPhone} {
+    .hint.suggests ~ .notices .notice {
+      bottom: 78px;
+    }
+  }
+  @container ${notPhone} {
     .notices .notice.aside,
     :is(.draft-bar, .hint:not(.bubble)) ~ .notices .notice.aside {
       top: 16px;
@@ -49,6 +54,9 @@ export const floatingStyle = css`
     :is(.draft-bar, .hint:not(.bubble)) ~ .notices .notice.aside {
       bottom: 134px;
     }
+    .hint.suggests ~ .notices .notice.aside {
+      bottom: 186px;
+    }
     /* Clear of the sheet in every layout, and of each other. */
     .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) {
       top: 12px;
@@ -61,6 +69,9 @@ export const floatingStyle = css`
     .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) ~ .notices .notice {
       top: 72px;
       bottom: auto;
+    }
+    .panel.open:not(.high) ~ .hint.suggests ~ .notices .notice {
+      top: 116px;
     }
     .panel.high ~ .notices .notice {
       top: auto;

@@ -6,6 +6,12 @@ export const handleListStyle = css`
     display: flex;
     flex-direction: column;
   }
+  .list .head {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    margin: -5px -7px -5px 0;
+  }
   .list ul {
     margin: 6px -6px -4px;
     overflow: auto;

@@ -1,6 +1,6 @@
 /** Hints over the picture, and the bubble that points at a handle. */
 import { css } from 'lit';
-import { lowPhone } from './layouts';
+import { lowPhone, phone } from './layouts';
 
 export const hintsStyle = css`
   .hint {
@@ -14,6 +14,36 @@ export const hintsStyle = css`
     text-align: center;
     pointer-events: none;
     animation: appear 400ms 500ms backwards;
+  }
+  .hint.suggests {
+    display: flex;
+    align-items: center;
+    gap: 14px;
+    padding: 6px 6px 6px 18px;
+    border-radius: 26px;
+    /* It can be pressed at once. */
+    animation-delay: 0ms;
+  }
+  .hint.suggests .primary {
+    display: inline-flex;
+    align-items: center;
+    gap: 7px;
+    height: 34px;
+    padding: 0 15px 0 11px;
+    white-space: nowrap;
+    pointer-events: auto;
+  }
+  @container ${phone} {
+    .hint.suggests {
+      flex-direction: column;
+      gap: 6px;
+      padding: 10px 16px;
+      border-radius: 22px;
+      font-size: 13px;
+    }
+    .hint.suggests .primary {
+      height: var(--_finger);
+    }
   }
   /* The bubble belongs to the picture, so it lies under the cards. */
   .bubble {
