@@ -1,9 +1,9 @@
 /**
- * `npm run quality`: errors of distances, second maxima of weights, jumps of their derivatives, and the quality of poses
- * by every mode and by other methods, beside the optimum too.
+ * `npm run quality`: errors of distances, second maxima of weights, jumps of their derivatives, suggested handles, and
+ * the quality of poses by every mode and by other methods, beside the optimum too.
  *
- * Prints tables and writes a sheet of pictures for each pose. The crate `c2warp-quality` measures. `npm run quality --
- * NAME` runs the parts with NAME in their name: poses, `optimum`, `distances`, `maxima` or `continuity`. The run fails if a
+ * Prints tables and writes sheets of pictures. The crate `c2warp-quality` measures. `npm run quality -- NAME` runs the
+ * parts with NAME in their name: poses, `optimum`, `distances`, `maxima`, `continuity` or `suggest`. The run fails if a
  * part does not build or run, never because of a figure.
  */
 import { rmSync } from 'node:fs';
@@ -20,7 +20,7 @@ await main(async () => {
   if (names.length === 0) rmSync(join(ROOT, OUTPUT), { recursive: true, force: true });
   await step('Build', 'cargo', ['build', ...CRATE], 'The comparison does not build. The reason is above.');
   await step(
-    'Distances, weights and poses',
+    'Distances, weights, suggestions and poses',
     'cargo',
     ['run', '--quiet', ...CRATE, '--', OUTPUT, ...names],
     'The comparison failed. The reason is above.',

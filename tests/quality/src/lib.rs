@@ -8,7 +8,7 @@
 //! - [`optimum`]: the least energy that a mesh can have. The editor's method is measured against it.
 //!
 //! [`distances`] compares intrinsic distances with exact geodesics. [`maxima`] counts secondary maxima of weights.
-//! [`continuity`] measures jumps of their derivatives.
+//! [`continuity`] measures jumps of their derivatives. [`suggestions`] draws suggested handles.
 
 pub mod comparison_mesh;
 pub mod constraints;
@@ -24,4 +24,5 @@ pub mod poses;
 pub mod random_poses;
 pub mod requirements;
 pub mod sheet;
+pub mod suggestions;
 pub mod tables;

@@ -1,7 +1,8 @@
 //! `c2warp-quality FOLDER [NAME]`: prints tables and writes a sheet of pictures per pose to the folder.
 //!
-//! It compares distances with geodesics, counts secondary maxima of weights, measures jumps of their derivatives, and
-//! compares methods on the standard poses. With NAME, it runs only the parts and poses whose name contains NAME.
+//! It compares distances with geodesics, counts secondary maxima of weights, measures jumps of their derivatives, draws
+//! suggested handles, and compares methods on the standard poses. With NAME, it runs only the parts and poses whose name
+//! contains NAME.
 //!
 //! `c2warp-quality --overview FILE` draws one pose by the editor's method and the methods it is compared with.
 
@@ -21,6 +22,7 @@ use c2warp_quality::{
     poses::{PosedScene, standard_poses},
     random_poses::poses_beside_optimum,
     sheet::{Row, sheet},
+    suggestions::suggestions,
     tables::tables,
 };
 
@@ -28,6 +30,7 @@ use c2warp_quality::{
 const DISTANCES: &str = "distances";
 const MAXIMA: &str = "maxima";
 const CONTINUITY: &str = "continuity";
+const SUGGEST: &str = "suggest";
 
 /// The pose of the overview.
 const WAVING: &str = "2 waving";
@@ -73,10 +76,19 @@ fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
         eprintln!("  {CONTINUITY}");
         jumps = continuity()?;
     }
+    let mut suggested = Vec::new();
+    if SUGGEST.contains(name) {
+        eprintln!("  {SUGGEST}");
+        suggested = suggestions()?;
+        for suggested in &suggested {
+            let file = format!("suggest-{}.png", suggested.name.replace(' ', "-"));
+            suggested.sheet().save(folder.join(file))?;
+        }
+    }
     let mut comparisons = Comparisons { folder, name, done: Vec::new(), failed: Vec::new() };
     comparisons.run(standard_poses()?, &METHODS, &OTHER_SAMPLES)?;
     comparisons.run(poses_beside_optimum()?, &METHODS_BESIDE_OPTIMUM, &[])?;
-    let text = tables(&measured, &counted, &jumps, &comparisons.done, &comparisons.failed);
+    let text = tables(&measured, &counted, &jumps, &suggested, &comparisons.done, &comparisons.failed);
     fs::write(folder.join("tables.md"), &text)?;
     Ok(io::stdout().write_all(text.as_bytes())?)
 }

@@ -7,6 +7,7 @@ use crate::{
     distances::{Distances, greatest},
     maxima::{SceneMaxima, Weighting},
     methods::{Comparison, EDITOR, Method, Outcome},
+    suggestions::Suggested,
 };
 
 /// A requirement on one pose, the distances in one domain, or the weights of one scene.
@@ -39,6 +40,17 @@ pub fn distance_requirements(all: &[Distances]) -> Vec<Requirement> {
         Requirement { subject, name: "largest error of a distance", value, limit: 1e-6 }
     };
     all.chunk_by(|a, b| a.domain == b.domain).map(of).collect()
+}
+
+/// Returns the requirement on suggested handles: 5 to 12 of them on each picture.
+#[must_use]
+pub fn suggestion_requirements(all: &[Suggested]) -> Vec<Requirement> {
+    let of = |suggested: &Suggested| {
+        let count = suggested.handles.len();
+        let value = (count.saturating_sub(12) + 5_usize.saturating_sub(count)) as f64;
+        Requirement { subject: suggested.name.clone(), name: "handles fewer than 5 or more than 12", value, limit: 0.0 }
+    };
+    all.iter().map(of).collect()
 }
 
 /// Returns the requirements on weights: no secondary maxima with the paper's supports.

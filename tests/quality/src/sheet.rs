@@ -22,7 +22,7 @@ use crate::{
 /// The longer side of a panel in pixels.
 const PANEL: f64 = 360.0;
 /// Height of the labels in pixels.
-const LABEL: u32 = 28;
+pub(crate) const LABEL: u32 = 28;
 /// Number of grid lines along the longer side.
 const LINES: u32 = 40;
 
@@ -170,7 +170,7 @@ fn grid(comparison: &Comparison) -> RgbaImage {
 }
 
 /// Fills a triangle.
-fn fill(panel: &mut RgbaImage, corners: [DVec2; 3], colour: Rgba<u8>) {
+pub(crate) fn fill(panel: &mut RgbaImage, corners: [DVec2; 3], colour: Rgba<u8>) {
     let [a, b, c] = corners;
     let twice = (b - a).perp_dot(c - a);
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -188,7 +188,7 @@ fn fill(panel: &mut RgbaImage, corners: [DVec2; 3], colour: Rgba<u8>) {
 }
 
 /// Draws a disc.
-fn dot(panel: &mut RgbaImage, centre: DVec2, radius: f64, colour: Rgba<u8>) {
+pub(crate) fn dot(panel: &mut RgbaImage, centre: DVec2, radius: f64, colour: Rgba<u8>) {
     let (from, to) = ((centre - radius).floor().max(DVec2::ZERO), centre + radius);
     for y in from.y as u32..=(to.y.max(0.0) as u32).min(panel.height() - 1) {
         for x in from.x as u32..=(to.x.max(0.0) as u32).min(panel.width() - 1) {
@@ -199,7 +199,7 @@ fn dot(panel: &mut RgbaImage, centre: DVec2, radius: f64, colour: Rgba<u8>) {
     }
 }
 
-fn write(sheet: &mut RgbaImage, text: &str, x: u32, baseline: u32) {
+pub(crate) fn write(sheet: &mut RgbaImage, text: &str, x: u32, baseline: u32) {
     let style = MonoTextStyle::new(&FONT_10X20, BinaryColor::On);
     let at = Point::new(x as i32, baseline as i32);
     let Ok(_) = Text::new(text, at, style).draw(&mut Ink(sheet));

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use c2warp::suggest::SuggestedRole;
 use c2warp_bench::aligned::aligned;
 
 use crate::{
@@ -13,8 +14,9 @@ use crate::{
     poses::SAMPLES,
     requirements::{
         Requirement, continuity_requirements, distance_requirements, maxima_requirements, optimum_requirements,
-        pose_requirements,
+        pose_requirements, suggestion_requirements,
     },
+    suggestions::Suggested,
 };
 use c2warp::project::Continuity;
 
@@ -27,6 +29,7 @@ pub fn tables(
     distances: &[Distances],
     maxima: &[SceneMaxima],
     continuity: &[SceneContinuity],
+    suggested: &[Suggested],
     comparisons: &[Comparison],
     failed: &[(String, String)],
 ) -> String {
@@ -41,6 +44,9 @@ pub fn tables(
         write!(text, "## Continuity of weights\n\n{}{CONTINUITY_NOTES}\n", continuity_table(continuity))
             .expect("memory");
     }
+    if !suggested.is_empty() {
+        write!(text, "## Suggested handles\n\n{}\n", suggestion_table(suggested)).expect("memory");
+    }
     let (beside_optimum, standard): (Vec<&Comparison>, Vec<&Comparison>) =
         comparisons.iter().partition(|comparison| comparison.is_beside_optimum());
     if !standard.is_empty() || !failed.is_empty() {
@@ -53,6 +59,7 @@ pub fn tables(
         .into_iter()
         .chain(maxima_requirements(maxima))
         .chain(continuity_requirements(continuity))
+        .chain(suggestion_requirements(suggested))
         .chain(standard.iter().flat_map(|comparison| pose_requirements(comparison)))
         .chain(optimum_requirements(&beside_optimum));
     write!(text, "## Requirements\n\n{}", requirement_table(requirements)).expect("memory");
@@ -261,6 +268,16 @@ fn optimum_table(comparisons: &[&Comparison]) -> String {
     };
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     aligned(&header, comparisons.iter().map(row), 1)
+}
+
+fn suggestion_table(all: &[Suggested]) -> String {
+    let roles = [SuggestedRole::Middle, SuggestedRole::End, SuggestedRole::Joint, SuggestedRole::Spread];
+    let row = |suggested: &Suggested| {
+        let counts = roles.map(|role| suggested.count(role).to_string());
+        let start = [suggested.name.clone(), suggested.handles.len().to_string()];
+        start.into_iter().chain(counts).chain([digits(suggested.ms)]).collect()
+    };
+    aligned(&["picture", "handles", "middle", "end", "joint", "spread", "ms"], all.iter().map(row), 1)
 }
 
 fn requirement_table(requirements: impl Iterator<Item = Requirement>) -> String {
