@@ -63,6 +63,33 @@ test('a press zooms to the creases, and shows them', async ({ page }) => {
   expect(Math.abs((y ?? 0) - (middleY ?? 0))).toBeLessThan(200);
 });
 
+test('a notice names the handles that fold the picture, and a press moves them back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await crease(editor);
+  await expect(page.locator('c2-warp .notice')).toHaveCount(0);
+  const folded = await editor.shownPose('right hand');
+  await page.mouse.up();
+  const notice = page.locator('c2-warp .notice');
+  await expect(notice).toContainText(/“right hand”.* folds? the picture/);
+  await notice.getByRole('button', { name: 'Nearest pose without folds' }).click();
+  await expect(notice).toContainText('“right hand” moved back to the nearest pose without folds.');
+  await expect(warningOf(editor)).toBeHidden();
+  const out = await editor.settled(() => editor.shownPose('right hand'));
+  // Not all the way back.
+  expect(out.x).toBeGreaterThan(folded.x + 2);
+  expect(out.x).toBeLessThan(890);
+  await expect(editor.handle('left hand')).toHaveAttribute('aria-label', /x 124, y 516/);
+  await page.keyboard.press('Control+z');
+  await expect(warningOf(editor)).toBeVisible();
+  expect(await editor.shownPose('right hand')).toEqual(folded);
+  // The line at the bottom and a key do the same.
+  await expect(
+    page.locator('c2-warp .creased').getByRole('button', { name: /Nearest pose without folds$/ }),
+  ).toBeVisible();
+  await page.keyboard.press('u');
+  await expect(warningOf(editor)).toBeHidden();
+});
+
 test('the guard stops a drag at a fold, and releases it on the way back', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.waitForSolve(() => editor.button('By hand').click());

@@ -220,6 +220,31 @@ impl PosedPicture {
         Ok(limit_numbers(&self.0.group_fold_limit(&way, blend(rigid), allowed as usize)))
     }
 
+    /// The indices of the handles that force the visible creases of a pose, from the one that forces most. None for a
+    /// pose that cannot be made.
+    ///
+    /// # Errors
+    /// For a malformed array.
+    pub fn forcing_handles(&self, poses: &[f64], rigid: bool) -> Result<Vec<u32>, JsValue> {
+        let forcing = self.0.forcing_handles(&read(poses)?, blend(rigid)).unwrap_or_default();
+        Ok(forcing.into_iter().map(|handle| handle as u32).collect())
+    }
+
+    /// The nearest poses without visible creases; `undefined` if there are none. `last` are earlier poses without.
+    ///
+    /// # Errors
+    /// For a malformed array.
+    #[allow(clippy::needless_pass_by_value, reason = "wasm-bindgen takes no optional slices")]
+    pub fn unfolded(&self, poses: &[f64], last: Option<Vec<f64>>, rigid: bool) -> Result<Option<Vec<f64>>, JsValue> {
+        let last = last.as_deref().map(read).transpose()?;
+        let found = self.0.unfolded(&read(poses)?, last.as_deref(), blend(rigid)).ok().flatten();
+        Ok(found.map(|found| {
+            let mut numbers = Vec::new();
+            write(&found.poses, &mut numbers);
+            numbers
+        }))
+    }
+
     /// Vertices: how far each follows a move of the `selected` handles, by index; 1 moves as far as they do.
     ///
     /// # Errors

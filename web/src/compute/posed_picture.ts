@@ -28,6 +28,15 @@ export interface PosedPicture {
    */
   playback(clip: Clip, project: Project): Playback;
 
+  /** Ids of the handles that force the visible creases of a pose, from the one that forces most. */
+  forcing(project: Project): readonly string[];
+
+  /**
+   * The nearest pose without visible creases, within 2⁻⁸ of the way from `last`, an earlier pose without, or from rest.
+   * Null if there is none.
+   */
+  unfolded(project: Project, last: Project | null): Project | null;
+
   /** The number of triangles in the visible creases of a pose; infinite if no such pose exists. */
   foldCount(project: Project): number;
 

@@ -8,7 +8,7 @@ import { anchor, corners, type HiddenCorners, isAutomatic, rounded, type Turns }
 import { projectPoses } from '../document/handle_poses';
 import type { Clip, Handle, Project } from '../document/project';
 import { followedHandles } from '../document/solved';
-import { groupWay, handleWay } from '../document/ways';
+import { followedPoses, groupWay, handleWay } from '../document/ways';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import { MOST_COVERAGE } from '../geometry/heat';
@@ -71,6 +71,21 @@ class WasmPicture implements PosedPicture {
     pose.motions = pose.show(this.#module);
     this.#present = pose;
     return pose;
+  }
+
+  forcing(project: Project): readonly string[] {
+    const { poses, handles } = followedPoses(this.#solved, project);
+    return Array.from(
+      this.#module.forcing_handles(poses, isRigid(project)),
+      (index) => handles[index]?.id ?? '',
+    );
+  }
+
+  unfolded(project: Project, last: Project | null): Project | null {
+    const { poses, apply } = followedPoses(this.#solved, project);
+    const before = last ? projectPoses(this.#solved, last) : undefined;
+    const found = this.#module.unfolded(poses, before, isRigid(project));
+    return found ? apply(found) : null;
   }
 
   foldCount(project: Project): number {

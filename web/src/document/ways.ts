@@ -10,6 +10,14 @@ import { handlePoses, readPoses, withPose } from './handle_poses';
 import type { Handle, Project } from './project';
 import { followedHandles, hasSameForm } from './solved';
 
+/** A pose of the handles of a solution. */
+export interface FollowedPoses {
+  readonly handles: readonly Handle[];
+  readonly poses: Float64Array;
+  /** Returns the project with the poses of an array of this layout. */
+  apply(poses: Float64Array): Project;
+}
+
 /** A path on which each handle moves by itself. */
 export interface HandleWay {
   readonly from: Float64Array;
@@ -32,6 +40,16 @@ export interface GroupWay {
   /** Range of the scale that keeps the scales of all members in {@link SCALES}. */
   readonly scales: readonly [least: number, most: number];
   apply(poses: Float64Array): Project;
+}
+
+/** The poses of the solution's handles in a project. */
+export function followedPoses(solved: Project, project: Project): FollowedPoses {
+  const handles = followedHandles(solved, project);
+  return {
+    handles,
+    poses: handlePoses(handles),
+    apply: (poses) => applied(project, handles, handles, poses),
+  };
 }
 
 /** @param turns The turns of automatic points in `from`. */

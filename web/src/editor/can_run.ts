@@ -17,6 +17,7 @@ import {
   NO_PICTURE,
   NO_SINGLE,
   NONE_SELECTED,
+  NOTHING_FOLDED,
   NOTHING_TO_REDO,
   NOTHING_TO_UNDO,
   STILL_HERE,
@@ -110,6 +111,9 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   copy: either(unlessChangeable, withoutHandles),
   paste: either(unlessChangeable, withoutHandles),
   suggest: either(unlessOpen, unlessChangeable),
+  'without-folds': either(unlessOpen, unlessChangeable, ({ checks }) =>
+    checks.creases.length > 0 ? null : NOTHING_FOLDED,
+  ),
   reset: unlessSelected((handle) => !isAtRest(handle), AT_REST),
   mirror: unlessAnySelected,
   rename: either(unlessChangeable, (state) => (selectionOf(state).length === 1 ? null : NO_SINGLE)),

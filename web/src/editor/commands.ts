@@ -34,6 +34,7 @@ export const COMMANDS = {
   paste: { label: 'Paste a pose', keys: ['Mod+V'] },
   rename: { label: 'Rename', keys: ['F2'] },
   suggest: { label: 'Suggest handles', keys: ['N'] },
+  'without-folds': { label: 'Nearest pose without folds', keys: ['U'] },
   remove: { label: 'Delete', keys: ['Delete', 'Backspace'] },
   'add-point': { label: 'Add a point here', keys: [] },
   'add-corner': { label: 'Add a corner', keys: ['C'] },

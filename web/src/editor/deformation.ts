@@ -100,6 +100,13 @@ export interface Deformation {
   creasedMesh(project: Project): CreasedMesh | null;
   /** The places where the pose visibly turns the picture over, from the largest. */
   creases(project: Project): readonly Crease[];
+  /** Ids of the handles that force the visible creases, from the one that forces most. */
+  forcing(project: Project): readonly string[];
+  /**
+   * The nearest pose without visible creases, on the way from an earlier one without or from rest. Of the handles only
+   * those that force creases move, if that suffices. Null if there is none.
+   */
+  unfolded(project: Project, last: Project | null): Project | null;
   /** The number of triangles in visible creases; infinite for a pose that cannot be computed. */
   foldCount(project: Project): number;
   /**

@@ -10,6 +10,7 @@ import {
   corners,
   depthOf,
   type HiddenCorners,
+  moved,
   rotationOf,
   scaleOf,
   type Turns,
@@ -127,6 +128,19 @@ class PlaneDeformation implements Deformation {
   creases({ handles }: Project): readonly Crease[] {
     const box = { min: [0, 0], max: [4, 4] } as const;
     return handles.filter((handle) => anchor(handle)[0] > 1000).map(() => ({ box, area: 16 }));
+  }
+
+  /** Those beyond x = 1,000. */
+  forcing({ handles }: Project): readonly string[] {
+    return handles.filter((handle) => anchor(handle)[0] > 1000).map(({ id }) => id);
+  }
+
+  /** They go back to x = 1,000. Nothing leads back from x = 9,000. */
+  unfolded(project: Project): Project | null {
+    if (project.handles.some((handle) => anchor(handle)[0] > 9000)) return null;
+    const back = (handle: Handle) =>
+      anchor(handle)[0] > 1000 ? moved(handle, [1000 - anchor(handle)[0], 0]) : handle;
+    return { ...project, handles: project.handles.map(back) };
   }
 
   foldCount(project: Project): number {

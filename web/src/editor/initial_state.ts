@@ -96,6 +96,14 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       storing: false,
       failing: false,
     },
-    checks: { pending: false, creases: [], beyond: false, outside: '', outline: '', loose: false },
+    checks: {
+      pending: false,
+      creases: [],
+      forcing: [],
+      beyond: false,
+      outside: '',
+      outline: '',
+      loose: false,
+    },
   };
 }

@@ -42,6 +42,16 @@ const listed = new Intl.ListFormat('en-GB');
 const named = (handles: readonly string[]): string =>
   listed.format(handles.length > 6 ? [...handles.slice(0, 5), `${handles.length - 5} more`] : handles);
 
+/** The same with quotation marks around each name. */
+export const namedInQuotes = (handles: readonly string[]): string =>
+  listed.format(
+    handles.length > 6
+      ? [...handles.slice(0, 5).map(quoted), `${handles.length - 5} more`]
+      : handles.map(quoted),
+  );
+
+const quoted = (name: string): string => `“${name}”`;
+
 /**
  * @param handles names of handles that lie partly outside the part that bends, at least one.
  * @param lassoed a lasso bounds the part that bends.

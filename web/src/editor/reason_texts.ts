@@ -12,6 +12,7 @@ export const NOTHING_TO_REDO = 'There is nothing to redo';
 export const AT_REST = 'At rest already';
 export const IN_FRONT = 'In front already';
 export const AT_BACK = 'At the back already';
+export const NOTHING_FOLDED = 'Nothing is folded';
 export const STILL_HERE = 'Nothing bends here';
 
 export const cornersNeededText = (kind: string, count: number): string => `A ${kind} needs ${count} corners`;

@@ -182,6 +182,8 @@ export interface PoseChecks {
   readonly pending: boolean;
   /** Where the pose visibly turns the picture over, from the largest. */
   readonly creases: readonly Crease[];
+  /** Ids of the handles that force the creases, from the one that forces most. */
+  readonly forcing: readonly string[];
   /** Part of the posed picture lies outside the picture's frame, which bounds the export. */
   readonly beyond: boolean;
   /** The parts of handles outside the domain, as a key. */

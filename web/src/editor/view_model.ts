@@ -1,7 +1,7 @@
 /** Everything that the templates show, derived from the state. */
 import type { Document } from '../document/document';
 import { handleById, selectedHandles } from '../document/document';
-import { anchor, type HiddenCorners, isLine, type Turns } from '../document/handle';
+import { anchor, type HiddenCorners, isLine, nameOf, type Turns } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
 import { atMoment } from '../document/moment';
 import type { Handle } from '../document/project';
@@ -108,6 +108,8 @@ export interface EditorModel {
   readonly creased: CreasedMesh | null;
   /** Where the picture is visibly turned over, from the largest. */
   readonly creases: readonly Crease[];
+  /** Names of the handles that force the creases, from the one that forces most. */
+  readonly forcing: readonly string[];
   /** Part of the posed picture lies beyond the picture's frame, which bounds the export. */
   readonly beyond: boolean;
   /** The guard against folds is on, and whether it holds a drag back now. */
@@ -243,6 +245,7 @@ export function viewModel(state: EditorState): EditorModel {
     outline: shown && display.outlined ? shown.deformation.outline(project) : null,
     creased: shown && overlays.creases ? shown.deformation.creasedMesh(project) : null,
     creases: overlays.creases || guard.on ? (shown?.deformation.creases(project) ?? []) : checks.creases,
+    forcing: forcingNames(state),
     beyond: checks.beyond,
     guarded: guard.on,
     holding: guard.holding,
@@ -297,6 +300,11 @@ export function viewModel(state: EditorState): EditorModel {
     canRun: (command) => canRun(state, command),
     reasonAgainst: (command) => reasonAgainst(state, command),
   };
+}
+
+function forcingNames(state: EditorState): readonly string[] {
+  const { forcing } = state.checks;
+  return forcing.length === 0 ? NO_IDS : forcing.map((id) => nameOf({ id }));
 }
 
 /** The outlines at the neighbouring keys. Not while something plays: there they would flicker. */

@@ -158,6 +158,14 @@ export class SolutionDeformation implements Deformation {
     return this.pose(project)?.creases ?? [];
   }
 
+  forcing(project: Project): readonly string[] {
+    return this.#picture.forcing(project);
+  }
+
+  unfolded(project: Project, last: Project | null): Project | null {
+    return this.#picture.unfolded(project, last);
+  }
+
   foldCount(project: Project): number {
     return this.#picture.foldCount(project);
   }

@@ -24,6 +24,7 @@ const SHAPES = {
   fold: svg`<path d="M3.4 15.6 8.2 5.2l3.4 7.2 5-2.6"/><path d="M8.2 5.2 3.4 15.6h6.9l1.3-3.2Z" fill="currentColor" stroke="none" opacity=".28"/><path d="M3.4 15.6h9.8"/>`,
   unfold: svg`<path d="m5.5 8 4.5 4.5L14.5 8"/>`,
   suggest: svg`<path d="M10 7.2v5.2M6 15.6l4-3.2 4 3.2M5 6.6l5 2.2 5-2.2" opacity=".5"/><g fill="currentColor" stroke="none"><circle cx="10" cy="4.6" r="2.1"/><circle cx="4.2" cy="6.4" r="1.7"/><circle cx="15.8" cy="6.4" r="1.7"/><circle cx="5.4" cy="16.2" r="1.7"/><circle cx="14.6" cy="16.2" r="1.7"/></g>`,
+  'without-folds': svg`<path d="M3 14.6 8 6.4h9l-5 8.2Z"/><path d="M3 14.6 8 6.4h9l-5 8.2Z" fill="currentColor" stroke="none" opacity=".22"/><path d="m8.2 10.6 1.6 1.6 3-3.4"/>`,
   done: svg`<path d="m4 10.6 4 4 8-9"/>`,
   hand: svg`<path d="M6.4 10.8V5.3a1.2 1.2 0 0 1 2.4 0V9m0-4.9a1.2 1.2 0 0 1 2.4 0V9m0-3.9a1.2 1.2 0 0 1 2.4 0v4.6m0-2.6a1.2 1.2 0 0 1 2.4 0v4.6c0 3.1-2 5.5-5 5.5-2.4 0-3.6-1-4.7-2.8L3.3 10.8a1.3 1.3 0 0 1 2.1-1.4l1.8 2.2"/>`,
   open: svg`<path d="M3 15.5V5.2c0-.6.4-1 1-1h3.6l1.9 2h5.7c.6 0 1 .4 1 1v1.3M3 15.5l2.2-6.4c.1-.4.5-.6.9-.6h10.7c.6 0 1 .6.8 1.1l-2 5.7c-.2.5-.5.7-1 .7H3.6a.6.6 0 0 1-.6-.5Z"/>`,

@@ -47,6 +47,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'forward',
       'backward',
       'suggest',
+      'without-folds',
       'add-corner',
       'remove-corner',
       'rename',

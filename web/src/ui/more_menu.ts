@@ -22,6 +22,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
     ${icon(name)}${label}
   </button>`;
   const suggest = { type: 'command-run', command: 'suggest' } as const;
+  const unfold = { type: 'command-run', command: 'without-folds' } as const;
   const reset = { type: 'command-run', command: 'reset-all' } as const;
   const lens = { type: 'command-run', command: 'lens' } as const;
   const timeline = { type: 'command-run', command: 'timeline' } as const;
@@ -41,6 +42,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
     >
       ${entry('timeline', COMMANDS.timeline.label, timeline, model.canRun('timeline'))}
       ${entry('suggest', COMMANDS.suggest.label, suggest, model.canRun('suggest'))}
+      ${entry('without-folds', COMMANDS['without-folds'].label, unfold, model.canRun('without-folds'))}
       ${entry('reset', COMMANDS['reset-all'].label, reset, model.canRun('reset-all'))}
       ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
       ${entry('lens', COMMANDS.lens.label, lens, model.canRun('lens'))}

@@ -1,6 +1,7 @@
 /** The line at the bottom: figures of the solution, the promise of privacy, and the controls of the view. */
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Dispatch } from '../editor/events';
+import { foldsText, WITHOUT_FOLDS } from '../editor/fold_texts';
 import type { Task } from '../editor/task';
 import type { EditorModel } from '../editor/view_model';
 import { commandButton } from './command_button';
@@ -53,9 +54,13 @@ function creases(model: EditorModel, dispatch: Dispatch): TemplateResult | typeo
     >
       ${icon('fold')}<span>${text}</span>
     </button>
-    ${places.length > 0 && !holding ? zoomButton(places.length, dispatch) : nothing}
+    ${places.length > 0 && !holding ? html`${zoomButton(places.length, dispatch)} ${commandButton('without-folds', model, dispatch, { label: outOfFolds(model) })}` : nothing}
   </span>`;
 }
+
+/** The way out of the folds, with the handles that force them. */
+const outOfFolds = ({ forcing }: EditorModel): string =>
+  forcing.length === 0 ? WITHOUT_FOLDS : `${foldsText(forcing)} ${WITHOUT_FOLDS}`;
 
 function zoomButton(count: number, dispatch: Dispatch): TemplateResult {
   const label = count > 1 ? 'Zoom to the next crease' : 'Zoom to the crease';

@@ -1,7 +1,7 @@
 //! Where a handle would be posed if it followed the others.
 //!
-//! The motion of the others around a handle is the rigid motion that fits them best, near ones most: moving least
-//! squares (Schaefer, McPhail, Warren, "Image deformation using moving least squares", 2006). A motion of all handles
+//! It takes the rigid motion that fits the others best, near ones most. These are moving least squares (Schaefer,
+//! McPhail, Warren, "Image deformation using moving least squares", 2006). A motion of all handles
 //! together moves the free pose alike, and the order of handles does not matter but for rounding.
 //!
 //! Cost: linear in the corners of all handles.

@@ -1,8 +1,8 @@
 //! Out of folds: the handles that force them, and the nearest pose without.
 //!
-//! The nearest pose is the farthest one without folds on a way to the present pose. Ways begin at poses without folds,
-//! from the one that changes least: the handles that force folds where they were last without, at rest, or following
-//! the others; then all handles where they were, or at rest.
+//! The nearest pose is the farthest one without folds on a way to the present pose. The way begins at a pose without
+//! folds, the first of these: the handles that force folds where they were last without, at rest, or following the
+//! others. Then come all handles where they were, or at rest.
 //!
 //! Cost: at most some 30 poses with a pass over all triangles each, whatever the number of handles.
 

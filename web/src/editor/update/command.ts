@@ -42,6 +42,7 @@ import { redo, undo } from './steps';
 import { showStudy } from './study';
 import { askForHandles, stopSuggesting } from './suggesting';
 import { takeTool } from './tool_choice';
+import { leaveFolds } from './unfolding';
 
 type Run = (state: EditorState, emit: Emit, menu: MenuState | null) => EditorState;
 
@@ -96,6 +97,7 @@ const RUN: Readonly<Record<CommandName, Run>> = {
     return state;
   }),
   suggest: edit((state, emit) => askForHandles(state, emit)),
+  'without-folds': edit((state, emit) => leaveFolds(state, emit)),
   rename: edit(renameSelected),
   remove: edit((state, emit, menu) =>
     isDrawing(state) ? takeBack(state, emit, menu) : removeSelected(state, emit),

@@ -60,7 +60,7 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
       case 'replay':
         return playOn(state, emit);
       case 'pose-check':
-        return checkPose(state);
+        return checkPose(state, emit);
       case 'suggest-patience':
         return showSuggesting(state, emit);
       case 'graphics':

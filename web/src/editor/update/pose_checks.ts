@@ -15,6 +15,7 @@ import { mayEdit } from '../permissions';
 import type { Solution, SolveReport } from '../solution';
 import { type EditorState, projectOf } from '../state';
 import { reachesBeyondFrame } from '../view';
+import { checkForcing } from './forcing_check';
 import { informOfStep, notify } from './notices';
 
 const PAUSE_MS = 200;
@@ -26,12 +27,10 @@ export function schedulePoseCheck(state: EditorState, emit: Emit): EditorState {
   return { ...state, checks: { ...state.checks, pending: true } };
 }
 
-export function checkPose(state: EditorState): EditorState {
+export function checkPose(state: EditorState, emit: Emit): EditorState {
   const creases = state.solution.shown?.deformation.creases(projectOf(state)) ?? [];
-  return {
-    ...state,
-    checks: { ...state.checks, pending: false, creases, beyond: reachesBeyondFrame(state) },
-  };
+  const checks = { ...state.checks, pending: false, creases, beyond: reachesBeyondFrame(state) };
+  return checkForcing({ ...state, checks }, emit);
 }
 
 /** Tells the findings of a solve that are new. */

@@ -81,6 +81,8 @@ export const statusStyle = css`
     }
   }
   @container ${phone} {
+    /* The notice and the menu have it, too. */
+    .creased [data-command='without-folds'],
     .solved {
       display: none;
     }
