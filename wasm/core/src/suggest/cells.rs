@@ -121,6 +121,45 @@ impl Cells {
         is_in.then(|| at.y as usize * self.columns + at.x as usize).filter(|&cell| self.inside[cell])
     }
 
+    /// The cell on the other side of the vertical axis of the grid.
+    pub(super) fn mirrored(&self, cell: usize) -> usize {
+        let column = cell % self.columns;
+        cell - column + (self.columns - 1 - column)
+    }
+
+    /// The cell on the vertical axis in the row of a cell.
+    pub(super) fn on_axis(&self, cell: usize) -> usize {
+        cell - cell % self.columns + self.columns / 2
+    }
+
+    pub(super) fn is_inside(&self, cell: usize) -> bool {
+        self.inside[cell]
+    }
+
+    /// The share of the domain's cells whose mirror image is in the domain, too.
+    pub(super) fn symmetry(&self) -> f64 {
+        let cells = || (0..self.len()).filter(|&cell| self.inside[cell]);
+        let both = cells().filter(|&cell| self.inside[self.mirrored(cell)]).count();
+        both as f64 / cells().count().max(1) as f64
+    }
+
+    /// The nearby cell in the middle of a wide place: uphill from a cell to the greatest distance from the outline.
+    pub(super) fn widest_near(&self, clearance: &[u32], cell: usize) -> usize {
+        let mut at = cell;
+        loop {
+            let mut best = at;
+            self.visit_neighbours(at, |next, _| {
+                if clearance[next] > clearance[best] {
+                    best = next;
+                }
+            });
+            if best == at {
+                return at;
+            }
+            at = best;
+        }
+    }
+
     pub(super) fn len(&self) -> usize {
         self.inside.len()
     }

@@ -7,11 +7,11 @@ use super::{
 
 /// A head is a wide place before a neck. Its middle is at most this many times farther from the tip than from the
 /// outline. So ears, toes and tongues belong to it.
-const HEAD: f64 = 2.2;
+const HEAD: f64 = 2.6;
 /// After a head, a limb is at most this wide, as a share of the head.
-const AFTER_HEAD: f64 = 0.88;
+const AFTER_HEAD: f64 = 0.93;
 /// In a round end, cells are about as far from the outline as from the tip.
-const ROUND: f64 = 0.65;
+const ROUND: f64 = 0.85;
 /// The least distance of an end handle from the tip, as a share of the limb.
 const INSET: f64 = 0.07;
 /// A neck is this many times narrower than both of its sides.
@@ -52,10 +52,15 @@ impl<'a> MeasuredLimb<'a> {
         self.ways[base].saturating_sub(self.clearance[self.limb.path[base]])
     }
 
+    /// The number of cells from the tip on that stand out of the rest.
+    fn inside(&self) -> usize {
+        let own = self.length().max(1);
+        self.ways.iter().take_while(|&&way| way <= own).count().max(1)
+    }
+
     /// Index in the path of the handle at the end.
     fn end_index(&self) -> usize {
-        let own = self.length().max(1);
-        let inside = self.ways.iter().take_while(|&&way| way <= own).count().max(1);
+        let (own, inside) = (self.length().max(1), self.inside());
         let inset = (f64::from(own) * INSET) as u32 + 2 * UNITS;
         let least = self.ways.iter().take(inside).take_while(|&&way| way < inset).count().min(inside - 1);
         self.head(inside).unwrap_or_else(|| self.round_end(inside)).max(least)
@@ -86,9 +91,25 @@ impl<'a> MeasuredLimb<'a> {
         &self.limb.path[self.end_index()..]
     }
 
-    /// The cell of the handle at the end.
+    /// The cell of the handle at the end: the middle of a head, or near the tip.
     pub(super) fn end(&self) -> usize {
-        self.limb.path[self.end_index()]
+        let end = self.limb.path[self.end_index()];
+        if self.has_head() { self.cells.widest_near(self.clearance, end) } else { end }
+    }
+
+    /// Whether the end is a head. Shorter limbs on it, such as ears, belong to it.
+    pub(super) fn has_head(&self) -> bool {
+        self.head(self.inside()).is_some()
+    }
+
+    /// The cells that belong to a head: those no farther from its middle than a tip may be.
+    pub(super) fn around_head(&self, head: usize) -> Vec<u32> {
+        self.cells.distances([(head, 0)], (HEAD * f64::from(self.clearance[head])) as u32)
+    }
+
+    /// The outermost cell.
+    pub(super) fn tip(&self) -> usize {
+        self.limb.path[0]
     }
 
     /// The narrowest cell between two wider places, and its strength from 0 on.

@@ -19,7 +19,13 @@ const LEAST_PART: f64 = 0.02;
 const END_ROOM: f64 = 0.13;
 const JOINT_ROOM: f64 = 0.13;
 /// Ways longer than this share of the longest one get a joint.
-const LONG_WAY: f64 = 0.21;
+const LONG_WAY: f64 = 0.17;
+/// A domain is symmetric if the mirror image of this share of it is in it, too. Then handles come in pairs.
+const SYMMETRIC: f64 = 0.94;
+/// Pairs are farther apart than this share of the room around joints. Nearer ones are one handle on the axis.
+const PAIR_ROOM: f64 = 0.7;
+/// In wide places, pairs are this many times farther apart.
+const WIDE_PAIR: u32 = 2;
 /// Places in wide parts that are farther than this share from all handles get one.
 const WIDE: f64 = 0.26;
 /// Room around all handles, as a share of their mean distance in a square.
@@ -45,13 +51,16 @@ pub(super) fn places(domain: &Domain, count: Option<usize>, there: &[Handle]) ->
     let limbs: Vec<MeasuredLimb<'_>> = skeletons.iter().flat_map(measured).collect();
     let longest = f64::from(skeletons.iter().map(|skeleton| skeleton.diameter).max().unwrap_or_default());
     let nearest = cells.distances(taken_cells(&cells, there).into_iter().map(|cell| (cell, 0)), FAR - 16);
-    let mut placing = Placing { cells: &cells, clearance: &clearance, most, nearest, chosen: Vec::new() };
+    let symmetric = cells.symmetry() >= SYMMETRIC;
+    let pair_room = (longest * JOINT_ROOM * PAIR_ROOM) as u32;
+    let mut placing =
+        Placing { cells: &cells, clearance: &clearance, symmetric, pair_room, most, nearest, chosen: Vec::new() };
     for skeleton in &skeletons {
         // The first handle of a part needs no room.
         let room = if there.is_empty() { 0 } else { (f64::from(skeleton.diameter) * JOINT_ROOM) as u32 };
         placing.choose(skeleton.root, SuggestedRole::Middle, room);
     }
-    placing.choose_ends(&limbs);
+    let limbs = placing.choose_ends(limbs);
     placing.choose_joints(&limbs);
     let lines: Vec<usize> = limbs.iter().flat_map(MeasuredLimb::line).copied().collect();
     placing.fill(&lines, SuggestedRole::Joint, most, (longest * LONG_WAY) as u32, u32::MAX);
@@ -71,6 +80,10 @@ pub(super) fn places(domain: &Domain, count: Option<usize>, there: &[Handle]) ->
 struct Placing<'a> {
     cells: &'a Cells,
     clearance: &'a [u32],
+    /// Whether handles come in pairs, on both sides of the vertical axis.
+    symmetric: bool,
+    /// The least distance of a pair.
+    pair_room: u32,
     most: usize,
     /// Cells: the way to the nearest chosen one.
     nearest: Vec<u32>,
@@ -78,21 +91,56 @@ struct Placing<'a> {
 }
 
 impl Placing<'_> {
-    /// Chooses a cell if another handle is wanted and it has room.
+    /// Chooses a cell if another handle is wanted and it has room. In a symmetric domain its mirror image is chosen,
+    /// too, or both are one cell on the axis.
     fn choose(&mut self, cell: usize, role: SuggestedRole, room: u32) {
-        if self.chosen.len() < self.most && self.nearest[cell] > room.max(self.cells.units(LEAST_ROOM_PX)) {
-            self.chosen.push((cell, role));
-            self.cells.shorten(&mut self.nearest, [(cell, 0)], FAR - 16);
+        let room = room.max(self.cells.units(LEAST_ROOM_PX));
+        let apart = self.pair_room * if role == SuggestedRole::Spread { WIDE_PAIR } else { 1 };
+        let has_room = |cell: usize| self.nearest[cell] > room;
+        if self.chosen.len() >= self.most || !has_room(cell) {
+            return;
+        }
+        // Among many handles, the cell on the axis may have less room.
+        let is_as_good = |one: usize| has_room(one) && self.nearest[one] >= self.nearest[cell] / 2;
+        let [cell, twin] = Some(self.pair(cell, apart)).filter(|&[one, _]| is_as_good(one)).unwrap_or([cell; 2]);
+        let is_pair = twin != cell && self.chosen.len() + 2 <= self.most && has_room(twin);
+        for chosen in [cell].into_iter().chain(is_pair.then_some(twin)) {
+            self.chosen.push((chosen, role));
+            self.cells.shorten(&mut self.nearest, [(chosen, 0)], FAR - 16);
         }
     }
 
-    /// Chooses ends, those of the longest limbs first.
-    fn choose_ends(&mut self, limbs: &[MeasuredLimb<'_>]) {
-        let mut ends: Vec<&MeasuredLimb<'_>> = limbs.iter().collect();
-        ends.sort_by_key(|limb| std::cmp::Reverse(limb.length()));
-        for limb in ends {
-            self.choose(limb.end(), SuggestedRole::End, limb.share(END_ROOM));
+    /// A cell with its mirror image, which is the same if they are nearer than `least`.
+    fn pair(&self, cell: usize, least: u32) -> [usize; 2] {
+        let twin = self.cells.mirrored(cell);
+        if !self.symmetric || !self.cells.is_inside(twin) {
+            return [cell; 2];
         }
+        let apart = self.cells.units(self.cells.centre(cell).distance(self.cells.centre(twin)));
+        let middle = self.cells.on_axis(cell);
+        if apart <= least && self.cells.is_inside(middle) {
+            return [middle; 2];
+        }
+        [cell, twin]
+    }
+
+    /// Chooses ends, those of the longest limbs first. Returns the limbs without those on a head, which have no handles
+    /// of their own.
+    fn choose_ends<'b>(&mut self, mut limbs: Vec<MeasuredLimb<'b>>) -> Vec<MeasuredLimb<'b>> {
+        limbs.sort_by_key(|limb| std::cmp::Reverse(limb.length()));
+        let mut heads: Vec<Vec<u32>> = Vec::new();
+        limbs.retain(|limb| {
+            if heads.iter().any(|around| around[limb.tip()] != FAR) {
+                return false;
+            }
+            let end = limb.end();
+            self.choose(end, SuggestedRole::End, limb.share(END_ROOM));
+            if limb.has_head() {
+                heads.push(limb.around_head(end));
+            }
+            true
+        });
+        limbs
     }
 
     /// Chooses necks and bends, the strongest first.

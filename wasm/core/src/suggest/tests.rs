@@ -221,3 +221,36 @@ fn many_handles_leave_no_place() {
     let ends = of_role(&suggest_beside(&star, &crowd), SuggestedRole::End);
     assert_eq!(ends.len(), tips.len());
 }
+
+#[test]
+fn symmetric_domains_have_handles_in_pairs() {
+    let oval = |k: u32| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(k) / 24.0);
+        DVec2::new(200.0 + 150.0 * sin, 200.0 - 190.0 * cos)
+    };
+    for symmetric in [star(5).0, star(8).0, domain(&[(0..24).map(oval).collect()])] {
+        let handles = suggest(&symmetric, None);
+        assert_usable(&symmetric, &handles);
+        for SuggestedHandle { rest, role, .. } in &handles {
+            let twin = DVec2::new(400.0 - rest.x, rest.y);
+            let has_twin = handles.iter().any(|other| other.role == *role && other.rest.distance(twin) < 3.0);
+            assert!(has_twin, "{rest}: {handles:?}");
+        }
+    }
+}
+
+#[test]
+fn ears_belong_to_the_head() {
+    // A square body with a neck, and a head with two ears.
+    let right = [(14, 160), (44, 130), (44, 90), (52, 50), (30, 68), (0, 64)];
+    let body = [(0, 400), (90, 400), (90, 230), (14, 205)];
+    let half = body.into_iter().chain(right);
+    let half: Vec<DVec2> = half.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).collect();
+    let mirrored = half.iter().rev().filter(|p| p.x > 0.0).map(|p| DVec2::new(-p.x, p.y));
+    let animal = domain(&[half.iter().copied().chain(mirrored).collect()]);
+    let handles = suggest(&animal, None);
+    assert_usable(&animal, &handles);
+    let in_head: Vec<&SuggestedHandle> = handles.iter().filter(|handle| handle.rest.y < 150.0).collect();
+    let [head] = in_head[..] else { panic!("{handles:?}") };
+    assert!(head.rest.distance(DVec2::new(0.0, 110.0)) < 16.0, "{head:?}");
+}
