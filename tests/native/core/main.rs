@@ -23,5 +23,6 @@ mod rig;
 mod rigid;
 mod scenes;
 mod static_background;
+mod stiffness;
 mod symmetry;
 mod unfolding;

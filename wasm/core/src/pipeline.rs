@@ -102,6 +102,7 @@ pub(crate) fn compute_weights(
         handles: input.handles.clone(),
         mode: input.mode,
         quadrature,
+        stiffness: input.stiffness.clone(),
     });
     let mut loose = Loose::default();
     let mut leading = leading_parts(&nearest, &sites, &harmonic);

@@ -11,7 +11,7 @@ use crate::{
     error::Error,
     limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_HELD_CORNERS, MAX_POSED, MAX_SITES, MIN_SEPARATION},
     picture::Picture,
-    pose::SolvedHandle,
+    pose::{SolvedHandle, StiffnessField},
     prepared_domain::PreparedDomain,
     project::{Continuity, Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
     site::{PointSite, sharp_corners},
@@ -30,6 +30,8 @@ pub(crate) struct SolveInput {
     pub(crate) weighting: Weighting,
     pub(crate) fix_boundary: bool,
     pub(crate) loose_parts: LooseParts,
+    /// Where the picture is stiff. Nowhere in the harmonic mode, which has no energy.
+    pub(crate) stiffness: StiffnessField,
     /// The handles of all kinds, in the order of the project.
     pub(crate) handles: Vec<SolvedHandle>,
     points: Vec<PointHandle>,
@@ -104,10 +106,19 @@ impl SolveInput {
             weighting: project.weighting.clone(),
             fix_boundary: project.fix_boundary,
             loose_parts: project.loose_parts,
+            stiffness: match project.pose.mode {
+                PoseMode::Harmonic => StiffnessField::default(),
+                PoseMode::Rigid => StiffnessField::new(project),
+            },
             handles: project.handles.iter().map(solved).collect(),
             points,
             polylines,
         })
+    }
+
+    /// Whether the solutions of two inputs differ, and in stiffness alone.
+    pub(crate) fn differs_in_stiffness_alone(&self, other: &Self) -> bool {
+        self.stiffness != other.stiffness && Self { stiffness: other.stiffness.clone(), ..self.clone() } == *other
     }
 
     /// Locates the handles in a domain and cuts bars and polygons into bones.
@@ -184,7 +195,7 @@ impl SolveInput {
         Ok(())
     }
 
-    /// Refuses bars, polygons and a held boundary, as a point cloud supports none of them.
+    /// Refuses bars, polygons, a held boundary and stiff places, as a point cloud supports none of them.
     ///
     /// # Errors
     /// [`Error::Unsupported`].
@@ -199,6 +210,9 @@ impl SolveInput {
         if self.weighting.continuity != Continuity::Exact {
             let feature = "two continuous derivatives on a point cloud, which has no exact distances";
             return Err(unsupported("weighting.continuity".into(), feature));
+        }
+        if self.stiffness != StiffnessField::default() {
+            return Err(unsupported("stiffness".into(), "a stiff place of a point cloud"));
         }
         Ok(())
     }

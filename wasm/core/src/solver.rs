@@ -69,6 +69,8 @@ struct PendingSolve {
 enum Progress {
     /// The outline, which the solver keeps.
     Begun,
+    /// The last solution is the wanted one apart from stiffness.
+    Solved,
     Located(LocatedHandles),
     Sampled {
         located: LocatedHandles,
@@ -117,11 +119,15 @@ impl Solver {
             let prepared = Arc::new(PreparedDomain::new(project.domain.as_ref(), picture, project.fix_boundary)?);
             self.domain = Some(DomainCache { key, prepared, sampling: SamplingCache::default() });
         }
-        self.pending = Some(PendingSolve { input, progress: Progress::Begun });
+        let known = self.finished.as_ref().filter(|finished| finished.key == DomainKey::of(project));
+        let is_solved = known.is_some_and(|known| known.input.differs_in_stiffness_alone(&input));
+        let progress = if is_solved { Progress::Solved } else { Progress::Begun };
+        self.pending = Some(PendingSolve { input, progress });
         Ok(())
     }
 
-    /// Runs the next stage of the solve and returns it; `None` if no stage is left.
+    /// Runs the next stage of the solve and returns it; `None` if no stage is left. If only the stiffness has changed
+    /// since the last solution, the last stage alone is left.
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
@@ -134,6 +140,13 @@ impl Solver {
         };
         let Some(PendingSolve { input, progress }) = pending.take() else { return Ok(None) };
         let (stage, progress) = match progress {
+            Progress::Solved => {
+                let finished = finished.as_mut().expect("a solution is only ever replaced");
+                let solution = Arc::make_mut(&mut finished.solution);
+                solution.solved.poser.set_stiffness(input.stiffness.clone());
+                finished.input = input;
+                return Ok(Some(Stage::Weights));
+            }
             Progress::Begun => (Stage::Domain, Progress::Located(input.locate(prepared)?)),
             Progress::Located(located) => {
                 let samples = pipeline::sample(sampling, prepared, &located, &input);

@@ -109,7 +109,7 @@ fn settings(schema: &Value) -> String {
         ("The defaults of the format, which are the paper's.", "PAPER_SETTINGS", paper),
         ("The editor's settings for new projects.", "EDITOR_SETTINGS", editor),
     ];
-    let text = HEADER.to_owned() + &ranges(schema);
+    let text = HEADER.to_owned() + &ranges(schema) + &stiffness_cells(schema);
     all.into_iter().fold(text, |text, (comment, name, project)| {
         let json: Value = serde_json::from_str(&project.to_json()).expect("a project is JSON");
         let settings = [
@@ -143,6 +143,12 @@ fn ranges(schema: &Value) -> String {
     format!(
         "\n/** The least and the greatest value of each number. */\nexport const RANGES = {{\n{lines}}} as const;\n"
     )
+}
+
+/// The greatest number of cells of a mask along either side.
+fn stiffness_cells(schema: &Value) -> String {
+    let most = literal(&schema["$defs"]["Stiffness"]["properties"]["width"]["maximum"]);
+    format!("\n/** The most cells of a mask of stiffness, each way. */\nexport const STIFFNESS_CELLS = {most};\n")
 }
 
 /// The TypeScript literal of a text or number.

@@ -11,7 +11,7 @@ use crate::{
     bone::Skeleton,
     deform::Pose,
     error::Error,
-    pose::{HarmonicFields, Poser, PoserInput},
+    pose::{HarmonicFields, Poser, PoserInput, StiffnessField},
     project::Project,
     site::{Site, SiteKind},
     solve_input::SolveInput,
@@ -66,6 +66,7 @@ impl CloudSolution {
             handles: input.handles.clone(),
             mode: input.mode,
             quadrature: None,
+            stiffness: StiffnessField::default(),
         });
         let solved = SolvedSites { sites, graph, harmonic, poser, nearest };
         Ok(Self { weights, solved, scores, points: original.points.len(), original: original.clone(), cloud })

@@ -32,8 +32,8 @@ use super::{
 use crate::{
     cell_borders::BorderPiece,
     error::Error,
-    pose::Poser,
-    project::{Blend, Handle},
+    pose::{Poser, StiffnessField},
+    project::{Blend, Handle, Project},
     weight::SparseWeights,
 };
 
@@ -339,6 +339,18 @@ impl PosedPicture {
         }
         let moved = moved.try_into().expect("one pose for each move");
         Ok(reach(&self.mesh.vertices, &self.mesh.weights, &moved, step))
+    }
+
+    /// Makes the picture as stiff as a project does. Later poses are those of a solution of it. Cost: the next pose
+    /// takes some ten times as long as others.
+    pub fn set_stiffness(&mut self, project: &Project) {
+        self.poser.set_stiffness(StiffnessField::new(project));
+    }
+
+    /// How stiff a project makes the picture at each vertex, from 0 to 1.
+    pub fn stiffness(&self, project: &Project) -> impl Iterator<Item = f64> + '_ {
+        let field = StiffnessField::new(project);
+        self.mesh.vertices.iter().map(move |&at| field.at(at))
     }
 
     /// The number of sites that move each vertex.

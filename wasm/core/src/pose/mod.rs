@@ -29,6 +29,6 @@ pub use motion::Motion;
 pub(crate) use motion::turn;
 pub use poser::Poser;
 pub(crate) use poser::PoserInput;
-pub(crate) use rigid::Quadrature;
+pub(crate) use rigid::{Quadrature, StiffnessField};
 pub(crate) use solved_handle::SolvedHandle;
 pub use strain::Strain;

@@ -7,7 +7,7 @@ use glam::{DMat2, DVec2};
 use super::{
     HarmonicFields, Motion, Quadrature, SolvedHandle,
     automatic::Automatic,
-    rigid::{Freedom, Rigid, extent},
+    rigid::{Freedom, Rigid, StiffnessField, extent},
     unwrap::unwrap_angles,
 };
 use crate::{
@@ -64,11 +64,12 @@ pub(crate) struct PoserInput<'a> {
     pub(crate) mode: PoseMode,
     /// Needed for the relaxation of the rigid mode; a point cloud has none.
     pub(crate) quadrature: Option<Quadrature>,
+    pub(crate) stiffness: StiffnessField,
 }
 
 impl Poser {
     pub(crate) fn new(input: PoserInput<'_>) -> Self {
-        let PoserInput { sites, graph, harmonic, skeleton, handles: solved, mode, quadrature } = input;
+        let PoserInput { sites, graph, harmonic, skeleton, handles: solved, mode, quadrature, stiffness } = input;
         let freedom = |site: &Site| match site.kind {
             SiteKind::Virtual => Freedom::Whole,
             SiteKind::Point { .. } => Freedom::Linear,
@@ -81,7 +82,7 @@ impl Poser {
         let freedom = sites.iter().map(freedom).collect();
         let rigid = match mode {
             PoseMode::Harmonic => None,
-            PoseMode::Rigid => Some(Rigid::new(freedom, graph.iter(), quadrature)),
+            PoseMode::Rigid => Some(Rigid::new(freedom, graph.iter(), quadrature, stiffness)),
         };
         Self {
             rest: sites.iter().map(|site| site.rest).collect(),
@@ -209,6 +210,13 @@ impl Poser {
             motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
         }
         Ok(motions)
+    }
+
+    /// Makes the picture stiff elsewhere: only the energy of the rigid mode is made anew.
+    pub(crate) fn set_stiffness(&mut self, stiffness: StiffnessField) {
+        if let Some(rigid) = &mut self.rigid {
+            rigid.set_stiffness(stiffness);
+        }
     }
 
     /// Whether poses are those of the rigid mode.

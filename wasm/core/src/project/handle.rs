@@ -37,10 +37,20 @@ pub struct Handle {
     /// Drawing order where the picture overlaps itself: greater depths are in front.
     #[schemars(default)]
     pub depth: f64,
+    /// How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds
+    /// have none. It affects rigid mode alone.
+    #[serde(skip_serializing_if = "is_zero")]
+    #[schemars(default, range(min = 0, max = 1))]
+    pub stiffness: f64,
 }
 
 fn default_scale() -> f64 {
     1.0
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 impl Handle {
@@ -73,7 +83,7 @@ impl Handle {
 
     /// A handle without rotation or scale, at depth 0.
     pub fn new(id: impl Into<String>, shape: Shape) -> Self {
-        Self { id: id.into(), shape, rotation: Rotation::default(), scale: default_scale(), depth: 0.0 }
+        Self { id: id.into(), shape, rotation: Rotation::default(), scale: default_scale(), depth: 0.0, stiffness: 0.0 }
     }
 
     /// The same handle with other posed corners, in the order of the corners at rest.
@@ -110,15 +120,23 @@ impl Handle {
         self
     }
 
+    /// The same polygon with its inside as stiff as a number from 0 to 1 says.
+    #[must_use]
+    pub fn stiffened(mut self, stiffness: f64) -> Self {
+        self.stiffness = stiffness;
+        self
+    }
+
     pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
         let handle = value.object()?;
-        handle.allow_only(&["id", "kind", "rest", "posed", "rotation", "scale", "depth"])?;
+        handle.allow_only(&["id", "kind", "rest", "posed", "rotation", "scale", "depth", "stiffness"])?;
         Ok(Self {
             id: handle.required("id")?.string()?.to_owned(),
             shape: Shape::read(handle)?,
             rotation: handle.value_or("rotation", Rotation::default(), Rotation::read)?,
             scale: handle.value_or("scale", default_scale(), |value| value.number())?,
             depth: handle.value_or("depth", 0.0, |value| value.number())?,
+            stiffness: handle.value_or("stiffness", 0.0, |value| value.number())?,
         })
     }
 
@@ -136,7 +154,22 @@ impl Handle {
                 .key("scale")
                 .refuse(format_args!("expected a number above 0, found {}", DisplayNumber(self.scale)));
         }
-        validate::finite(&at.key("depth"), self.depth)
+        validate::finite(&at.key("depth"), self.depth)?;
+        self.check_stiffness(&at.key("stiffness"))
+    }
+
+    fn check_stiffness(&self, at: &Path<'_>) -> Result<(), ProjectError> {
+        // NaN is in no range.
+        if !(0.0..=1.0).contains(&self.stiffness) {
+            return at.refuse(format_args!("expected a number from 0 to 1, found {}", DisplayNumber(self.stiffness)));
+        }
+        let kind = match self.shape {
+            Shape::Polygon { .. } => return Ok(()),
+            _ if self.stiffness == 0.0 => return Ok(()),
+            Shape::Point { .. } => "point",
+            Shape::Bar { .. } => "bar",
+        };
+        at.refuse(format_args!("only a polygon can be stiff, and {:?} is a {kind}", self.id))
     }
 }
 

@@ -22,6 +22,7 @@ impl Project {
             domain,
             handles,
             clips,
+            stiffness,
             format: _,
             samples: _,
             weighting: _,
@@ -31,6 +32,9 @@ impl Project {
             loose_parts: _,
         } = &mut project;
         let at = |p: &mut DVec2| *p = map.transform_point2(*p);
+        let size = |(width, height): (u32, u32)| DVec2::new(width.into(), height.into());
+        let sizes = [image.size(), (width, height)].map(size);
+        *stiffness = stiffness.as_ref().and_then(|mask| mask.mapped(map, sizes[0], sizes[1]));
         *image = ImageRef::new("", width, height);
         if let Some(DomainSpec::Polygon { rings }) = domain {
             rings.iter_mut().flatten().for_each(at);

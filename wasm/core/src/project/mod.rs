@@ -27,6 +27,7 @@
 //! # Ok::<(), c2warp::project::ProjectError>(())
 //! ```
 
+mod base64;
 mod clip;
 mod cursor;
 mod domain;
@@ -44,6 +45,7 @@ mod rotation;
 mod schema;
 mod shape;
 mod shape_kind;
+mod stiffness;
 #[cfg(test)]
 mod tests;
 mod validate;
@@ -66,6 +68,8 @@ pub use self::pose::{Blend, PoseMode, PoseSpec};
 pub use self::rotation::Rotation;
 pub use self::shape::Shape;
 pub use self::shape_kind::ShapeKind;
+pub use self::stiffness::Stiffness;
+pub(crate) use self::stiffness::bilinear;
 pub use self::weighting::{Continuity, Filling, Support, Weighting};
 
 use self::cursor::Cursor;
@@ -118,6 +122,11 @@ pub struct Project {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub clips: Vec<Clip>,
+    /// How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects rigid mode
+    /// alone. The default is a picture without stiff places.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Stiffness", default, transform = without_default)]
+    pub stiffness: Option<Stiffness>,
 }
 
 fn default_samples() -> u32 {
@@ -182,6 +191,7 @@ impl Project {
             loose_parts: LooseParts::default(),
             handles: Vec::new(),
             clips: Vec::new(),
+            stiffness: None,
         }
     }
 
@@ -207,6 +217,7 @@ impl Project {
             "loose_parts",
             "handles",
             "clips",
+            "stiffness",
         ])?;
         let project = Self {
             format,
@@ -220,6 +231,7 @@ impl Project {
             loose_parts: project.value_or("loose_parts", LooseParts::default(), LooseParts::read)?,
             handles: project.required("handles").and_then(read_handles)?,
             clips: project.value_or("clips", Vec::new(), |value| value.list("a list of clips", Clip::read))?,
+            stiffness: project.optional("stiffness").map(Stiffness::read).transpose()?,
         };
         project.check()?;
         Ok(project)
@@ -228,17 +240,18 @@ impl Project {
     /// Checks the project against the rules of the format. Reading a file and solving a project call it.
     ///
     /// # Errors
-    /// For the first number out of range or not finite, bar or polygon with too few points, empty or duplicate id, and
-    /// track without a handle.
+    /// For the first number out of range or not finite, bar or polygon with too few points, empty or duplicate id,
+    /// track without a handle, and mask whose size and values differ.
     pub fn check(&self) -> Result<(), ProjectError> {
-        let Self { format: Format::V1, image, domain, samples, weighting, pose, handles, clips, .. } = self;
+        let Self { format: Format::V1, image, domain, samples, weighting, pose, handles, clips, stiffness, .. } = self;
         image.check(&Path::Top.key("image"))?;
         domain.as_ref().map_or(Ok(()), DomainSpec::check)?;
         validate::whole_number(&Path::Top.key("samples"), *samples, &SAMPLES)?;
         weighting.check(&Path::Top.key("weighting"))?;
         pose.check(&Path::Top.key("pose"))?;
         check_handles(handles)?;
-        clip::check(clips, handles)
+        clip::check(clips, handles)?;
+        stiffness.as_ref().map_or(Ok(()), |stiffness| stiffness.check(&Path::Top.key("stiffness")))
     }
 
     /// Writes the project as JSON, with every key that has a value.

@@ -171,7 +171,7 @@ fn errors_name_the_key() {
         (
             r#""fix_boundary""#,
             r#""fixBoundary""#,
-            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, edges, loose_parts, handles, clips",
+            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, edges, loose_parts, handles, clips, stiffness",
         ),
         (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
         (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),
@@ -358,4 +358,98 @@ fn one_clip_is_read_with_paths_that_begin_at_it() {
 fn later_versions_are_refused_before_unknown_keys() {
     let error = Project::from_json(r#"{"layers": [], "format": "c2warp/2"}"#).unwrap_err();
     assert_eq!(error.path, "format");
+}
+
+/// The full project with a mask.
+fn with_mask(mask: &str) -> String {
+    FULL.replacen("\n  ]\n}\n", &format!("\n  ],\n  \"stiffness\": {mask}\n}}\n"), 1)
+}
+
+#[test]
+fn a_mask_is_written_as_it_is_read() {
+    let mask = r#"{ "width": 2, "height": 2, "values": "AAD/gA==" }"#;
+    let project = Project::from_json(&with_mask(mask)).unwrap();
+    assert_eq!(project.stiffness, Some(Stiffness::new(2, 2, vec![0, 0, 255, 128])));
+    assert_eq!(project.to_json(), with_mask(mask));
+    assert_eq!(Project::from_json(FULL).unwrap().stiffness, None);
+}
+
+#[test]
+fn errors_in_a_mask_name_the_key() {
+    for (mask, message) in [
+        ("null", "stiffness: expected an object, found null"),
+        ("[]", "stiffness: expected an object, found an empty list"),
+        (r#"{ "width": 2, "height": 2 }"#, "stiffness.values: missing"),
+        (
+            r#"{ "width": 0, "height": 0, "values": "" }"#,
+            "stiffness.width: expected a whole number from 1 to 128, found 0",
+        ),
+        (
+            r#"{ "width": 2, "height": 10000, "values": "" }"#,
+            "stiffness.height: expected a whole number from 1 to 128, found 10000",
+        ),
+        (
+            r#"{ "width": "NaN", "height": 2, "values": "" }"#,
+            r#"stiffness.width: expected a whole number from 1 to 128, found "NaN""#,
+        ),
+        (
+            r#"{ "width": 2.5, "height": 2, "values": "" }"#,
+            "stiffness.width: expected a whole number from 1 to 128, found 2.5",
+        ),
+        (
+            r#"{ "width": 2, "height": 2, "values": [0, 0, 1, null] }"#,
+            "stiffness.values: expected a string, found a list",
+        ),
+        (
+            r#"{ "width": 2, "height": 2, "values": "AAD/" }"#,
+            "stiffness.values: expected 8 characters of base64 for 2 × 2 cells, found 4",
+        ),
+        (
+            r#"{ "width": 2, "height": 2, "values": "AAD/gA-_" }"#,
+            "stiffness.values: expected 2 × 2 bytes in base64 with its padding",
+        ),
+        (
+            r#"{ "width": 2, "height": 2, "values": "AAD/gAAA" }"#,
+            "stiffness.values: expected 2 × 2 bytes in base64 with its padding",
+        ),
+        (
+            r#"{ "width": 1, "height": 1, "values": "AA==", "scale": 2 }"#,
+            "stiffness.scale: unknown key; expected one of width, height, values",
+        ),
+    ] {
+        assert_eq!(Project::from_json(&with_mask(mask)).unwrap_err().to_string(), message);
+    }
+    let mut project = Project::from_json(FULL).unwrap();
+    project.stiffness = Some(Stiffness::new(3, 3, vec![0; 8]));
+    assert_eq!(project.check().unwrap_err().to_string(), "stiffness.values: expected 3 × 3 bytes, found 8");
+    project.stiffness = Some(Stiffness::new(10_000, 10_000, Vec::new()));
+    let message = "stiffness.width: expected a whole number from 1 to 128, found 10000";
+    assert_eq!(project.check().unwrap_err().to_string(), message);
+}
+
+#[test]
+fn only_polygons_have_a_stiffness() {
+    let with = |handle: &str, value: &str| {
+        let id = format!("\"id\": \"{handle}\"");
+        Project::from_json(&FULL.replacen(&id, &format!("{id}, \"stiffness\": {value}"), 1))
+    };
+    let project = with("eye", "0.5").unwrap();
+    assert_eq!(project.handles[2].stiffness, 0.5);
+    assert_eq!(Project::from_json(&project.to_json()).unwrap(), project);
+    assert_eq!(with("eye", "0").unwrap().to_json(), FULL);
+    for (handle, value, message) in [
+        ("eye", "1.5", "handles[2].stiffness: expected a number from 0 to 1, found 1.5"),
+        ("eye", "-0.1", "handles[2].stiffness: expected a number from 0 to 1, found -0.1"),
+        ("eye", "null", "handles[2].stiffness: expected a number, found null"),
+        ("tail", "1", r#"handles[1].stiffness: only a polygon can be stiff, and "tail" is a bar"#),
+        ("head", "0.2", r#"handles[0].stiffness: only a polygon can be stiff, and "head" is a point"#),
+    ] {
+        assert_eq!(with(handle, value).unwrap_err().to_string(), message);
+    }
+    let mut project = Project::from_json(FULL).unwrap();
+    project.handles[2].stiffness = f64::NAN;
+    assert_eq!(
+        project.check().unwrap_err().to_string(),
+        "handles[2].stiffness: expected a number from 0 to 1, found NaN"
+    );
 }

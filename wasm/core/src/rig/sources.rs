@@ -176,7 +176,7 @@ fn read_handle(name: &str, from: &mut Reader<'_>) -> Result<Handle, RigError> {
         _ => Shape::Polygon { rest, posed },
     };
     let [rotation, scale, depth] = [from.number()?, from.number()?, from.number()?];
-    Ok(Handle { id: name.to_owned(), shape, rotation: rotation.into(), scale, depth })
+    Ok(Handle { id: name.to_owned(), shape, rotation: rotation.into(), scale, depth, stiffness: 0.0 })
 }
 
 fn read_anchor(from: &mut Reader<'_>) -> Result<Anchor, RigError> {

@@ -24,6 +24,8 @@ export interface Project {
   readonly handles: readonly Handle[];
   /** Poses of handles over time. */
   readonly clips?: readonly Clip[];
+  /** How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects rigid mode alone. The default is a picture without stiff places. */
+  readonly stiffness?: Stiffness;
 }
 
 /** The version of the format. */
@@ -116,6 +118,8 @@ export interface PointHandle {
   readonly scale?: number;
   /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
+  /** How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds have none. It affects rigid mode alone. */
+  readonly stiffness?: number;
   readonly kind: 'point';
   /** The point at rest. */
   readonly rest: Point;
@@ -133,6 +137,8 @@ export interface BarHandle {
   readonly scale?: number;
   /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
+  /** How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds have none. It affects rigid mode alone. */
+  readonly stiffness?: number;
   readonly kind: 'bar';
   /** The corners at rest. */
   readonly rest: readonly Point[];
@@ -150,6 +156,8 @@ export interface PolygonHandle {
   readonly scale?: number;
   /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
+  /** How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds have none. It affects rigid mode alone. */
+  readonly stiffness?: number;
   readonly kind: 'polygon';
   /** The corners at rest. */
   readonly rest: readonly Point[];
@@ -207,3 +215,13 @@ export type Posed = Point | readonly Point[];
 
 /** How values go from a key to the next one. */
 export type Ease = 'smooth' | 'linear' | 'hold';
+
+/** How stiff each place of the picture at rest is: a grid of equal cells that covers the picture, whatever its aspect.  In between the centres of cells values are bilinear; beyond the outermost centres they stay.  ``` use c2warp::project::{Project, Stiffness};  let mut project = Project::for_picture(640, 480); // The right half is stiff. project.stiffness = Some(Stiffness::new(4, 3, [0, 0, 255, 255].repeat(3))); assert!(project.to_json().contains(r#""stiffness": { "width": 4, "height": 3, "values": "AAD//wAA//8AAP//" }"#)); assert_eq!(Project::from_json(&project.to_json())?, project); # Ok::<(), c2warp::project::ProjectError>(()) ``` */
+export interface Stiffness {
+  /** Number of columns, from 1 to 128. */
+  readonly width: number;
+  /** Number of rows, from 1 to 128. */
+  readonly height: number;
+  /** A byte for each cell in base64, rows from top to bottom: 0 is as soft as without, 255 is stiff. */
+  readonly values: string;
+}

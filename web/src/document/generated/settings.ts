@@ -8,6 +8,9 @@ export const RANGES = {
   density: [0, 4096],
 } as const;
 
+/** The most cells of a mask of stiffness, each way. */
+export const STIFFNESS_CELLS = 128;
+
 /** The defaults of the format, which are the paper's. */
 export const PAPER_SETTINGS = {
   samples: 10000,

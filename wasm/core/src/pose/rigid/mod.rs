@@ -22,6 +22,7 @@ mod distortion;
 mod jacobians;
 mod quadrature;
 mod relaxation;
+mod stiffness;
 
 use std::sync::OnceLock;
 
@@ -31,7 +32,7 @@ use serde::{Deserialize, Serialize};
 use self::{bending::bend, relaxation::Relaxation};
 use super::{Motion, numeric::Laplacian};
 
-pub(crate) use self::{quadrature::Quadrature, relaxation::Freedom};
+pub(crate) use self::{quadrature::Quadrature, relaxation::Freedom, stiffness::StiffnessField};
 
 /// The descent of the graph ends with an iteration that moves no site by more than this fraction of the scene's
 /// extent: a tenth of a pixel. A relaxation from a pixel away is hardly worse, but jumps when a drag makes the graph
@@ -48,12 +49,16 @@ pub(super) struct Rigid {
     links: Vec<(u32, u32, f64)>,
     freedom: Vec<Freedom>,
     quadrature: Option<Quadrature>,
+    stiffness: StiffnessField,
     /// Made for the first pose: several times the size of the links, and as quick to compute as to read.
     #[serde(skip)]
     laplacian: OnceLock<Laplacian>,
     /// Likewise.
     #[serde(skip)]
     relaxation: OnceLock<Relaxation>,
+    /// Likewise, if some of the picture is stiff.
+    #[serde(skip)]
+    stiff_links: OnceLock<Vec<(u32, u32, f64)>>,
 }
 
 impl Rigid {
@@ -61,9 +66,18 @@ impl Rigid {
         freedom: Vec<Freedom>,
         links: impl Iterator<Item = (usize, usize, f64)>,
         quadrature: Option<Quadrature>,
+        stiffness: StiffnessField,
     ) -> Self {
         let links = links.map(|(i, j, weight)| (i as u32, j as u32, weight)).collect();
-        Self { links, freedom, quadrature, laplacian: OnceLock::new(), relaxation: OnceLock::new() }
+        Self {
+            links,
+            freedom,
+            quadrature,
+            stiffness,
+            stiff_links: OnceLock::new(),
+            laplacian: OnceLock::new(),
+            relaxation: OnceLock::new(),
+        }
     }
 
     /// Whether data that were read from bytes are consistent for this number of sites.
@@ -72,6 +86,14 @@ impl Rigid {
         self.freedom.len() == sites
             && self.links.iter().all(known)
             && self.quadrature.as_ref().is_none_or(|quadrature| quadrature.is_whole(sites))
+            && self.stiffness.is_whole()
+    }
+
+    /// Makes the picture stiff elsewhere. What the first pose made is made anew.
+    pub(super) fn set_stiffness(&mut self, stiffness: StiffnessField) {
+        self.stiffness = stiffness;
+        self.stiff_links = OnceLock::new();
+        (self.laplacian, self.relaxation) = (OnceLock::new(), OnceLock::new());
     }
 
     /// The links, with their weights.
@@ -110,13 +132,37 @@ impl Rigid {
 
     fn relaxation(&self, rest: &[DVec2]) -> Option<&Relaxation> {
         let quadrature = self.quadrature.as_ref()?;
-        Some(self.relaxation.get_or_init(|| Relaxation::new(quadrature, rest, &self.freedom)))
+        Some(self.relaxation.get_or_init(|| Relaxation::new(quadrature, &self.stiffness, rest, &self.freedom)))
+    }
+
+    /// The links of the graph. Where the picture is stiff they count more: by the geometric mean of two factors, each
+    /// the mean of the picture that a site moves.
+    fn stiff_links(&self) -> &[(u32, u32, f64)] {
+        let Some(quadrature) = self.quadrature.as_ref().filter(|_| !self.stiffness.is_soft()) else {
+            return &self.links;
+        };
+        self.stiff_links.get_or_init(|| {
+            let nodes: Vec<_> = quadrature.nodes().collect();
+            let factors = self.stiffness.factors(&nodes.iter().map(|node| (node.at, node.area)).collect::<Vec<_>>());
+            let (mut around, mut stiff) = (vec![0.0; self.freedom.len()], vec![0.0; self.freedom.len()]);
+            for (node, factor) in nodes.iter().zip(factors) {
+                for one in &node.influences {
+                    around[one.site] += one.weight * node.area;
+                    stiff[one.site] += one.weight * node.area * factor;
+                }
+            }
+            let factor = |site: usize| if around[site] > 0.0 { stiff[site] / around[site] } else { 1.0 };
+            let stiff_link =
+                |&(i, j, weight): &(u32, u32, f64)| (i, j, weight * (factor(i as usize) * factor(j as usize)).sqrt());
+            self.links.iter().map(stiff_link).collect()
+        })
     }
 
     fn bend(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
         let is_real = || self.freedom.iter().map(|freedom| *freedom != Freedom::Whole).collect::<Vec<_>>();
-        let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), self.links()));
-        bend(laplacian, self.links(), rest, motions, is_free, scales, tolerance);
+        let links = || self.stiff_links().iter().map(|&(i, j, weight)| (i as usize, j as usize, weight));
+        let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), links()));
+        bend(laplacian, links(), rest, motions, is_free, scales, tolerance);
     }
 }
 

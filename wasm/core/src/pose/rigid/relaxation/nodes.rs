@@ -8,7 +8,7 @@ use super::{super::quadrature, Freedom};
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     pub(super) at: DVec2,
-    /// In square pixels.
+    /// Its area in square pixels, times the factor of its stiffness.
     pub(super) area: f64,
     /// End of its terms; they begin at the end of the previous node's.
     end: u32,
@@ -32,9 +32,9 @@ pub(super) struct Nodes {
 }
 
 impl Nodes {
-    pub(super) fn new(all: Vec<quadrature::Node>, freedom: &[Freedom], unit: f64) -> Self {
+    pub(super) fn new(all: Vec<quadrature::Node>, factors: &[f64], freedom: &[Freedom], unit: f64) -> Self {
         let (mut nodes, mut terms) = (Vec::new(), Vec::new());
-        for quadrature::Node { at, area, mut influences } in all {
+        for (quadrature::Node { at, area, mut influences }, factor) in all.into_iter().zip(factors) {
             influences.sort_by_key(|one| freedom[one.site] != Freedom::None);
             let fixed = influences.iter().filter(|one| freedom[one.site] == Freedom::None).count();
             if fixed < influences.len() {
@@ -43,6 +43,7 @@ impl Nodes {
                     weight: one.weight,
                     gradient: unit * one.gradient,
                 }));
+                let area = area * factor;
                 nodes.push(Node { at: at / unit, area, end: terms.len() as u32, fixed: fixed as u32 });
             }
         }
