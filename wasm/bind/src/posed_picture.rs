@@ -9,7 +9,7 @@ use c2warp::{
         Bounds, Correspondence, FoldLimit, GroupMember, GroupTransform, GroupWay, HandleWay, Lead, PictureMesh, Turn,
     },
     pose::Poser,
-    project::{Blend, handles_from_json},
+    project::{Blend, Project, handles_from_json},
     weight::SparseWeights,
 };
 use glam::DVec2;
@@ -254,6 +254,23 @@ impl PosedPicture {
         self.0.reach(&read(poses)?, blend(rigid), &selected, diagonal).map_err(|error| to_js(&error))
     }
 
+    /// Makes the picture as stiff as a project says, as JSON. Later poses are those of a solution of it.
+    ///
+    /// # Errors
+    /// Any deviation from the format, with the path of the offending key.
+    pub fn set_stiffness(&mut self, project_json: &str) -> Result<(), JsValue> {
+        self.0.set_stiffness(&project(project_json)?);
+        Ok(())
+    }
+
+    /// Vertices: how stiff a project makes each, from 0 to 1.
+    ///
+    /// # Errors
+    /// As for [`set_stiffness`](Self::set_stiffness).
+    pub fn stiffness(&self, project_json: &str) -> Result<Vec<f32>, JsValue> {
+        Ok(self.0.stiffness(&project(project_json)?).map(|stiffness| stiffness as f32).collect())
+    }
+
     /// Vertices: the number of sites that move each.
     pub fn coverage(&self) -> Vec<u32> {
         self.0.coverage().collect()
@@ -317,6 +334,10 @@ impl PosedPicture {
         let poser = Poser::from_bytes(&arrays.poser())?;
         deform::PosedPicture::new(mesh, poser, handles_from_json(handles_json)?).map(Self)
     }
+}
+
+fn project(json: &str) -> Result<Project, JsValue> {
+    Project::from_json(json).map_err(|error| to_js(&Error::from(error)))
 }
 
 pub(crate) fn blend(rigid: bool) -> Blend {

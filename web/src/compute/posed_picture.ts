@@ -16,8 +16,8 @@ import type { CellBorders } from './solution';
 /** The mesh and the weights of one solution. Holds memory of the module until {@link PosedPicture.free}. */
 export interface PosedPicture {
   /**
-   * The picture posed as in a project. Handles of the solution that the project lacks, or has with other corners, keep
-   * the pose that they were solved with. Handles that are not solved yet move nothing.
+   * The picture posed as in a project, and as stiff. Handles of the solution that the project lacks, or has with other
+   * corners, keep the pose that they were solved with. Handles that are not solved yet move nothing.
    * @throws WarpError if no such pose exists, such as a bar of no length. Show the last pose then.
    */
   pose(project: Project): Pose;
@@ -58,6 +58,9 @@ export interface PosedPicture {
 
   /** Vertices: the number of sites that move each, as a fraction of `MOST_COVERAGE`. Always the same array. */
   coverage(): Float32Array<ArrayBuffer>;
+
+  /** Vertices: how stiff a project makes each, from 0 to 1. The same array for the same stiff places. */
+  stiffness(project: Project): Float32Array<ArrayBuffer>;
 
   /** The bounding box at rest, without the rim; null without vertices. */
   restBounds(): Box | null;

@@ -43,6 +43,42 @@ describe('a posed picture', () => {
     picture = pictureOf(solved);
   });
 
+  it('takes the stiffness of a project without a solve, and gives it back', () => {
+    const soft = moved('top', 14, 10);
+    // The lower half is stiff.
+    const stiff: Project = { ...soft, stiffness: { width: 1, height: 2, values: 'AP8=' } };
+    const before = picture.pose(soft).motions.slice();
+    const after = picture.pose(stiff).motions.slice();
+    expect(after).not.toEqual(before);
+    const own = pictureOf({ ...solved, stiffness: { width: 1, height: 2, values: 'AP8=' } });
+    expect(own.pose(stiff).motions).toEqual(after);
+    expect(own.pose(soft).motions).toEqual(before);
+    expect(picture.pose(soft).motions).toEqual(before);
+    own.free();
+  });
+
+  it('knows how stiff each vertex is, by the mask and by polygons', () => {
+    const ring = [
+      [8, 8],
+      [24, 8],
+      [24, 24],
+    ] as const;
+    const shell: Handle = { id: 'shell', kind: 'polygon', rest: ring, posed: ring, stiffness: 0.5 };
+    const { positions } = picture.pose(solved);
+    const at = (values: Float32Array, x: number, y: number) => {
+      let best = 0;
+      const away = (k: number) => Math.hypot((positions[2 * k] ?? 0) - x, (positions[2 * k + 1] ?? 0) - y);
+      for (let k = 1; 2 * k < positions.length; k++) if (away(k) < away(best)) best = k;
+      return values[best];
+    };
+    const project: Project = { ...solved, handles: [...solved.handles, shell] };
+    const values = picture.stiffness(project);
+    expect([at(values, 20, 12), at(values, 50, 50)]).toEqual([0.5, 0]);
+    expect(picture.stiffness(moved('top', 3, 3))).not.toBe(values);
+    const masked = picture.stiffness({ ...project, stiffness: { width: 1, height: 2, values: 'AP8=' } });
+    expect([at(masked, 20, 9), at(masked, 50, 60)]).toEqual([0.5, 1]);
+  });
+
   it('has the poses of handles along a clip', () => {
     const clip: Clip = {
       name: 'nod',

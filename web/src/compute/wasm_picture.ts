@@ -7,7 +7,8 @@ import { blendOf } from '../document/bending';
 import { anchor, corners, type HiddenCorners, isAutomatic, rounded, type Turns } from '../document/handle';
 import { projectPoses } from '../document/handle_poses';
 import type { Clip, Handle, Project } from '../document/project';
-import { followedHandles } from '../document/solved';
+import { followedHandles, placeKey } from '../document/solved';
+import { stiffnessOf } from '../document/stiffness';
 import { followedPoses, groupWay, handleWay } from '../document/ways';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
@@ -31,16 +32,37 @@ class WasmPicture implements PosedPicture {
   #present: WasmPose | null = null;
   #triangles: { readonly version: number; readonly array: Uint32Array };
   #coverage: Float32Array<ArrayBuffer> | undefined;
+  /** How stiff the module has the picture, and the stiffness of its vertices that was asked for last. */
+  #stiff: StiffPlaces;
+  #stiffness: { readonly of: StiffPlaces; readonly values: Float32Array<ArrayBuffer> } | undefined;
 
   constructor(module: ModulePicture, data: SolutionData, solved: Project) {
     this.#module = module;
     this.#solved = solved;
+    this.#stiff = stiffPlaces(solved);
     this.data = data;
     this.#triangles = { version: module.order_version, array: data.triangles };
   }
 
   get bytes(): number {
     return this.#module.bytes;
+  }
+
+  /** Gives the module the stiffness of a project, on which its poses depend. */
+  #stiffened(project: Project): ModulePicture {
+    const places = stiffPlaces(project);
+    if (!isSame(this.#stiff, places)) {
+      this.#module.set_stiffness(JSON.stringify(places));
+      this.#stiff = places;
+    }
+    return this.#module;
+  }
+
+  stiffness(project: Project): Float32Array<ArrayBuffer> {
+    const of = stiffPlaces(project);
+    if (!this.#stiffness || !isSame(this.#stiffness.of, of))
+      this.#stiffness = { of, values: this.#module.stiffness(JSON.stringify(of)) };
+    return this.#stiffness.values;
   }
 
   pose(project: Project): Pose {
@@ -59,7 +81,7 @@ class WasmPicture implements PosedPicture {
       const handle = names.get(track.handle);
       return handle === undefined ? [] : { ...track, handle };
     });
-    const playback = createModulePlayback(this.#module, { ...clip, tracks }, handles);
+    const playback = createModulePlayback(this.#stiffened(project), { ...clip, tracks }, handles);
     return {
       pose: (posed, time) =>
         this.#posed(new WasmPose(this, posed, projectPoses(this.#solved, posed), { playback, time })),
@@ -68,7 +90,7 @@ class WasmPicture implements PosedPicture {
   }
 
   #posed(pose: WasmPose): WasmPose {
-    pose.motions = pose.show(this.#module);
+    pose.motions = pose.show(this.#stiffened(pose.project));
     this.#present = pose;
     return pose;
   }
@@ -76,7 +98,7 @@ class WasmPicture implements PosedPicture {
   forcing(project: Project): readonly string[] {
     const { poses, handles } = followedPoses(this.#solved, project);
     return Array.from(
-      this.#module.forcing_handles(poses, isRigid(project)),
+      this.#stiffened(project).forcing_handles(poses, isRigid(project)),
       (index) => handles[index]?.id ?? '',
     );
   }
@@ -84,23 +106,27 @@ class WasmPicture implements PosedPicture {
   unfolded(project: Project, last: Project | null): Project | null {
     const { poses, apply } = followedPoses(this.#solved, project);
     const before = last ? projectPoses(this.#solved, last) : undefined;
-    const found = this.#module.unfolded(poses, before, isRigid(project));
+    const found = this.#stiffened(project).unfolded(poses, before, isRigid(project));
     return found ? apply(found) : null;
   }
 
   foldCount(project: Project): number {
-    return this.#module.fold_count_of(projectPoses(this.#solved, project), isRigid(project));
+    return this.#stiffened(project).fold_count_of(projectPoses(this.#solved, project), isRigid(project));
   }
 
   foldLimit(from: Project, to: Project, turns: Turns, allowed: number): LimitedPose {
     const way = handleWay(this.#solved, from, to, turns);
-    return limited(this.#module.fold_limit(way.from, way.to, way.turns, isRigid(to), allowed), to, way.apply);
+    return limited(
+      this.#stiffened(to).fold_limit(way.from, way.to, way.turns, isRigid(to), allowed),
+      to,
+      way.apply,
+    );
   }
 
   groupFoldLimit({ origin, selection, to, start, end }: GroupWay, allowed: number): LimitedPose {
     const way = groupWay(this.#solved, origin, selection, to);
     const group = [...way.pivot, start.turn, start.scale, end.turn, end.scale, ...way.scales];
-    const limit = this.#module.group_fold_limit(
+    const limit = this.#stiffened(to).group_fold_limit(
       way.to,
       way.members,
       way.origins,
@@ -117,7 +143,7 @@ class WasmPicture implements PosedPicture {
     if (selected.length === 0) return null;
     const { width, height } = project.image;
     const poses = projectPoses(this.#solved, project);
-    return this.#module.reach(poses, isRigid(project), selected, Math.hypot(width, height));
+    return this.#stiffened(project).reach(poses, isRigid(project), selected, Math.hypot(width, height));
   }
 
   /** The indices in the solution of a project's handles. */
@@ -146,7 +172,7 @@ class WasmPicture implements PosedPicture {
   /** The module, holding a pose. */
   holding(pose: WasmPose): ModulePicture {
     if (this.#present !== pose) {
-      pose.show(this.#module);
+      pose.show(this.#stiffened(pose.project));
       this.#present = pose;
     }
     return this.#module;
@@ -314,6 +340,25 @@ class WasmPose implements Pose {
     return this.#picture.holding(this);
   }
 }
+
+/** The part of a project that says which places are stiff, as a project of its own. */
+type StiffPlaces = Pick<Project, 'format' | 'image' | 'handles' | 'stiffness'>;
+
+const stiffPlaces = ({ format, image, handles, stiffness }: Project): StiffPlaces => ({
+  format,
+  image,
+  handles: handles.filter((handle) => stiffnessOf(handle) > 0),
+  ...(stiffness && { stiffness }),
+});
+
+/** Whether the same places are stiff. Poses of polygons make no difference. */
+const isSame = (a: StiffPlaces, b: StiffPlaces): boolean =>
+  (a.stiffness === b.stiffness || JSON.stringify(a.stiffness) === JSON.stringify(b.stiffness)) &&
+  a.handles.length === b.handles.length &&
+  a.handles.every((handle, k) => {
+    const other = b.handles[k];
+    return other && placeKey(other) === placeKey(handle) && stiffnessOf(other) === stiffnessOf(handle);
+  });
 
 const isRigid = (project: Project): boolean => blendOf(project) === 'rigid';
 

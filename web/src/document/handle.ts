@@ -152,7 +152,7 @@ export function cornerRemoved(handle: LineHandle, index: number): LineHandle {
   return { ...handle, rest: without(handle.rest), posed: without(handle.posed) };
 }
 
-const KEYS: readonly string[] = ['id', 'kind', 'rest', 'posed', 'rotation', 'scale', 'depth'];
+const KEYS: readonly string[] = ['id', 'kind', 'rest', 'posed', 'rotation', 'scale', 'depth', 'stiffness'];
 const KINDS: readonly string[] = ['point', 'bar', 'polygon'];
 
 /**

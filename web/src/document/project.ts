@@ -15,6 +15,7 @@ export type {
   Posed,
   PoseMode,
   Rotation,
+  Stiffness,
   Track,
 } from './generated/project';
 

@@ -3,8 +3,8 @@
  *
  * Names of handles change no solution: handles of a kind at the same rest place are the same handle.
  *
- * Changes of the pose, the clips, the blend or the edges need no new solve. Other settings do, and so do handles that
- * are placed or removed. While a newer solve runs, the picture follows the handles of the last solution.
+ * Changes of the pose, the clips, the blend, the edges or the stiffness need no new solve. Other settings do, and so do
+ * handles that are placed or removed. While a newer solve runs, the picture follows the handles of the last solution.
  */
 import type { Clip, Handle, Project } from './project';
 
@@ -13,8 +13,9 @@ export const solveKey = (project: Project): string =>
   `${settingsKey(project)} ${project.handles.map(placeKey).join(' ')}`;
 
 /** The part of {@link solveKey} that is independent of the handles. */
-export function settingsKey({ handles: _, edges: __, clips: ___, pose, ...settings }: Project): string {
-  const { blend: ____, ...bending } = pose ?? {};
+export function settingsKey(project: Project): string {
+  const { handles: _, edges: __, clips: ___, stiffness: ____, pose, ...settings } = project;
+  const { blend: _____, ...bending } = pose ?? {};
   return JSON.stringify([settings, bending]);
 }
 

@@ -9,6 +9,8 @@ interface Asked {
   readonly handles: readonly Handle[];
   readonly poses: ClipPoses;
   playback: Playback | null;
+  /** Of the project that the playback was made of. */
+  stiffness: Project['stiffness'];
   /** The last time that was asked about, and the poses at it. */
   last: { readonly time: number; readonly numbers: Float64Array } | null;
 }
@@ -40,6 +42,11 @@ export class OpenClip {
     const asked = this.#asked;
     if (!asked?.last || !isSame(asked.last.numbers, handlePoses(project.handles))) return null;
     const base = { ...project, handles: asked.handles };
+    if (asked.stiffness !== project.stiffness) {
+      asked.playback?.free();
+      asked.playback = null;
+    }
+    asked.stiffness = project.stiffness;
     asked.playback ??= picture.playback(asked.clip, base);
     return { playback: asked.playback, time: asked.last.time };
   }
@@ -54,7 +61,7 @@ export class OpenClip {
     if (this.#asked?.clip === clip && this.#asked.handles === handles) return this.#asked;
     this.free();
     const poses = createClipPoses(clip, handles);
-    this.#asked = { clip, handles, poses, playback: null, last: null };
+    this.#asked = { clip, handles, poses, playback: null, stiffness: undefined, last: null };
     return this.#asked;
   }
 }

@@ -201,6 +201,10 @@ export class SolutionDeformation implements Deformation {
     return this.#picture.reach(project, selection);
   }
 
+  stiffness(project: Project): Float32Array {
+    return this.#picture.stiffness(project);
+  }
+
   coverage(): Float32Array {
     return this.#picture.coverage();
   }
