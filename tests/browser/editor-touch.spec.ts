@@ -355,6 +355,7 @@ test('colours and keys are in a menu, which has room on a phone', async ({ page 
 
 test('one finger and two cannot move the picture out of view', async ({ page }) => {
   const editor = await Editor.open(page);
+  await editor.button('More').tap();
   await editor.button('Pan').tap();
   const session = await fingers(page);
   const from = { x: 60, y: 300 };

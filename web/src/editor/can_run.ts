@@ -79,6 +79,7 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   bar: unlessChangeable,
   polygon: unlessChangeable,
   lasso: unlessChangeable,
+  brush: unlessChangeable,
   lens: unlessOpen,
   timeline: either(unlessOpen, unlessChangeable),
   play: (state) => (openClip(state) ? null : NO_CLIP_OPEN),

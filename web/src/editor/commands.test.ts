@@ -38,7 +38,7 @@ describe('commandOfKey', () => {
   });
 
   it('offers posing commands alone in a posable picture, and none in a readonly one', () => {
-    const posable = commandsFor(true, false);
+    const posable = commandsFor(true, false, 'select');
     const asked = (key: string, ctrlKey = false) => commandOfKey(press(key, { ctrlKey }), posable);
     expect([asked('z', true), asked('y', true), asked('a', true)]).toEqual(['undo', 'redo', 'select-all']);
     expect([asked('r'), asked('o'), asked('Escape')]).toEqual(['reset', 'compare', 'bail']);
@@ -62,7 +62,7 @@ describe('commandOfKey', () => {
     ];
     expect(ofEditors.map((key) => asked(key))).toEqual(ofEditors.map(() => null));
     expect(['o', 's', 'e', 'c', 'v'].map((key) => asked(key, true))).toEqual(Array(5).fill(null));
-    expect(commandsFor(true, true)).toEqual([]);
+    expect(commandsFor(true, true, 'select')).toEqual([]);
   });
 
   it('leaves alone what it does not know', () => {
@@ -71,9 +71,26 @@ describe('commandOfKey', () => {
     expect(commandOfKey(press('Tab'))).toBeNull();
   });
 
-  it('has no key twice', () => {
-    const keys = Object.values(COMMANDS).flatMap((command): readonly string[] => command.keys);
-    expect(new Set(keys).size).toBe(keys.length);
+  it('has no key twice with any tool', () => {
+    for (const tool of ['select', 'brush'] as const) {
+      const keys = commandsFor(false, false, tool).flatMap((name): readonly string[] => COMMANDS[name].keys);
+      expect(new Set(keys).size).toBe(keys.length);
+    }
+  });
+
+  it('has the sizes of the brush on the keys of depths, with the brush alone', () => {
+    const brushing = commandsFor(false, false, 'brush');
+    expect(['[', ']', 'e'].map((key) => commandOfKey(press(key), brushing))).toEqual([
+      'brush-smaller',
+      'brush-larger',
+      'brush-erase',
+    ]);
+    const otherwise = commandsFor(false, false, 'select');
+    expect(['[', ']', 'e'].map((key) => commandOfKey(press(key), otherwise))).toEqual([
+      'backward',
+      'forward',
+      null,
+    ]);
   });
 });
 

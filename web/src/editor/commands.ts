@@ -13,6 +13,10 @@ export const COMMANDS = {
   bar: { label: 'Draw a bar', keys: ['B'] },
   polygon: { label: 'Draw a polygon', keys: ['G'] },
   lasso: { label: 'Lasso: draw around the part that bends', keys: ['L'] },
+  brush: { label: 'Paint how stiff the picture is', keys: ['F'] },
+  'brush-erase': { label: 'Paint or erase', keys: ['E'] },
+  'brush-smaller': { label: 'Smaller brush', keys: ['['] },
+  'brush-larger': { label: 'Larger brush', keys: [']'] },
   hand: { label: 'Pan', keys: ['H'] },
   lens: { label: 'Look at the weights of a point', keys: ['I'] },
   timeline: { label: 'Animate: show the timeline', keys: ['T'] },
@@ -77,9 +81,18 @@ const WHILE_POSABLE: readonly CommandName[] = [
   'bail',
 ];
 
+/** The commands of the brush. Its keys for sizes, which paint programs share, are those of depths otherwise. */
+const OF_BRUSH: readonly CommandName[] = ['brush-erase', 'brush-smaller', 'brush-larger'];
+const OF_DEPTH: readonly CommandName[] = ['forward', 'backward'];
+
+const WHILE_BRUSHING = NAMES.filter((name) => !OF_DEPTH.includes(name));
+const OTHERWISE = NAMES.filter((name) => !OF_BRUSH.includes(name));
+
 /** The available commands: none for a picture that plays and is readonly, because it acts as a plain image. */
-export const commandsFor = (posable: boolean, readonly: boolean): readonly CommandName[] =>
-  !posable ? NAMES : readonly ? [] : WHILE_POSABLE;
+export function commandsFor(posable: boolean, readonly: boolean, tool: ToolName): readonly CommandName[] {
+  if (posable) return readonly ? [] : WHILE_POSABLE;
+  return tool === 'brush' ? WHILE_BRUSHING : OTHERWISE;
+}
 
 /** Characters that some keyboards type only with Alt, or with Ctrl and Alt. */
 const SIGNS = ['[', ']'];
@@ -89,7 +102,10 @@ const LETTER_PLACE = /^Key([A-Z])$/;
  * The one of these commands that a key runs, or null. Shift counts only together with Mod, since "+" may need Shift to
  * be typed. A letter of another script counts as the Latin letter of the same key.
  */
-export function commandOfKey(event: KeyPress, commands: readonly CommandName[] = NAMES): CommandName | null {
+export function commandOfKey(
+  event: KeyPress,
+  commands: readonly CommandName[] = OTHERWISE,
+): CommandName | null {
   const types = event.altKey && SIGNS.includes(event.key);
   if (event.altKey && !types) return null;
   const mod = (event.ctrlKey || event.metaKey) && !types;

@@ -25,7 +25,7 @@ export function cursorOf(state: EditorState): Cursor {
   if (!state.picture) return 'default';
   const pressing = isPressing(tools);
   if (pressesPan(state) || tools.tool === 'hand') return pressing ? 'grabbing' : 'grab';
-  if (tools.tool === 'lens') return 'crosshair';
+  if (tools.tool === 'lens' || tools.tool === 'brush') return 'crosshair';
   const draft = draftOf(tools);
   if (draft) return draft.finishing ? 'pointer' : 'crosshair';
   const places = tools.tool !== 'select';

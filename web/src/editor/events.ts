@@ -19,6 +19,7 @@ import type { Camera, Size } from '../geometry/camera';
 import type { Blend } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { ToolName } from '../tools/machine';
+import type { BrushState } from './brush_state';
 import type { CommandName, PreviewCommand } from './commands';
 import type { Corner } from './corner';
 import type { CellBorders } from './deformation';
@@ -42,7 +43,7 @@ import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
 
 /** A number of the selected handles that the panel can set. */
-export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth';
+export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth' | 'stiffness';
 
 /** A new number, or a step from each current number within bounds. */
 export type NumberChange =
@@ -102,6 +103,8 @@ type ControlEvent =
   | { readonly type: 'detail-chosen'; readonly detail: Detail }
   | { readonly type: 'blend-chosen'; readonly blend: Blend }
   | { readonly type: 'lasso-removed' }
+  | { readonly type: 'brush-set'; readonly change: Partial<BrushState> }
+  | { readonly type: 'stiffness-cleared' }
   | { readonly type: 'boundary-switched'; readonly held: boolean }
   | { readonly type: 'edges-switched'; readonly on: boolean }
   /** The control of the least opacity has the focus, or has lost it. */

@@ -1,5 +1,6 @@
 /** The hit areas of a press, as large as the pointer in use needs, and the context in which tools find them. */
 
+import type { Brush } from '../document/brush_stroke';
 import type { HiddenCorners, Turns } from '../document/handle';
 import { toImage } from '../geometry/camera';
 import { type Hit, hit } from '../tools/hit';
@@ -41,6 +42,9 @@ export function toolContext(state: EditorState): ToolContext {
       return turnsOf(state);
     },
     posesOnly: state.page.posable,
+    get brush() {
+      return brushOf(state);
+    },
     snap: (at, moving) => snapped(state, at, moving),
     place: (at) => {
       if (deformation) return deformation.placement(project, at, grips.line);
@@ -70,16 +74,31 @@ export const hiddenOf = (state: EditorState): HiddenCorners =>
 
 const NOTHING_HIDDEN: HiddenCorners = new Map();
 
+export const isBrushing = ({ tools }: EditorState): boolean => tools.tool === 'brush';
+
+/** The brush in pixels of the picture. */
+export function brushOf(state: EditorState): Brush {
+  const { size, strength, erases } = state.brush;
+  const { width, height } = projectOf(state).image;
+  return { radius: (size / 200) * Math.max(width, height), strength: strength / 100, erases };
+}
+
 export const isLassoing = ({ tools }: EditorState): boolean => tools.tool === 'lasso';
 
-/** The part of a handle at a place; null while a lasso covers the handles, or the lens looks through them. */
+/**
+ * The part of a handle at a place; null while a lasso covers the handles, the brush paints over them, or the lens looks
+ * through them.
+ */
 export const hitAt = (
   state: EditorState,
   at: Press['at'],
   bodies = true,
   context = toolContext(state),
   alt = false,
-): Hit | null => (isLassoing(state) || state.tools.tool === 'lens' ? null : hit(context, at, bodies, alt));
+): Hit | null =>
+  isLassoing(state) || isBrushing(state) || state.tools.tool === 'lens'
+    ? null
+    : hit(context, at, bodies, alt);
 
 export function pressOf(state: EditorState, { stage, shift, alt, free }: StagePointer): Press {
   return { at: toImage(state.view.camera, stage), stage, shift, alt, free };

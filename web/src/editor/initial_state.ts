@@ -2,6 +2,7 @@
 import { type Document, newProject, openDocument } from '../document/document';
 import { historyOf } from '../document/history';
 import { initialTools } from '../tools/machine';
+import { DEFAULT_BRUSH } from './brush_state';
 import { NO_CROSSING } from './crossing';
 import { DEFAULT_ENGINE } from './engine_choices';
 import { DEFAULT_CHOICES } from './export_choices';
@@ -36,6 +37,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       reported: { selection: [], undo: null, redo: null, title: null },
     },
     tools: initialTools,
+    brush: DEFAULT_BRUSH,
     guard: { on: false, allowed: null, holding: false, asked: null, reached: null },
     opening,
     waiting: [],

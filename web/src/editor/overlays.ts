@@ -1,5 +1,14 @@
 /** The overlays that can be drawn over the picture. */
-export const OVERLAYS = ['mesh', 'cells', 'sites', 'graph', 'creases', 'reach', 'coverage'] as const;
+export const OVERLAYS = [
+  'mesh',
+  'cells',
+  'sites',
+  'graph',
+  'creases',
+  'reach',
+  'coverage',
+  'stiffness',
+] as const;
 export type OverlayName = (typeof OVERLAYS)[number];
 export type OverlayFlags = Readonly<Record<OverlayName, boolean>>;
 

@@ -18,6 +18,7 @@ import type { Vec } from '../geometry/vec';
 import type { Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
+import type { BrushState } from './brush_state';
 import type { PreviewCommand } from './commands';
 import type { Crossing } from './crossing';
 import type { EngineChoices } from './engine_choices';
@@ -50,6 +51,7 @@ export interface EditorState {
   readonly pixelated: boolean;
   readonly document: DocumentState;
   readonly tools: Tools;
+  readonly brush: BrushState;
   readonly guard: FoldGuard;
   readonly opening: OpeningState;
   /** A person's input for the picture that is being opened, in its order. */

@@ -13,6 +13,7 @@ import { distance, type Vec } from '../geometry/vec';
 import { ringedHandle } from '../tools/hit';
 import { draftOf, hasTakenCorners, isPressing, places, type ToolName, waitingDrafts } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
+import type { BrushState } from './brush_state';
 import { canRun, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
@@ -20,7 +21,7 @@ import type { CreasedMesh, SiteGraph } from './deformation';
 import { type EngineModel, engineModel } from './engine_model';
 import { choicesFor, type ExportChoices, type ExportKind } from './export_choices';
 import { type FilmModel, filmModel } from './film_model';
-import { gripsOf, hiddenOf, hitAt, isLassoing, turnsOf } from './hit_areas';
+import { brushOf, gripsOf, hiddenOf, hitAt, isBrushing, isLassoing, turnsOf } from './hit_areas';
 import { type MapModel, mapModel } from './map_model';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
@@ -138,6 +139,8 @@ export interface EditorModel {
   readonly menu: MenuState | null;
   /** The line being drawn with the current tool. */
   readonly draft: Draft | null;
+  /** Null with another tool. */
+  readonly brush: BrushModel | null;
   /** Unfinished lines of the other tools. */
   readonly waiting: readonly Draft[];
   readonly box: Box | null;
@@ -160,6 +163,16 @@ export interface EditorModel {
   canRun(command: CommandName): boolean;
   /** Why a command cannot run now; null if it can. */
   reasonAgainst(command: CommandName): string | null;
+}
+
+export interface BrushModel {
+  readonly settings: BrushState;
+  /** Image pixels. */
+  readonly radius: number;
+  /** Where the next press would paint, image pixels; null where the pointer is elsewhere. */
+  readonly at: Vec | null;
+  /** Whether that press would erase. */
+  readonly erasing: boolean;
 }
 
 export interface ExportModel {
@@ -264,6 +277,7 @@ export function viewModel(state: EditorState): EditorModel {
     renaming: page.readonly ? null : display.renaming,
     menu: state.menu,
     draft,
+    brush: brushModel(state),
     waiting: waitingDrafts(tools),
     box: display.box,
     crosshair: display.crosshair,
@@ -307,6 +321,14 @@ function forcingNames(state: EditorState): readonly string[] {
   return forcing.length === 0 ? NO_IDS : forcing.map((id) => nameOf({ id }));
 }
 
+function brushModel(state: EditorState): BrushModel | null {
+  if (toolToCome(state) !== 'brush') return null;
+  const { brush, pointer, display } = state;
+  const { radius } = brushOf(state);
+  const at = display.crosshair ?? (pointer.coarse ? null : pointer.hovered);
+  return { settings: brush, radius, at, erasing: brush.erases !== pointer.alt };
+}
+
 /** The outlines at the neighbouring keys. Not while something plays: there they would flicker. */
 function onionOf(state: EditorState): readonly Float32Array[] {
   const { onion, playing, recording, clip } = state.timeline;
@@ -323,7 +345,8 @@ const NO_OUTLINES: readonly Float32Array[] = [];
 function guidesShown(state: EditorState): readonly Guide[] {
   const { tools, pointer, display } = state;
   const tool = tools.tool;
-  const aims = places(tool) && tool !== 'lasso' && pointer.hovered && !pointer.last?.pointer.free;
+  const aims =
+    places(tool) && tool !== 'lasso' && tool !== 'brush' && pointer.hovered && !pointer.last?.pointer.free;
   if (isPressing(tools) || !aims || !pointer.hovered || !handlesAreShown(state)) return display.guides;
   return hitAt(state, pointer.hovered, false) ? [] : snapped(state, pointer.hovered, []).guides;
 }
@@ -345,7 +368,7 @@ function ringedOf(state: EditorState): string | null {
   const { alt, hovered } = state.pointer;
   const { tools } = state;
   if (!alt || !hovered || !handlesAreShown(state) || isPressing(tools) || draftOf(tools)) return null;
-  if (isLassoing(state)) return null;
+  if (isLassoing(state) || isBrushing(state)) return null;
   return ringedHandle({ document: documentOf(state), grips: gripsOf(state) }, hovered)?.id ?? null;
 }
 

@@ -69,7 +69,10 @@ export class KeyboardInput {
       return;
     }
     const { state, dispatch } = this.#editor;
-    const command = commandOfKey(event, commandsFor(state.page.posable, state.page.readonly));
+    const command = commandOfKey(
+      event,
+      commandsFor(state.page.posable, state.page.readonly, state.tools.tool),
+    );
     if (command === null || OF_CLIPBOARD.includes(command)) return;
     if (command === 'bail') {
       if (!takesBail(state)) return;

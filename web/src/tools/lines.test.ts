@@ -23,6 +23,7 @@ class Bench {
     document: this.document,
     grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
     posesOnly: false,
+    brush: { radius: 10, strength: 1, erases: false },
     snap: (at) => ({ at, guides: [] }),
     turns: new Map(),
     place: () => null,

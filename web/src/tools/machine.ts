@@ -4,6 +4,7 @@
  * `Tools` is a value. Each transition returns the next value and the effects of the press, which the editor reduces.
  */
 import { CORNERS_NEEDED } from '../document/handle';
+import { brush } from './brush';
 import { resumed } from './drafting';
 import { hand } from './hand';
 import { lasso } from './lasso';
@@ -13,7 +14,10 @@ import { point } from './point';
 import { select } from './select';
 import type { Draft, Effect, Outcome, Press, State, ToolContext } from './state';
 
-export const TOOLS = { select, point, bar, polygon, lasso, hand, lens } satisfies Record<string, State>;
+export const TOOLS = { select, point, bar, polygon, lasso, brush, hand, lens } satisfies Record<
+  string,
+  State
+>;
 
 export type ToolName = keyof typeof TOOLS;
 

@@ -5,6 +5,7 @@
  * editor.
  */
 
+import type { Brush } from '../document/brush_stroke';
 import type { Document } from '../document/document';
 import type { PosedDocument } from '../document/group';
 import type { CORNERS_NEEDED, Turns } from '../document/handle';
@@ -51,6 +52,7 @@ export interface ToolContext {
   readonly turns: Turns;
   /** Handles can only be posed: no press removes one. */
   readonly posesOnly: boolean;
+  readonly brush: Brush;
   /**
    * Returns the placement of a point handle: at the point or, close to the domain, at the nearest point of it.
    * Otherwise `null`.

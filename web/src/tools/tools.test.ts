@@ -85,6 +85,7 @@ class Bench {
       },
       turns: this.turns,
       posesOnly: this.posesOnly,
+      brush: { radius: 20, strength: 1, erases: false },
       snap: (at) => snappedTo(at, this.guides, 5),
       place: (at) => this.placement && { posed: this.led ?? at, ...this.placement },
       layerUnder: (corners) => corners.map((at) => this.placement ?? { rest: at, rotation: 0, scale: 1 }),

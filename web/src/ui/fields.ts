@@ -12,6 +12,7 @@ import {
   type Turns,
 } from '../document/handle';
 import type { Handle } from '../document/project';
+import { stiffnessOf } from '../document/stiffness';
 import type { Dispatch, Field } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { commandButton } from './command_button';
@@ -50,6 +51,19 @@ const FIELDS: readonly HandleField[] = [
   },
 ];
 
+const STIFFNESS: HandleField = {
+  name: 'stiffness',
+  label: 'Stiffness',
+  unit: '',
+  step: 0.1,
+  digits: 2,
+  least: 0,
+  most: 1,
+  digitKeys: true,
+  tip: 'How stiff the picture inside the polygon is, from 0 to 1',
+  read: stiffnessOf,
+};
+
 export const fields = (
   selected: readonly Handle[],
   model: EditorModel,
@@ -66,7 +80,8 @@ export const fields = (
     );
     return besides(look, input, selected, model, dispatch);
   };
-  return html`<div class="fields">${FIELDS.map(field)}</div>`;
+  const areStiff = selected.every(({ kind }) => kind === 'polygon');
+  return html`<div class="fields">${[...FIELDS, ...(areStiff ? [STIFFNESS] : [])].map(field)}</div>`;
 };
 
 /** A field with its buttons. */

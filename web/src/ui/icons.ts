@@ -9,6 +9,7 @@ const SHAPES = {
   bar: svg`<circle cx="4.6" cy="15.4" r="2.1"/><circle cx="15.4" cy="4.6" r="2.1"/><path d="m6.2 13.8 7.6-7.6"/>`,
   polygon: svg`<path d="M10 3.4 16.8 8.4 14.2 16.4H5.8L3.2 8.4Z"/><path d="M10 3.4 16.8 8.4 14.2 16.4H5.8L3.2 8.4Z" fill="currentColor" stroke="none" opacity=".22"/>`,
   lasso: svg`<path d="M6.3 12.6C4.3 11.7 3 10.3 3 8.6c0-2.9 3.2-5 7.2-5s6.8 2.1 6.8 4.9-3 4.9-6.9 4.9c-.8 0-1.5-.1-2.2-.2" stroke-dasharray="2.6 1.9"/><circle cx="6.9" cy="13.2" r="1.5"/><path d="M6.1 14.5c-.5 1.1-.4 2.3.9 2.6"/>`,
+  brush: svg`<path d="M16.8 3.2c-.9-.9-2-.5-2.7.2L8.6 9.9l1.9 1.9 6.1-5.9c.8-.7 1.1-1.8.2-2.7Z"/><path d="M8.6 9.9c-2-.1-3.4 1-3.7 2.8-.2 1.3-.8 2.2-1.9 2.8 3.4 1.9 7.4.4 7.5-3.7" fill="currentColor" fill-opacity=".32"/>`,
   lens: svg`<circle cx="8.8" cy="8.8" r="5.4"/><path d="m12.8 12.8 4 4M6.6 10.8V9.4M8.8 10.8V6.8M11 10.8V8.2"/>`,
   play: svg`<path d="M6.5 4.2 15.5 10l-9 5.8Z"/>`,
   pause: svg`<path d="M7 4.5v11M13 4.5v11"/>`,
@@ -80,6 +81,9 @@ const COMMAND_ICONS = {
   'select-all': 'select',
   'zoom-in': 'plus',
   'zoom-out': 'minus',
+  'brush-erase': 'brush',
+  'brush-smaller': 'minus',
+  'brush-larger': 'plus',
   bail: 'close',
 } as const satisfies Partial<Record<CommandName, IconName>>;
 

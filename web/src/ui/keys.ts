@@ -16,6 +16,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'bar',
       'polygon',
       'lasso',
+      'brush',
       'hand',
       'lens',
       ['Enter', 'Finish a drawing, or place at the crosshair'],
@@ -53,6 +54,10 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'rename',
       'remove',
     ],
+  ],
+  [
+    'Brush',
+    ['brush-erase', 'brush-smaller', 'brush-larger', ['Alt drag', 'Erase, or paint while it erases']],
   ],
   [
     'View',

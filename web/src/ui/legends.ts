@@ -8,8 +8,11 @@ const COLOURS = HEAT_RAMP.map(([red, green, blue, alpha]) => `rgb(${red} ${green
 const GRADIENT = `background-image: linear-gradient(to right, ${COLOURS.join(', ')})`;
 
 export function legends(model: EditorModel): TemplateResult | typeof nothing {
-  const { overlays, picture, draft, preview, document, tool } = model;
-  if (!picture || draft || preview || document.project.handles.length === 0) return nothing;
+  const { overlays, picture, draft, preview, document, tool, brush } = model;
+  // The bar of the brush is there.
+  if (!picture || draft || preview || brush) return nothing;
+  if (overlays.stiffness) return stiffnessLegend;
+  if (document.project.handles.length === 0) return nothing;
   if (overlays.coverage) return coverageLegend;
   if (!overlays.reach) return nothing;
   if (document.selection.length > 0) return reachLegend;
@@ -24,6 +27,7 @@ const legend = (label: string, least: string, most: string, lines: boolean): Tem
 </div>`;
 
 const reachLegend = legend('Blue follows a little, yellow goes along whole', 'stays', 'goes along', true);
+const stiffnessLegend = legend('Blue is a little stiff, yellow keeps its form', 'soft', 'stiff', false);
 const coverageLegend = legend(
   'Blue is moved by few handles, yellow by many',
   '1 handle',

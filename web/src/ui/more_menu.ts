@@ -25,6 +25,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
   const unfold = { type: 'command-run', command: 'without-folds' } as const;
   const reset = { type: 'command-run', command: 'reset-all' } as const;
   const lens = { type: 'command-run', command: 'lens' } as const;
+  const hand = { type: 'command-run', command: 'hand' } as const;
   const timeline = { type: 'command-run', command: 'timeline' } as const;
   const keys = { type: 'command-run', command: 'keys' } as const;
   return html`<div class="menu more">
@@ -45,6 +46,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
       ${entry('without-folds', COMMANDS['without-folds'].label, unfold, model.canRun('without-folds'))}
       ${entry('reset', COMMANDS['reset-all'].label, reset, model.canRun('reset-all'))}
       ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
+      ${entry('hand', COMMANDS.hand.label, hand)}
       ${entry('lens', COMMANDS.lens.label, lens, model.canRun('lens'))}
       ${entry('keys', COMMANDS.keys.label, keys)}
     </div>

@@ -15,6 +15,7 @@ const TEXTS = {
   creases: ['Creases', 'Places where the picture has turned over'],
   reach: ['Reach', 'How far each place follows a small move of the selected handles'],
   coverage: ['Coverage', 'The number of handles that move each place, virtual ones included'],
+  stiffness: ['Stiffness', 'How stiff each place is: by the brush, and inside of stiff polygons'],
 } as const satisfies Record<OverlayName, readonly [label: string, tip: string]>;
 
 export function overlayButton(model: EditorModel, dispatch: Dispatch): TemplateResult {

@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { Dispatch } from '../editor/events';
 import { LEAST_HEIGHT } from '../editor/sizes';
 import type { EditorModel } from '../editor/view_model';
+import { brushBar } from './brush_bar';
 import { bubble } from './bubble';
 import { contextMenu } from './context_menu';
 import { draftBar } from './drawing';
@@ -47,7 +48,7 @@ export function shell(
       ${posable ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
       ${model.task ? progressBar(model.task) : nothing}
       ${model.hint && !model.preview && !studying ? bubble(model.hint, model.camera) : nothing}
-      ${posable ? nothing : html`${draftBar(model, dispatch)} ${toolHint(model, dispatch)} ${legends(model)}`}
+      ${posable ? nothing : html`${draftBar(model, dispatch)} ${brushBar(model, dispatch)} ${toolHint(model, dispatch)} ${legends(model)}`}
       ${model.preview === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing}
       ${posable ? nothing : exportCard(model, dispatch)} ${notice(model, dispatch)}
     </div>

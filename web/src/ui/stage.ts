@@ -5,6 +5,7 @@ import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { crosshair, selectionBox, waitingMarks } from './aims';
 import { askedMarks } from './asked_marks';
+import { brushMarks } from './brush_marks';
 import { cornerMarks } from './client';
 import { creaseMarks } from './crease_marks';
 import { cssCursor } from './cursor';
@@ -41,7 +42,7 @@ export function stage(
     ${canvas} ${cornerMarks()}
     <svg class="marks" aria-hidden="true">
       ${guideLines(model)} ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
-      ${studied} ${crosshair(model)} ${waitingMarks(model)}
+      ${brushMarks(model)} ${studied} ${crosshair(model)} ${waitingMarks(model)}
     </svg>
     ${handled && model.tool !== 'lasso' ? handleButtons(model, dispatch) : nothing}
   </div>`;

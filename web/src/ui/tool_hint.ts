@@ -13,7 +13,8 @@ export function toolHint(model: EditorModel, dispatch: Dispatch): TemplateResult
   const { draft, document, picture } = model;
   // A notice with an action stays until it is answered, so hints appear above it.
   const silent = !model.notice || model.notice.action !== undefined;
-  const idle = !model.readonly && silent && !model.hint && !model.preview;
+  // The bar of the brush is there.
+  const idle = !model.brush && !model.readonly && silent && !model.hint && !model.preview;
   if (!idle || picture === null || draft !== null || document.selection.length > 0) return nothing;
   const words = wordsOf(model)[model.tool];
   if (words === undefined) return nothing;

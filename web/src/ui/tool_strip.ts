@@ -12,6 +12,7 @@ const TOOLS = [
   ['bar', 'Bar'],
   ['polygon', 'Polygon'],
   ['lasso', 'Lasso'],
+  ['brush', 'Stiff'],
   ['hand', 'Pan'],
   ['lens', 'Lens'],
 ] as const satisfies readonly (readonly [ToolName, string])[];

@@ -27,6 +27,7 @@ import { stem } from '../picture';
 import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from '../state';
 import { fitView, showActualSize, zoom } from '../view';
 import { handleWords } from '../wording';
+import { resizeBrush, switchErasing } from './brush';
 import { setKeys } from './clip_keys';
 import { addCornerToSelected, focus, removeFocusedCorner } from './corners';
 import { openSettings, togglePreview } from './display';
@@ -68,6 +69,10 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   bar: (state, emit) => takeTool(state, 'bar', emit),
   polygon: (state, emit) => takeTool(state, 'polygon', emit),
   lasso: (state, emit) => takeTool(state, 'lasso', emit),
+  brush: (state, emit) => takeTool(state, 'brush', emit),
+  'brush-erase': (state) => switchErasing(state),
+  'brush-smaller': (state) => resizeBrush(state, -1),
+  'brush-larger': (state) => resizeBrush(state, 1),
   hand: (state, emit) => takeTool(state, 'hand', emit),
   timeline: (state, emit) => openTimeline(state, !state.timeline.open, emit),
   play: (state, emit) => play(state, !state.timeline.playing, emit),

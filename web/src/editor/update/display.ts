@@ -8,10 +8,11 @@ import { hasSheet, refitView, showBox } from '../view';
 import { keepPassing } from './notices';
 import { withSolution } from './solve_request';
 
-/** Only one of two heat maps is shown. */
+/** Only one heat map is shown. */
 const REPLACES: Partial<Record<OverlayName, Partial<OverlayFlags>>> = {
-  reach: { coverage: false },
-  coverage: { reach: false },
+  reach: { coverage: false, stiffness: false },
+  coverage: { reach: false, stiffness: false },
+  stiffness: { reach: false, coverage: false },
 };
 
 const withDisplay = (state: EditorState, change: Partial<DisplayState>): EditorState => ({

@@ -29,6 +29,7 @@ import {
 } from '../../document/handle';
 import { mirrorHandles } from '../../document/mirror';
 import type { Handle, PoseMode } from '../../document/project';
+import { stiffened, stiffnessOf } from '../../document/stiffness';
 import type { Blend } from '../../geometry/skin';
 import { add, type Vec } from '../../geometry/vec';
 import type { Corner } from '../corner';
@@ -238,11 +239,13 @@ export function setField(state: EditorState, field: Field, change: NumberChange,
     rotation: (handle) => turnedTo(handle, value(rotationOf(handle, turns))),
     scale: (handle) => scaledTo(handle, value(scaleOf(handle))),
     depth: (handle) => atDepth(handle, value(depthOf(handle))),
+    stiffness: (handle) => stiffened(handle, value(stiffnessOf(handle))),
   };
   const { selection } = document;
   const wanted = { document: changeHandles(document, selection, set[field]) };
   const label = `Set ${field} of ${selectionName(document)}`;
   const key = `${field} ${selection.join(' ')}`;
+  if (field === 'stiffness') return announce(commitStep(state, label, wanted.document, emit, key), label);
   if (field === 'depth') return announceDepth(commitStep(state, label, wanted.document, emit, key));
   return guardedStep(state, label, wanted, key, emit);
 }

@@ -9,6 +9,7 @@ import type { EditorEvent } from '../events';
 import type { EditorState } from '../state';
 import { waits } from '../waiting_input';
 import { autosaveHandlers } from './autosave';
+import { brushHandlers } from './brush';
 import { clipKeyHandlers } from './clip_keys';
 import { followClip } from './clip_slice';
 import { clipHandlers } from './clips';
@@ -71,6 +72,7 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
 
 const HANDLERS: Handlers<EditorEvent['type']> = {
   ...autosaveHandlers,
+  ...brushHandlers,
   ...clipHandlers,
   ...clipKeyHandlers,
   ...commandHandlers,

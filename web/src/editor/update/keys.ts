@@ -6,7 +6,7 @@ import { draftOf, hover, isPressing, places, pressDown, pressUp } from '../../to
 import { pressAt } from '../../tools/state';
 import { crosshairMoved, crosshairPlace, hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
-import { contextWithoutHandles, toolContext } from '../hit_areas';
+import { contextWithoutHandles, isBrushing, toolContext } from '../hit_areas';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import { moveCamera } from '../view';
@@ -67,7 +67,8 @@ function place(before: EditorState, emit: Emit): EditorState {
   const up = applyTools(down, pressUp(down.tools, press, contextWithoutHandles(down)), emit);
   const [added] = selectionOf(up);
   if (added !== undefined && handleById(documentOf(up), added)) focus(emit, added);
-  return hideCrosshair(up);
+  // A person with the brush goes on from there.
+  return isBrushing(up) ? up : hideCrosshair(up);
 }
 
 export const keyHandlers: Handlers<

@@ -13,7 +13,7 @@ export function choose(state: EditorState, tool: ToolName, emit: Emit): EditorSt
   if (posable || (readonly && tool !== 'hand' && tool !== 'lens')) return state;
   let next = applyTools(state, chooseTool(state.tools, tool), emit);
   // Arrow keys move the crosshair of such a tool only while nothing is selected.
-  if (draws(tool)) {
+  if (draws(tool) || tool === 'brush') {
     next = select(next, [], emit);
     next = { ...next, display: { ...next.display, settings: false } };
   }

@@ -6,6 +6,7 @@
  */
 import { baseStyle } from './base';
 import { bendingStyle } from './bending';
+import { brushStyle } from './brush';
 import { buttonsStyle } from './buttons';
 import { drawingStyle } from './drawing';
 import { emptyStyle } from './empty';
@@ -63,6 +64,7 @@ export const editorStyle = [
   floatingStyle,
   hintsStyle,
   legendsStyle,
+  brushStyle,
   drawingStyle,
   noticeStyle,
   progressStyle,

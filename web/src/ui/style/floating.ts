@@ -6,6 +6,7 @@ import { ORDER } from './order';
 export const floatingStyle = css`
   .hint,
   .draft-bar,
+  .brush-bar,
   .notice {
     --_free: calc(100% - var(--_left) - var(--_right) - 16px);
     position: absolute;
@@ -20,7 +21,7 @@ export const floatingStyle = css`
     bottom: 22px;
   }
   @container ${notPhone} {
-    :is(.draft-bar, .hint:not(.bubble)) ~ .notices .notice {
+    :is(.draft-bar, .brush-bar, .hint:not(.bubble)) ~ .notices .notice {
       bottom: 70px;
     }
   }
@@ -31,7 +32,7 @@ export const floatingStyle = css`
   }
   @container ${notPhone} {
     .notices .notice.aside,
-    :is(.draft-bar, .hint:not(.bubble)) ~ .notices .notice.aside {
+    :is(.draft-bar, .brush-bar, .hint:not(.bubble)) ~ .notices .notice.aside {
       top: 16px;
       bottom: auto;
     }
@@ -40,7 +41,7 @@ export const floatingStyle = css`
     .hint:not(.bubble) {
       bottom: 84px;
     }
-    .draft-bar {
+    :is(.draft-bar, .brush-bar) {
       bottom: 78px;
     }
     .notice {
@@ -51,14 +52,14 @@ export const floatingStyle = css`
       top: auto;
       bottom: 84px;
     }
-    :is(.draft-bar, .hint:not(.bubble)) ~ .notices .notice.aside {
+    :is(.draft-bar, .brush-bar, .hint:not(.bubble)) ~ .notices .notice.aside {
       bottom: 134px;
     }
     .hint.suggests ~ .notices .notice.aside {
       bottom: 186px;
     }
     /* Clear of the sheet in every layout, and of each other. */
-    .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) {
+    .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar, .brush-bar) {
       top: 12px;
       bottom: auto;
     }
@@ -66,7 +67,7 @@ export const floatingStyle = css`
       top: 12px;
       bottom: auto;
     }
-    .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) ~ .notices .notice {
+    .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar, .brush-bar) ~ .notices .notice {
       top: 72px;
       bottom: auto;
     }
@@ -84,7 +85,8 @@ export const floatingStyle = css`
   /* No tools below: hints, bar and notices move to the edge. */
   @container ${lowPhone} {
     .hint:not(.bubble),
-    .draft-bar {
+    .draft-bar,
+    .brush-bar {
       bottom: var(--_edge);
     }
     .notice {

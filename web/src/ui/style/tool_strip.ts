@@ -70,20 +70,20 @@ export const toolStripStyle = css`
       border: 0;
     }
   }
-  /* No room for the lens: its card has it, too. */
+  /* No room for the lens, which its card has too, nor for the hand: two fingers and the space bar pan. */
   @container ${low} {
-    .tools [data-command='lens'] {
+    .tools :is([data-command='lens'], [data-command='hand']) {
       display: none;
     }
   }
   @container ${phone} {
-    .tools [data-command='lens'] {
+    .tools :is([data-command='lens'], [data-command='hand']) {
       display: none;
     }
   }
-  /* No room for a sixth tool and the settings: two fingers, the middle button and the space bar pan too. */
+  /* No room for a sixth tool and the settings, nor for the bar of the brush. */
   @container ${lowestPhone} {
-    .tools [data-command='hand'] {
+    .tools [data-command='brush'] {
       display: none;
     }
   }

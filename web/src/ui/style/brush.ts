@@ -1,0 +1,85 @@
+/** The rim of the brush, and the bar with its settings. */
+import { css } from 'lit';
+import { phone } from './layouts';
+
+export const brushStyle = css`
+  .brush circle {
+    fill: none;
+    stroke: var(--_handle);
+    stroke-width: var(--_stroke);
+  }
+  .brush .under {
+    stroke: var(--_casing);
+    stroke-width: var(--_cased);
+  }
+  .brush.erasing circle:not(.under) {
+    stroke-dasharray: 5 4;
+  }
+  .brush-bar {
+    display: flex;
+    flex-wrap: wrap;
+    align-items: center;
+    justify-content: center;
+    gap: 2px 12px;
+    padding: 4px 6px 4px 8px;
+    animation: appear var(--_speed);
+  }
+  .brush-bar .segments {
+    margin: 0;
+  }
+  .brush-bar .segment {
+    padding: 0 10px;
+  }
+  .brush-bar .option {
+    display: flex;
+    align-items: center;
+    gap: 6px;
+    font-size: 13px;
+  }
+  .brush-bar .option span {
+    color: var(--_faint);
+  }
+  .brush-bar [type='range'] {
+    width: 96px;
+    min-width: 0;
+    margin: 0;
+    accent-color: var(--_accent);
+  }
+  .brush-bar output {
+    min-width: 42px;
+    font-variant-numeric: tabular-nums;
+  }
+  .brush-bar .words {
+    display: flex;
+    align-items: center;
+    gap: 8px;
+    margin: 2px 0;
+    color: var(--_faint);
+  }
+  @media (pointer: coarse) {
+    .brush-bar [type='range'] {
+      height: var(--_finger);
+    }
+  }
+  @container ${phone} {
+    .brush-bar {
+      gap: 0 8px;
+      padding: 2px 4px;
+    }
+    .brush-bar [type='range'] {
+      width: 74px;
+    }
+    .brush-bar output {
+      display: none;
+    }
+    /* Two rows: the buttons, and the sliders. */
+    .brush-bar .segments,
+    .brush-bar .clear {
+      order: -1;
+    }
+    .brush-bar .option {
+      flex: 1 1 40%;
+      justify-content: center;
+    }
+  }
+`;
