@@ -42,12 +42,11 @@ fn bent_strip(bend: f64) -> Project {
     ];
     let mut project = project(&[ring], &[], Support::Smooth);
     project.samples = 10_000;
-    let handle = |(id, (rest, to)): (usize, &((f64, f64), (f64, f64)))| {
-        Handle::point(format!("h{id}"), DVec2::from(*rest))
-            .posed_at([DVec2::from(*rest).lerp(DVec2::from(*to), bend)])
-            .turned(Rotation::Auto)
+    let handle = |(id, (rest, to))| {
+        let [rest, to] = [rest, to].map(DVec2::from);
+        Handle::point(format!("h{id}"), rest).posed_at([rest.lerp(to, bend)]).turned(Rotation::Auto)
     };
-    project.handles = moves.iter().enumerate().map(handle).collect();
+    project.handles = moves.into_iter().enumerate().map(handle).collect();
     project.with_editor_settings()
 }
 

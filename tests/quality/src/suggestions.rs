@@ -47,13 +47,13 @@ pub fn suggestions() -> Result<Vec<Suggested>, Box<dyn Error>> {
     }
     for name in DRAWN {
         let Scene { project, picture } = Scene::named(name);
-        all.push(Suggested::new(name, picture, project.domain)?);
+        all.push(Suggested::new(name, picture, project.domain.as_ref())?);
     }
     let photograph = sample("portrait")?;
     let text = std::fs::read_to_string(file("portrait", "c2warp.json"))?;
     let lasso = Project::from_json(&text)?.domain;
-    all.push(Suggested::new("photograph with a lasso", photograph.clone(), lasso)?);
-    all.push(Suggested::new("photograph", photograph, Some(DomainSpec::Image))?);
+    all.push(Suggested::new("photograph with a lasso", photograph.clone(), lasso.as_ref())?);
+    all.push(Suggested::new("photograph", photograph, Some(&DomainSpec::Image))?);
     Ok(all)
 }
 
@@ -66,9 +66,9 @@ fn sample(name: &str) -> image::ImageResult<RgbaImage> {
 }
 
 impl Suggested {
-    fn new(name: &str, picture: RgbaImage, domain: Option<DomainSpec>) -> Result<Self, c2warp::Error> {
+    fn new(name: &str, picture: RgbaImage, domain: Option<&DomainSpec>) -> Result<Self, c2warp::Error> {
         let (width, height) = picture.dimensions();
-        let domain = Domain::new(domain.as_ref(), &Picture::new(width, height, picture.as_raw())?)?;
+        let domain = Domain::new(domain, &Picture::new(width, height, picture.as_raw())?)?;
         let start = Instant::now();
         let handles = suggest(&domain, None);
         let ms = start.elapsed().as_secs_f64() * 1e3;
