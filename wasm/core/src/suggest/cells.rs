@@ -132,6 +132,11 @@ impl Cells {
         cell - cell % self.columns + self.columns / 2
     }
 
+    /// The number of columns between a cell and the vertical axis.
+    pub(super) fn from_axis(&self, cell: usize) -> usize {
+        (cell % self.columns).abs_diff(self.columns / 2)
+    }
+
     pub(super) fn is_inside(&self, cell: usize) -> bool {
         self.inside[cell]
     }

@@ -12,6 +12,8 @@ const HEAD: f64 = 2.6;
 const AFTER_HEAD: f64 = 0.93;
 /// In a round end, cells are about as far from the outline as from the tip.
 const ROUND: f64 = 0.85;
+/// A line along the axis of symmetry is at most this many cells beside it.
+const NEAR_AXIS: usize = 2;
 /// The least distance of an end handle from the tip, as a share of the limb.
 const INSET: f64 = 0.07;
 /// A neck is this many times narrower than both of its sides.
@@ -95,6 +97,13 @@ impl<'a> MeasuredLimb<'a> {
     pub(super) fn end(&self) -> usize {
         let end = self.limb.path[self.end_index()];
         if self.has_head() { self.cells.widest_near(self.clearance, end) } else { end }
+    }
+
+    /// Whether most of the limb lies on the axis of symmetry: the limb is its own mirror image.
+    pub(super) fn is_on_axis(&self) -> bool {
+        let own = &self.limb.path[..self.limb.own];
+        let is_near = |&&cell: &&usize| self.cells.from_axis(cell) <= NEAR_AXIS;
+        2 * own.iter().filter(is_near).count() > own.len()
     }
 
     /// Whether the end is a head. Shorter limbs on it, such as ears, belong to it.

@@ -94,9 +94,11 @@ pub fn suggest(domain: &Domain, count: Option<usize>) -> Vec<SuggestedHandle> {
 /// use c2warp::{domain::Domain, project::Handle, suggest::suggest_beside};
 ///
 /// let there = [Handle::point("eye", [300.0, 55.0])];
-/// let suggested = suggest_beside(&Domain::rectangle(320, 240), &there);
+/// let picture = [[0, 0], [320, 0], [320, 240], [0, 240]].map(|[x, y]| [f64::from(x), f64::from(y)].into());
+/// let suggested = suggest_beside(&Domain::from_rings(&[picture.to_vec()])?, &there);
 /// let ids: Vec<&str> = suggested.iter().map(|handle| handle.id.as_str()).collect();
 /// assert_eq!(ids, ["top-left", "top", "left", "middle", "right", "bottom-left", "bottom", "bottom-right"]);
+/// # Ok::<(), c2warp::Error>(())
 /// ```
 #[must_use]
 pub fn suggest_beside(domain: &Domain, handles: &[Handle]) -> Vec<SuggestedHandle> {

@@ -133,7 +133,9 @@ impl Placing<'_> {
             if heads.iter().any(|around| around[limb.tip()] != FAR) {
                 return false;
             }
-            let end = limb.end();
+            let on_axis = Some(self.cells.on_axis(limb.end()))
+                .filter(|&cell| self.symmetric && limb.is_on_axis() && self.cells.is_inside(cell));
+            let end = on_axis.unwrap_or_else(|| limb.end());
             self.choose(end, SuggestedRole::End, limb.share(END_ROOM));
             if limb.has_head() {
                 heads.push(limb.around_head(end));

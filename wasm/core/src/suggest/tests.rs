@@ -53,6 +53,20 @@ fn animal() -> Ring {
     corners.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).to_vec()
 }
 
+/// A limb on the axis has one end, though its tip has two corners.
+#[test]
+fn cross_has_four_ends() {
+    for thick in [10.0, 20.0, 30.0] {
+        let (near, far) = (50.0 - thick / 2.0, 50.0 + thick / 2.0);
+        let right = [(near, 0.0), (far, 0.0), (far, near), (100.0, near), (100.0, far), (far, far)];
+        let left = [(far, 100.0), (near, 100.0), (near, far), (0.0, far), (0.0, near), (near, near)];
+        let ring: Ring = right.into_iter().chain(left).map(DVec2::from).collect();
+        let ends = of_role(&suggest(&domain(&[ring]), None), SuggestedRole::End);
+        assert_eq!(ends.len(), 4, "{ends:?}");
+        assert_eq!(ends.iter().filter(|end| (end.x - 50.0).abs() < 2.0).count(), 2, "{ends:?}");
+    }
+}
+
 fn of_role(handles: &[SuggestedHandle], role: SuggestedRole) -> Vec<DVec2> {
     handles.iter().filter(|handle| handle.role == role).map(|handle| handle.rest).collect()
 }
