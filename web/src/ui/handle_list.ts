@@ -54,5 +54,7 @@ export function showSelected(root: ShadowRoot): void {
   const item = list?.querySelector('[aria-pressed="true"]');
   if (!list || !item) return;
   const [frame, box] = [list.getBoundingClientRect(), item.getBoundingClientRect()];
-  list.scrollTop += Math.min(0, box.top - frame.top) + Math.max(0, box.bottom - frame.bottom);
+  // Scrolling ends at whole pixels, and heights are fractions.
+  list.scrollTop +=
+    Math.floor(Math.min(0, box.top - frame.top)) + Math.ceil(Math.max(0, box.bottom - frame.bottom));
 }

@@ -14,6 +14,8 @@ export const handleListStyle = css`
   }
   .list ul {
     margin: 6px -6px -4px;
+    /* Room for a scroll by a whole pixel. */
+    padding-block: 1px;
     overflow: auto;
   }
   /* A long list scrolls on its own, and the numbers above it stay in view. */
