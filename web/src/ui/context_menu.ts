@@ -12,7 +12,7 @@ import { icon, iconOf } from './icons';
 
 type Groups = readonly (readonly CommandName[])[];
 
-const OF_PICTURE: Groups = [['add-point', 'suggest', 'paste'], ['select-all', 'reset-all'], ['fit']];
+const OF_PICTURE: Groups = [['add-point', 'paste'], ['select-all', 'reset-all', 'suggest'], ['fit']];
 const OF_POSABLE: Groups = [
   ['reset', 'reset-all'],
   ['undo', 'redo'],
