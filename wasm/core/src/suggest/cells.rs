@@ -133,7 +133,7 @@ impl Cells {
     }
 
     /// The number of columns between a cell and the vertical axis.
-    pub(super) fn from_axis(&self, cell: usize) -> usize {
+    pub(super) fn columns_to_axis(&self, cell: usize) -> usize {
         (cell % self.columns).abs_diff(self.columns / 2)
     }
 

@@ -102,7 +102,7 @@ impl<'a> MeasuredLimb<'a> {
     /// Whether most of the limb lies on the axis of symmetry: the limb is its own mirror image.
     pub(super) fn is_on_axis(&self) -> bool {
         let own = &self.limb.path[..self.limb.own];
-        let is_near = |&&cell: &&usize| self.cells.from_axis(cell) <= NEAR_AXIS;
+        let is_near = |&&cell: &&usize| self.cells.columns_to_axis(cell) <= NEAR_AXIS;
         2 * own.iter().filter(is_near).count() > own.len()
     }
 
