@@ -1,7 +1,7 @@
 //! `c2warp-quality FOLDER [NAME]`: prints tables and writes a sheet of pictures per pose to the folder.
 //!
-//! It compares distances with geodesics, counts secondary maxima of weights, and measures jumps of their derivatives. It
-//! draws suggested handles, and compares methods on the standard poses. With NAME, it runs only the parts and poses
+//! It compares distances with geodesics, counts secondary maxima of weights, and measures jumps of their derivatives.
+//! It draws suggested handles, and compares methods on the standard poses. With NAME, it runs only the parts and poses
 //! whose name contains NAME.
 //!
 //! `c2warp-quality --overview FILE` draws one pose by the editor's method and the methods it is compared with.

@@ -15,7 +15,8 @@
 //!   a site are equally short, weights have a crease. Where paths begin to bend around a corner, weights are C¹: their
 //!   second derivative jumps, and the jump grows towards the corner.
 //! - With `"continuity": "c2"` neither is so. Penumbrae blend distances where paths begin to bend, and supports end
-//!   before two paths are equally short. Weights are then C² except at joints of bones and at reflex corners themselves.
+//!   before two paths are equally short. Weights are then C² except at joints of bones and at reflex corners
+//!   themselves.
 //! - Eq. 2 does not rule out second maxima: a weight may grow again in a dead end, or where several supports end
 //!   together.
 
