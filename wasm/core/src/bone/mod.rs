@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use crate::segment::segment_distance;
 
 pub(crate) use embedded_segment::EmbeddedSegment;
-pub(crate) use motion::BoneMotion;
+pub(crate) use motion::{BoneMotion, best_rotation};
 pub use polyline::OutsidePart;
 pub(crate) use polyline::Polyline;
 pub(crate) use skeleton::Skeleton;

@@ -83,6 +83,11 @@ fn whole_rotation(handle: &Handle) -> f64 {
     if let Rotation::Degrees(degrees) = handle.rotation {
         return degrees.to_radians();
     }
+    best_rotation(rest, posed)
+}
+
+/// The rotation of points that fits best in the least-squares sense, in radians.
+pub(crate) fn best_rotation(rest: &[DVec2], posed: &[DVec2]) -> f64 {
     let mean = |points: &[DVec2]| points.iter().sum::<DVec2>() / points.len() as f64;
     let (from, to) = (mean(rest), mean(posed));
     let (cos, sin) = rest

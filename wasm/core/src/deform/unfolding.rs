@@ -18,6 +18,7 @@ use super::{
     way::{HandleWay, Turn, Way},
 };
 use crate::{
+    bone::best_rotation,
     error::Error,
     project::{Blend, Handle, Rotation},
 };
@@ -157,18 +158,10 @@ fn turn(rest: &[DVec2], from: &HandlePose, to: &HandlePose) -> Turn {
         let end = given(to).or(given(from)).unwrap_or_default();
         return Turn { from: given(from).unwrap_or(end), to: end, is_given };
     }
-    let end = nearest_turn(turn_of(rest, &to.posed), given(to).unwrap_or_default());
-    let start = nearest_turn(turn_of(rest, &from.posed), given(from).filter(|_| is_given).unwrap_or(end));
+    let turn_to = |pose: &HandlePose| best_rotation(rest, &pose.posed).to_degrees();
+    let end = nearest_turn(turn_to(to), given(to).unwrap_or_default());
+    let start = nearest_turn(turn_to(from), given(from).filter(|_| is_given).unwrap_or(end));
     Turn { from: start, to: end, is_given }
-}
-
-/// The turn of corners that fits best, in degrees.
-fn turn_of(rest: &[DVec2], posed: &[DVec2]) -> f64 {
-    let mean = |corners: &[DVec2]| corners.iter().sum::<DVec2>() / corners.len() as f64;
-    let (from, to) = (mean(rest), mean(posed));
-    let pairs = rest.iter().zip(posed).map(|(&before, &after)| (before - from, after - to));
-    let (dot, cross) = pairs.fold((0.0, 0.0), |(dot, cross), (a, b)| (dot + a.dot(b), cross + a.perp_dot(b)));
-    libm::atan2(cross, dot).to_degrees()
 }
 
 /// A turn with the whole turns that bring it nearest to another one.
