@@ -49,6 +49,7 @@ mod path_end;
 mod penumbra;
 mod propagate;
 mod unique;
+mod wedge;
 mod window;
 
 pub use distances::{Distances, Located};
