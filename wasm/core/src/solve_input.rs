@@ -211,7 +211,7 @@ impl SolveInput {
             let feature = "two continuous derivatives on a point cloud, which has no exact distances";
             return Err(unsupported("weighting.continuity".into(), feature));
         }
-        if self.stiffness != StiffnessField::default() {
+        if !self.stiffness.is_soft() {
             return Err(unsupported("stiffness".into(), "a stiff place of a point cloud"));
         }
         Ok(())

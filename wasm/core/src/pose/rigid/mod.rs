@@ -29,7 +29,10 @@ use std::sync::OnceLock;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use self::{bending::bend, relaxation::Relaxation};
+use self::{
+    bending::bend,
+    relaxation::{Relaxation, areas_around},
+};
 use super::{Motion, numeric::Laplacian};
 
 pub(crate) use self::{quadrature::Quadrature, relaxation::Freedom, stiffness::StiffnessField};
@@ -142,15 +145,12 @@ impl Rigid {
             return &self.links;
         };
         self.stiff_links.get_or_init(|| {
-            let nodes: Vec<_> = quadrature.nodes().collect();
-            let factors = self.stiffness.factors(&nodes.iter().map(|node| (node.at, node.area)).collect::<Vec<_>>());
-            let (mut around, mut stiff) = (vec![0.0; self.freedom.len()], vec![0.0; self.freedom.len()]);
-            for (node, factor) in nodes.iter().zip(factors) {
-                for one in &node.influences {
-                    around[one.site] += one.weight * node.area;
-                    stiff[one.site] += one.weight * node.area * factor;
-                }
-            }
+            let sites = self.freedom.len();
+            let mut nodes: Vec<_> = quadrature.nodes().collect();
+            let around = areas_around(&nodes, sites);
+            let factors = self.stiffness.factors(&nodes);
+            nodes.iter_mut().zip(factors).for_each(|(node, factor)| node.area *= factor);
+            let stiff = areas_around(&nodes, sites);
             let factor = |site: usize| if around[site] > 0.0 { stiff[site] / around[site] } else { 1.0 };
             let stiff_link =
                 |&(i, j, weight): &(u32, u32, f64)| (i, j, weight * (factor(i as usize) * factor(j as usize)).sqrt());

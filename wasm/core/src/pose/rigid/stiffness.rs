@@ -12,6 +12,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
+use super::quadrature::Node;
 use crate::{
     domain::{contains, edges},
     project::{Project, Shape, Stiffness, bilinear},
@@ -101,19 +102,19 @@ impl StiffnessField {
     }
 
     /// Whether no place is stiff.
-    pub(super) fn is_soft(&self) -> bool {
+    pub(crate) fn is_soft(&self) -> bool {
         self.mask.is_none() && self.polygons.is_empty()
     }
 
-    /// The factors at places with areas, divided by their harmonic mean: that of a picture which is as stiff everywhere
-    /// is 1, as without.
-    pub(super) fn factors(&self, places: &[(DVec2, f64)]) -> Vec<f64> {
+    /// The factors at nodes, divided by their harmonic mean: that of a picture which is as stiff everywhere is 1, as
+    /// without.
+    pub(super) fn factors(&self, nodes: &[Node]) -> Vec<f64> {
         if self.is_soft() {
-            return vec![1.0; places.len()];
+            return vec![1.0; nodes.len()];
         }
-        let factors: Vec<f64> = places.iter().map(|&(at, area)| self.factor(at, area.sqrt())).collect();
-        let area: f64 = places.iter().map(|(_, area)| area).sum();
-        let mean = area / places.iter().zip(&factors).map(|((_, area), factor)| area / factor).sum::<f64>();
+        let factors: Vec<f64> = nodes.iter().map(|node| self.factor(node.at, node.area.sqrt())).collect();
+        let area: f64 = nodes.iter().map(|node| node.area).sum();
+        let mean = area / nodes.iter().zip(&factors).map(|(node, factor)| node.area / factor).sum::<f64>();
         factors.into_iter().map(|factor| factor / mean).collect()
     }
 

@@ -102,7 +102,7 @@ impl Relaxation {
         };
         let anchor_stiffness: Vec<f64> =
             areas_around(&all, rest.len()).into_iter().zip(freedom).flat_map(stiffness).collect();
-        let factors = stiff.factors(&all.iter().map(|node| (node.at, node.area)).collect::<Vec<_>>());
+        let factors = stiff.factors(&all);
         let nodes = Nodes::new(all, &factors, freedom, unit);
         let inverse = Cholesky::new(&unknowns.groups(), &preconditioner(&nodes, &unknowns, &rest, &anchor_stiffness));
         let is_even = factors.iter().all(|factor| (factor - 1.0).abs() < EVEN);
@@ -193,7 +193,7 @@ impl Relaxation {
 }
 
 /// The area that each site moves, in square pixels: the sum of its weights.
-fn areas_around(nodes: &[Node], sites: usize) -> Vec<f64> {
+pub(super) fn areas_around(nodes: &[Node], sites: usize) -> Vec<f64> {
     let mut around = vec![0.0; sites];
     for Node { area, influences, .. } in nodes {
         influences.iter().for_each(|one| around[one.site] += one.weight * area);
