@@ -119,7 +119,8 @@ impl Solver {
             let prepared = Arc::new(PreparedDomain::new(project.domain.as_ref(), picture, project.fix_boundary)?);
             self.domain = Some(DomainCache { key, prepared, sampling: SamplingCache::default() });
         }
-        let known = self.finished.as_ref().filter(|finished| finished.key == DomainKey::of(project));
+        let domain = self.domain.as_ref().map(|domain| &domain.key);
+        let known = self.finished.as_ref().filter(|finished| Some(&finished.key) == domain);
         let is_solved = known.is_some_and(|known| known.input.differs_in_stiffness_alone(&input));
         let progress = if is_solved { Progress::Solved } else { Progress::Begun };
         self.pending = Some(PendingSolve { input, progress });
