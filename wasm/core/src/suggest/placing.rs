@@ -133,9 +133,10 @@ impl Placing<'_> {
             if heads.iter().any(|around| around[limb.tip()] != FAR) {
                 return false;
             }
-            let on_axis = Some(self.cells.on_axis(limb.end()))
-                .filter(|&cell| self.symmetric && limb.is_on_axis() && self.cells.is_inside(cell));
-            let end = on_axis.unwrap_or_else(|| limb.end());
+            let own = limb.end();
+            let middle = self.cells.on_axis(own);
+            let is_middle = self.symmetric && limb.is_on_axis() && self.cells.is_inside(middle);
+            let end = if is_middle { middle } else { own };
             self.choose(end, SuggestedRole::End, limb.share(END_ROOM));
             if limb.has_head() {
                 heads.push(limb.around_head(end));
