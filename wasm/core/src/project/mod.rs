@@ -27,7 +27,6 @@
 //! # Ok::<(), c2warp::project::ProjectError>(())
 //! ```
 
-mod base64;
 mod clip;
 mod cursor;
 mod domain;

@@ -2,11 +2,11 @@
 
 use std::ops::RangeInclusive;
 
+use base64::{Engine, encoded_len, engine::general_purpose::STANDARD};
 use glam::{DAffine2, DVec2};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
-use super::base64;
 use super::cursor::Cursor;
 use super::error::ProjectError;
 use super::path::Path;
@@ -41,7 +41,7 @@ pub struct Stiffness {
     #[schemars(range(min = 1, max = MOST_CELLS))]
     pub height: u32,
     /// A byte for each cell in base64, rows from top to bottom: 0 is as soft as without, 255 is stiff.
-    #[serde(serialize_with = "base64::serialize")]
+    #[serde(serialize_with = "as_base64")]
     #[schemars(with = "String", extend("contentEncoding" = "base64", "pattern" = "^[A-Za-z0-9+/]+={0,2}$"))]
     pub values: Vec<u8>,
 }
@@ -95,14 +95,14 @@ impl Stiffness {
         let values = grid.required("values")?;
         let text = values.string()?;
         // The length is known before any memory is taken.
-        let (expected, found) = (base64::length(cells(width, height)), text.len());
+        let (expected, found) = (encoded_len(cells(width, height), true).unwrap_or(usize::MAX), text.len());
         if expected != found {
             return values.refuse(format_args!(
                 "expected {expected} characters of base64 for {width} × {height} cells, found {found}"
             ));
         }
-        match base64::decoded(text) {
-            Some(values) if values.len() == cells(width, height) => Ok(Self { width, height, values }),
+        match STANDARD.decode(text) {
+            Ok(values) if values.len() == cells(width, height) => Ok(Self { width, height, values }),
             _ => values.refuse(format_args!("expected {width} × {height} bytes in base64 with its padding")),
         }
     }
@@ -116,6 +116,10 @@ impl Stiffness {
         let Self { width, height, values } = self;
         at.key("values").refuse(format_args!("expected {width} × {height} bytes, found {}", values.len()))
     }
+}
+
+fn as_base64<S: Serializer>(values: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&STANDARD.encode(values))
 }
 
 fn cells(width: u32, height: u32) -> usize {
@@ -148,6 +152,19 @@ mod tests {
         for (place, expected) in [(0.0, 0.0), (0.25, 0.0), (0.5, 0.5), (0.6, 0.7), (0.75, 1.0), (1.0, 1.0), (7.0, 1.0)]
         {
             assert!((mask.at(DVec2::new(place, 0.3)) - expected).abs() < 1e-12, "{place}");
+        }
+    }
+
+    #[test]
+    fn values_have_one_text() {
+        for (bytes, text) in
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("foobar", "Zm9vYmFy")]
+        {
+            assert_eq!((STANDARD.encode(bytes), encoded_len(bytes.len(), true)), (text.to_owned(), Some(text.len())));
+            assert_eq!(STANDARD.decode(text), Ok(bytes.as_bytes().to_vec()));
+        }
+        for text in ["Zg", "Zg=", "Zh==", "Zm9=", "Z===", "====", "Zg==Zg==", "Zm 9", "Zm-_", "Zmä"] {
+            assert!(STANDARD.decode(text).is_err(), "{text}");
         }
     }
 
