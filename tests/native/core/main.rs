@@ -10,6 +10,7 @@ mod clips;
 mod cloud;
 mod continuity;
 mod depth;
+mod energy;
 mod fine_outlines;
 mod geodesic;
 mod handles;

@@ -5,9 +5,10 @@ use c2warp::{
     deform::Pose,
     project::{Blend, PoseMode, Project, Rotation, Shape, Support},
 };
-use glam::{DMat2, DVec2};
+use glam::DVec2;
 
 use crate::{
+    energy::{MAX_ENERGY, energy_at},
     handles::{bar, point_handle},
     scenes::{project, solved, spread},
 };
@@ -38,23 +39,9 @@ fn bent_strip(mode: PoseMode) -> Project {
     posed(&[ring], &moves.map(|(rest, to)| (rest.into(), to.into())), mode)
 }
 
-/// Cap of the energy, for points squeezed to a tenth or flipped.
-const MAX_ENERGY: f64 = 100.0;
-
 /// Returns the symmetric Dirichlet energy |J|² + |J⁻¹|² − 4 over the domain, sorted. It is 0 for a rigid motion.
 fn energies(solution: &Solution, pose: &Pose) -> Vec<f64> {
-    let step = 1e-3;
-    let at = |p: DVec2| solution.map(pose, p).map(|mapped| mapped.posed);
-    let mut energies: Vec<f64> = spread(4000)
-        .filter_map(|p| {
-            let [right, left, down, up] =
-                [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].map(|axis| at(p + step * axis));
-            let jacobian = DMat2::from_cols((right? - left?) / (2.0 * step), (down? - up?) / (2.0 * step));
-            let square = |m: DMat2| m.x_axis.length_squared() + m.y_axis.length_squared();
-            let energy = square(jacobian) + square(jacobian.inverse()) - 4.0;
-            Some(if jacobian.determinant() > 0.0 { energy.min(MAX_ENERGY) } else { MAX_ENERGY })
-        })
-        .collect();
+    let mut energies: Vec<f64> = spread(4000).filter_map(|p| energy_at(solution, pose, p)).collect();
     assert!(energies.len() > 300);
     energies.sort_by(f64::total_cmp);
     energies

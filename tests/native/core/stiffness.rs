@@ -8,9 +8,10 @@ use c2warp::{
     project::{Handle, Project, Rotation, Stiffness, Support},
     solve_cloud,
 };
-use glam::{DMat2, DVec2};
+use glam::DVec2;
 
 use crate::{
+    energy::energy_at,
     handles::polygon,
     scenes::{SIZE, project, solved, spread},
 };
@@ -58,19 +59,8 @@ fn pose_of(project: &Project) -> (Solution, Pose) {
 
 /// Returns the mean symmetric Dirichlet energy |J|² + |J⁻¹|² − 4 at the points of a region.
 fn energy(solution: &Solution, pose: &Pose, is_in: impl Fn(DVec2) -> bool) -> f64 {
-    let step = 1e-3;
-    let at = |p: DVec2| solution.map(pose, p).map(|mapped| mapped.posed);
-    let energies: Vec<f64> = spread(60_000)
-        .filter(|&p| is_in(p))
-        .filter_map(|p| {
-            let [right, left, down, up] =
-                [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].map(|axis| at(p + step * axis));
-            let jacobian = DMat2::from_cols((right? - left?) / (2.0 * step), (down? - up?) / (2.0 * step));
-            let square = |m: DMat2| m.x_axis.length_squared() + m.y_axis.length_squared();
-            let energy = square(jacobian) + square(jacobian.inverse()) - 4.0;
-            Some(if jacobian.determinant() > 0.0 { energy.min(100.0) } else { 100.0 })
-        })
-        .collect();
+    let energies: Vec<f64> =
+        spread(60_000).filter(|&p| is_in(p)).filter_map(|p| energy_at(solution, pose, p)).collect();
     assert!(energies.len() > 100, "{}", energies.len());
     energies.iter().sum::<f64>() / energies.len() as f64
 }
