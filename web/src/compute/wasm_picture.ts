@@ -6,7 +6,7 @@
 import { blendOf } from '../document/bending';
 import { anchor, corners, type HiddenCorners, isAutomatic, rounded, type Turns } from '../document/handle';
 import { projectPoses } from '../document/handle_poses';
-import type { Clip, Handle, Project } from '../document/project';
+import type { Clip, Handle, Project, Stiffness } from '../document/project';
 import { followedHandles, placeKey } from '../document/solved';
 import { stiffnessOf } from '../document/stiffness';
 import { followedPoses, groupWay, handleWay } from '../document/ways';
@@ -51,10 +51,8 @@ class WasmPicture implements PosedPicture {
   /** Gives the module the stiffness of a project, on which its poses depend. */
   #stiffened(project: Project): ModulePicture {
     const places = stiffPlaces(project);
-    if (!isSame(this.#stiff, places)) {
-      this.#module.set_stiffness(JSON.stringify(places));
-      this.#stiff = places;
-    }
+    if (!isSame(this.#stiff, places)) this.#module.set_stiffness(JSON.stringify(places));
+    this.#stiff = places;
     return this.#module;
   }
 
@@ -353,12 +351,15 @@ const stiffPlaces = ({ format, image, handles, stiffness }: Project): StiffPlace
 
 /** Whether the same places are stiff. Poses of polygons make no difference. */
 const isSame = (a: StiffPlaces, b: StiffPlaces): boolean =>
-  (a.stiffness === b.stiffness || JSON.stringify(a.stiffness) === JSON.stringify(b.stiffness)) &&
+  isSameMask(a.stiffness, b.stiffness) &&
   a.handles.length === b.handles.length &&
   a.handles.every((handle, k) => {
     const other = b.handles[k];
     return other && placeKey(other) === placeKey(handle) && stiffnessOf(other) === stiffnessOf(handle);
   });
+
+const isSameMask = (a: Stiffness | undefined, b: Stiffness | undefined): boolean =>
+  a === b || (a?.width === b?.width && a?.height === b?.height && a?.values === b?.values);
 
 const isRigid = (project: Project): boolean => blendOf(project) === 'rigid';
 
