@@ -106,8 +106,7 @@ impl StiffnessField {
         self.mask.is_none() && self.polygons.is_empty()
     }
 
-    /// The factors at nodes, divided by their harmonic mean: that of a picture which is as stiff everywhere is 1, as
-    /// without.
+    /// The factors at nodes, divided by their harmonic mean. So they are 1 if the picture is as stiff everywhere.
     pub(super) fn factors(&self, nodes: &[Node]) -> Vec<f64> {
         if self.is_soft() {
             return vec![1.0; nodes.len()];
