@@ -81,7 +81,7 @@ test('a notice names the handles that fold the picture, and a press moves them b
   await expect(editor.handle('left hand')).toHaveAttribute('aria-label', /x 124, y 516/);
   await page.keyboard.press('Control+z');
   await expect(warningOf(editor)).toBeVisible();
-  expect(await editor.shownPose('right hand')).toEqual(folded);
+  await expect.poll(() => editor.shownPose('right hand')).toEqual(folded);
   // The line at the bottom and a key do the same.
   await expect(
     page.locator('c2-warp .creased').getByRole('button', { name: /Nearest pose without folds$/ }),

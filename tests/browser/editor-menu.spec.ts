@@ -393,10 +393,14 @@ test.describe('by touch', () => {
     await expect(menu(page)).toHaveCount(0);
     await send(session, 'Move', [beside(hand, 0, -60)]);
     await send(session, 'End');
-    const at = await editor.position('right hand');
-    expect(Math.hypot(at.x - hand.x, at.y - (hand.y - 60))).toBeLessThan(1);
+    const goal = beside(hand, 0, -60);
+    const missed = async () => {
+      const at = await editor.position('right hand');
+      return Math.hypot(at.x - goal.x, at.y - goal.y);
+    };
+    await expect.poll(missed).toBeLessThan(1);
     await editor.button('Undo').tap();
-    expect(await editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
+    await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
     await expect(editor.button('Undo')).toBeDisabled();
 
     await set(page, 'posable');
