@@ -55,6 +55,8 @@ fn suggested_handles_can_be_solved() {
     );
     let spread = project(&folder, "photo.c2warp.json");
     assert_eq!((spread.handles.len(), spread.domain), (9, Some(DomainSpec::Image)));
+    // Its boundary is held, and that of the gingerbread is not.
+    assert!(spread.fix_boundary && !project(&folder, "gingerbread.c2warp.json").fix_boundary);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use c2warp::domain::Domain;
-use c2warp::project::{Handle, ImageRef, Project};
+use c2warp::project::{DomainSpec, Handle, ImageRef, Project};
 use c2warp::suggest::{SuggestedRole, suggest};
 use c2warp::{Picture, Solver};
 use glam::DVec2;
@@ -65,7 +65,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     }
     let output = Output::open(&target)?;
     let mut project = Project::new(ImageRef::new(source(path, &target), width, height));
-    project.domain = Some(Domain::default_spec(&picture));
+    let domain = Domain::default_spec(&picture);
+    // The edges of an opaque picture would leave gaps behind them. The editor holds them too.
+    project.fix_boundary = domain == DomainSpec::Image;
+    project.domain = Some(domain);
     project.handles = match &arguments.handles {
         Handles { handles: Some(points), .. } => {
             let numbered = points.iter().enumerate();

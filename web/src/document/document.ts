@@ -24,7 +24,8 @@ export const openDocument = (project: Project): Document => ({ project, selectio
 
 /**
  * Returns a project without handles for a newly opened picture. The editor's defaults are explicit in it. The picture
- * bends rigidly, so that dragged parts keep their shape and distant parts stay.
+ * bends rigidly, so that dragged parts keep their shape and distant parts stay. The boundary of an opaque picture is held:
+ * its edges would leave gaps behind them.
  *
  * @param threshold the alpha threshold of a picture with transparency, `null` for an opaque picture.
  */
@@ -35,7 +36,7 @@ export const newProject = (image: ImageRef, threshold: number | null): Project =
   samples: 10000,
   weighting: { shape_factor: 1, degree: 5, filling: 'line', support: 'smooth' },
   pose: { mode: 'rigid', blend: 'linear', density: DETAILS.medium },
-  fix_boundary: false,
+  fix_boundary: threshold === null,
   edges: true,
   loose_parts: 'stay',
   handles: [],

@@ -8,7 +8,7 @@ import type { WorkSnapshot } from './work';
 function work(name: string, size = 1, edited = true): WorkSnapshot {
   const runtime = new FakeRuntime();
   runtime.open(testPicture(name));
-  if (edited) runtime.dispatch({ type: 'boundary-switched', held: true });
+  if (edited) runtime.dispatch({ type: 'boundary-switched', held: false });
   const snapshot = snapshotOf(runtime.state);
   if (!snapshot) throw new Error(projectOf(runtime.state).image.src);
   return { ...snapshot, id: name, file: { size, type: '' } };

@@ -25,10 +25,10 @@ describe('a notice about a step', () => {
     const runtime = new FakeRuntime();
     runtime.open();
     runtime.state = informOfStep(runtime.state, 'One is gone.', ignore);
-    runtime.dispatch({ type: 'boundary-switched', held: true });
+    runtime.dispatch({ type: 'boundary-switched', held: false });
     expect(shownNotice(runtime.state)).toBeNull();
     runtime.dispatch({ type: 'person-informed', text: 'a word' });
-    runtime.dispatch({ type: 'boundary-switched', held: false });
+    runtime.dispatch({ type: 'boundary-switched', held: true });
     expect(shownNotice(runtime.state)?.text).toBe('a word');
   });
 
@@ -46,7 +46,7 @@ describe('an error', () => {
   it('of the solver can be retried, and closes once the solver works', () => {
     const runtime = new FakeRuntime();
     runtime.open();
-    runtime.dispatch({ type: 'boundary-switched', held: true });
+    runtime.dispatch({ type: 'boundary-switched', held: false });
     runtime.refuse(error, true);
     expect(shownNotice(runtime.state)?.action?.label).toBe('Try again');
     runtime.dispatch({ type: 'notice-answered' });

@@ -6,7 +6,7 @@ import type { WorkSnapshot } from '../work';
 import { isKept, snapshotOf } from './autosave';
 import { shownNotice } from './notices';
 
-const edit = (runtime: FakeRuntime, held = true) => {
+const edit = (runtime: FakeRuntime, held = false) => {
   runtime.dispatch({ type: 'boundary-switched', held });
   runtime.solve();
 };
@@ -145,7 +145,7 @@ describe('a change', () => {
     expect(isKept(runtime.state)).toBe(false);
     runtime.dispatch({ type: 'work-stored', stored: true, newest: true });
     expect(isKept(runtime.state)).toBe(true);
-    edit(runtime, false);
+    edit(runtime, true);
     runtime.dispatch({ type: 'work-stored', stored: false, newest: true });
     expect(isKept(runtime.state)).toBe(false);
   });

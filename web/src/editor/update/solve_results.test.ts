@@ -17,12 +17,15 @@ const tooMuch = new WarpError(
 
 const opened = (): FakeRuntime => {
   const runtime = new FakeRuntime();
-  runtime.open();
+  runtime.open(cutout());
   const handle = { id: 'a', kind: 'point', rest: [50, 50], posed: [60, 50] } as const;
   runtime.dispatch({ type: 'handle-added', handle });
   runtime.solve();
   return runtime;
 };
+
+/** A picture whose boundary is free at first. */
+const cutout = () => ({ ...testPicture(), alphaThreshold: 0.5 });
 
 /** The work with the boundary held, which the solver breaks at. */
 function heldWork(): WorkSnapshot {
@@ -38,7 +41,7 @@ function restored(work: WorkSnapshot): FakeRuntime {
   runtime.dispatch({ type: 'autosave-key-set', key: 'here' });
   runtime.dispatch({ type: 'started', work: null });
   runtime.dispatch({ type: 'storage-read', stored: { work, recent: [] } });
-  runtime.read(testPicture());
+  runtime.read(cutout());
   return runtime;
 }
 
