@@ -1,0 +1,167 @@
+/**
+ * Intelligent scissors: the path between two places that follows the edges of a picture (Mortensen and Barrett 1995).
+ *
+ * Dijkstra's algorithm finds the cheapest path in a window around both places, where steep luminance is cheap. Costs are
+ * whole numbers, so that a ring of buckets sorts the nodes. Without edges the path is straight.
+ *
+ * Cost: linear in the nodes of the window, of which there are at most {@link MOST_NODES}.
+ */
+import { type EdgeWindow, edgeWindow, LEAST_STEEPNESS } from './edge_cost';
+import type { Luminance } from './luminance';
+import { simplified } from './polyline_simplified';
+import { add, distance, scaled, subtract, type Vec } from './vec';
+
+/** The most nodes of a window: some 4 ms. A larger window has coarser nodes. */
+export const MOST_NODES = 20_000;
+
+/** Room around both places for detours, as a fraction of their distance, and at least so many image pixels per node. */
+const DETOUR = 0.4;
+const LEAST_ROOM = 12;
+
+/** The cost of a step without an edge, and the least one. The largest step is one across a corner. */
+const FLAT = 240;
+const LEAST = 12;
+const DIAGONAL = Math.SQRT2;
+const BUCKETS = 512;
+
+/** The length of the pieces of a precise path, in numbers of the luminance. */
+const PIECE = 60;
+
+/** Paths lose corners within this distance, in nodes. */
+const TOLERANCE = 1.2;
+
+/** The path from one place to another along edges: without its start, and with its end. */
+export const edgePath = (luminance: Luminance, from: Vec, to: Vec): readonly Vec[] =>
+  pathIn(windowAround(luminance, from, to), from, to);
+
+/**
+ * The same path, as precise as the luminance. A long path is found on coarse nodes first, and then piece by piece.
+ *
+ * Cost: some 4 ms for each piece.
+ */
+export function finePath(luminance: Luminance, from: Vec, to: Vec): readonly Vec[] {
+  const window = windowAround(luminance, from, to);
+  const { pitch } = window;
+  if (pitch <= luminance.step) return pathIn(window, from, to);
+  const each = Math.max(1, Math.round((PIECE * luminance.step) / pitch));
+  const places = placesIn(window, from, to).filter(
+    (_, k, all) => k > 0 && k < all.length - 1 && k % each === 0,
+  );
+  const stops = [...places.map((place) => edgeNear(luminance, place, 1.5 * pitch)), to];
+  return stops.flatMap((stop, k) => {
+    const start = stops[k - 1] ?? from;
+    return pathIn(windowAround(luminance, start, stop, 2 * pitch), start, stop);
+  });
+}
+
+/** The window around two places. @param room by default as much as a detour takes. */
+function windowAround(
+  luminance: Luminance,
+  from: Vec,
+  to: Vec,
+  room = Math.max(DETOUR * distance(from, to), LEAST_ROOM * luminance.step),
+): EdgeWindow {
+  const [low, high] = [
+    [Math.min(from[0], to[0]) - room, Math.min(from[1], to[1]) - room],
+    [Math.max(from[0], to[0]) + room, Math.max(from[1], to[1]) + room],
+  ] as const;
+  return edgeWindow(luminance, low, high, MOST_NODES);
+}
+
+const pathIn = (window: EdgeWindow, from: Vec, to: Vec): readonly Vec[] =>
+  simplified(placesIn(window, from, to), TOLERANCE * window.pitch).slice(1);
+
+/** The places of the cheapest path that lie on clear edges, and both ends. Between them it is straight. */
+function placesIn(window: EdgeWindow, from: Vec, to: Vec): readonly Vec[] {
+  const path = cheapestPath(window, nodeAt(window, from), nodeAt(window, to));
+  const clear = path.slice(1, -1).filter((node) => (window.steepness[node] ?? 0) >= LEAST_STEEPNESS);
+  return [from, ...clear.map((node) => placeOf(window, node)), to];
+}
+
+/** The clearest edge within a distance of a place; the place itself if none is clear. */
+export function edgeNear(luminance: Luminance, at: Vec, radius: number): Vec {
+  const margin = radius + 3 * luminance.step;
+  const window = edgeWindow(luminance, add(at, [-margin, -margin]), add(at, [margin, margin]), MOST_NODES);
+  let [best, most]: [Vec, number] = [at, LEAST_STEEPNESS];
+  window.steepness.forEach((steep, node) => {
+    const place = placeOf(window, node);
+    const away = distance(place, at);
+    // Of two edges, a nearer one counts up to twice as much.
+    const counts = steep * (1 - away / (2 * radius));
+    if (away <= radius && counts > most) [best, most] = [place, counts];
+  });
+  return best;
+}
+
+const placeOf = ({ width, origin, pitch }: EdgeWindow, node: number): Vec =>
+  add(origin, scaled([(node % width) + 0.5, Math.floor(node / width) + 0.5], pitch));
+
+function nodeAt({ width, height, origin, pitch }: EdgeWindow, at: Vec): number {
+  const [x, y] = scaled(subtract(at, origin), 1 / pitch);
+  const within = (value: number, count: number) => Math.min(count - 1, Math.max(0, Math.floor(value)));
+  return within(y, height) * width + within(x, width);
+}
+
+/** The cost of a step onto each node: by its steepness and, a little, by its distance from the straight line. */
+function stepCosts({ width, steepness }: EdgeWindow, from: number, to: number): Uint16Array {
+  let most = 2 * LEAST_STEEPNESS;
+  for (const steep of steepness) most = Math.max(most, steep);
+  // Half of the steepest is steep enough: one hard edge must not hide the others.
+  const enough = Math.max(2 * LEAST_STEEPNESS, most / 2);
+  const [x0, y0] = [from % width, Math.floor(from / width)];
+  const [dx, dy] = [(to % width) - x0, Math.floor(to / width) - y0];
+  const length = Math.max(1, Math.hypot(dx, dy));
+  const costs = new Uint16Array(steepness.length);
+  for (let node = 0; node < costs.length; node++) {
+    const flat = Math.max(0, 1 - (steepness[node] ?? 0) / enough);
+    const aside =
+      Math.abs(dx * (Math.floor(node / width) - y0) - dy * ((node % width) - x0)) / (length * length);
+    costs[node] = LEAST + FLAT * flat * flat + Math.min(80, 48 * aside);
+  }
+  return costs;
+}
+
+/** The nodes of the cheapest path from one node to another, both included. */
+function cheapestPath(window: EdgeWindow, from: number, to: number): readonly number[] {
+  const { width, height } = window;
+  const costs = stepCosts(window, from, to);
+  const total = new Int32Array(width * height).fill(-1);
+  const before = new Int32Array(width * height).fill(-1);
+  const done = new Uint8Array(width * height);
+  const buckets: number[][] = Array.from({ length: BUCKETS }, () => []);
+  total[from] = 0;
+  buckets[0]?.push(from);
+  let waiting = 1;
+  for (let now = 0; waiting > 0; now++) {
+    const bucket = buckets[now % BUCKETS] ?? [];
+    for (let node = bucket.pop(); node !== undefined; node = bucket.pop()) {
+      waiting--;
+      if (done[node] === 1) continue;
+      done[node] = 1;
+      if (node === to) return pathTo(to, before);
+      const x = node % width;
+      for (let dy = -width; dy <= width; dy += width) {
+        const row = node + dy - x;
+        if (row < 0 || row >= width * height) continue;
+        for (let dx = -1; dx <= 1; dx++) {
+          const next = node + dy + dx;
+          if (x + dx < 0 || x + dx >= width || done[next] === 1) continue;
+          const cost = now + Math.round((costs[next] ?? 0) * (dx !== 0 && dy !== 0 ? DIAGONAL : 1));
+          const known = total[next] ?? -1;
+          if (known >= 0 && known <= cost) continue;
+          total[next] = cost;
+          before[next] = node;
+          buckets[cost % BUCKETS]?.push(next);
+          waiting++;
+        }
+      }
+    }
+  }
+  return [from, to];
+}
+
+function pathTo(to: number, before: Int32Array): readonly number[] {
+  const path: number[] = [];
+  for (let node = to; node >= 0; node = before[node] ?? -1) path.push(node);
+  return path.reverse();
+}
