@@ -7,7 +7,7 @@ import type { Domain, Handle, Project } from './project';
 import { withoutLostTracks } from './tracks';
 
 /** Smaller rings are accidental. Square pixels. */
-const LEAST_AREA = 16;
+export const LEAST_AREA = 16;
 
 /**
  * The domain of a picture without drawn rings.
@@ -39,9 +39,13 @@ export function withLasso(
   const before = ringsOf(project);
   const holed = hole ? withHole(before, ring) : null;
   const rings = holed ?? [...elsewhere(before, ring), ring];
+  return { project: withRings(project, rings), cut: holed !== null };
+}
+
+/** The project with these rings as its domain, and without the handles outside. */
+export function withRings(project: Project, rings: readonly Ring[]): Project {
   const handles = project.handles.filter((handle) => isOn(rings, handle));
-  const lassoed = withoutLostTracks({ ...project, domain: { kind: 'polygon', rings }, handles });
-  return { project: lassoed, cut: holed !== null };
+  return withoutLostTracks({ ...project, domain: { kind: 'polygon', rings }, handles });
 }
 
 /** Returns the rings with the hole, or `null` if it is not inside the domain. */
@@ -58,7 +62,7 @@ function elsewhere(rings: readonly Ring[], ring: Ring): readonly Ring[] {
   return rings.filter((one) => kept.some((other) => other === one || isWithin(one, other)));
 }
 
-const isInsideOf = (rings: readonly Ring[], p: Vec): boolean =>
+export const isInsideOf = (rings: readonly Ring[], p: Vec): boolean =>
   rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
 
 /** Whether a part of the handle rests inside the rings. */
