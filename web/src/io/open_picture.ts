@@ -6,6 +6,7 @@
 import { WarpError } from '../error';
 import { sharedWorker } from '../start_worker';
 import type { Display } from './display';
+import type { Luminance } from './luminance';
 import type { PictureRequest, ReadReply, ReadRequest } from './picture_messages';
 import { PixelRelay } from './pixel_relay';
 import type { PictureFacts } from './read_picture';
@@ -24,6 +25,8 @@ export interface OpenPicture {
   /** The copies for the screen, with the size of the picture itself. */
   readonly texture: Display & { readonly width: number; readonly height: number };
   readonly pixels: PixelSource;
+  /** Never resolves if the worker that keeps the pixels is gone. */
+  luminance(): Promise<Luminance | null>;
   /** Frees the pixels and closes the bitmaps. */
   release(): void;
 }
@@ -80,6 +83,7 @@ async function openInWorker(file: Blob, signal: AbortSignal): Promise<OpenPictur
         facts,
         display,
         (to) => relay.sendTo(to),
+        () => askedLuminance((to) => request({ kind: 'luminance', to }, [to])),
         () => {
           used.abort();
           release();
@@ -99,18 +103,33 @@ async function openInWorker(file: Blob, signal: AbortSignal): Promise<OpenPictur
 
 async function openInPage(file: Blob, signal: AbortSignal): Promise<OpenPicture> {
   // Few browsers need this code.
-  const [{ readPicture }, { pagePlatform }] = await Promise.all([
+  const [{ readPicture }, { pagePlatform }, { luminanceOf }] = await Promise.all([
     import('./read_picture'),
     import('./page_platform'),
+    import('./luminance'),
   ]);
   const { facts, rgba, bitmap, preview } = await readPicture(file, pagePlatform, signal);
-  return opened(facts, { bitmap, preview }, (to) => to.postMessage(rgba));
+  const { width, height } = facts;
+  const luminance = async () => luminanceOf(rgba, width, height);
+  return opened(facts, { bitmap, preview }, (to) => to.postMessage(rgba), luminance);
+}
+
+function askedLuminance(ask: (to: MessagePort) => void): Promise<Luminance | null> {
+  const { port1, port2 } = new MessageChannel();
+  return new Promise((resolve) => {
+    port1.onmessage = ({ data }: MessageEvent<Luminance | null>) => {
+      port1.close();
+      resolve(data);
+    };
+    ask(port2);
+  });
 }
 
 function opened(
   facts: PictureFacts,
   display: Display,
   sendTo: PixelSource['sendTo'],
+  luminance: OpenPicture['luminance'],
   free: () => void = () => {},
 ): OpenPicture {
   const { width, height } = facts;
@@ -118,6 +137,7 @@ function opened(
     facts,
     texture: { ...display, width, height },
     pixels: { width, height, sendTo },
+    luminance,
     release() {
       display.bitmap.close();
       display.preview?.close();

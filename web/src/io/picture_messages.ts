@@ -18,5 +18,7 @@ export type ReadReply =
 export type PictureRequest =
   /** Sends a copy of the pixels to another worker; null if the picture was released. */
   | { readonly kind: 'send'; readonly to: MessagePort }
+  /** Sends the luminance of the picture; null if it was released. */
+  | { readonly kind: 'luminance'; readonly to: MessagePort }
   /** Stops reading, or frees the pixels. */
   | { readonly kind: 'release' };

@@ -4,6 +4,7 @@
  * Decoding a hundred million pixels takes seconds, and copying them alone takes longer than a frame.
  */
 import type { Platform } from '../decode';
+import { luminanceOf } from '../luminance';
 import type { PictureRequest, ReadReply, ReadRequest } from '../picture_messages';
 import { readPicture } from '../read_picture';
 
@@ -30,9 +31,15 @@ self.onmessage = ({ data: { file, port } }: MessageEvent<ReadRequest>) => void s
 async function serve(file: Blob, port: MessagePort): Promise<void> {
   const reading = new AbortController();
   let pixels: Uint8Array<ArrayBuffer> | null = null;
+  let size: { readonly width: number; readonly height: number } | null = null;
   port.onmessage = ({ data }: MessageEvent<PictureRequest>) => {
     if (data.kind === 'send') {
       sendCopy(pixels, data.to);
+      return;
+    }
+    if (data.kind === 'luminance') {
+      const values = pixels && size && luminanceOf(pixels, size.width, size.height);
+      data.to.postMessage(values, values ? [values.values.buffer] : []);
       return;
     }
     reading.abort();
@@ -47,7 +54,7 @@ async function serve(file: Blob, port: MessagePort): Promise<void> {
       preview?.close();
       return;
     }
-    pixels = rgba;
+    [pixels, size] = [rgba, facts];
     reply({ kind: 'read', facts, display: { bitmap, preview } }, preview ? [bitmap, preview] : [bitmap]);
   } catch (error) {
     if (!reading.signal.aborted) reply(failure(error));
