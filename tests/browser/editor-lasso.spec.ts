@@ -46,7 +46,7 @@ test('only the inside of a lasso bends; undo restores the handles outside', asyn
   expect(await ids(editor)).toEqual(['head']);
   const { kind, rings } = await domain(editor);
   expect(kind).toBe('polygon');
-  expect(rings?.map((ring) => ring.length)).toEqual([24]);
+  expect(rings).toHaveLength(1);
   await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
   // Once solved, the outside does not move.
   await expect.poll(() => editor.mapped(312, 1126)).toBeNull();
@@ -91,7 +91,7 @@ test('an empty lasso and a handle outside the lasso are rejected', async ({ page
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('l');
-  await draw(editor, [at(-300, 500), at(-200, 500), at(-200, 600), at(-300, 600)]);
+  await draw(editor, [at(-300, 500), at(-200, 500), at(-200, 600), at(-300, 600), at(-300, 505)]);
   await expect(page.getByText('The lasso is empty')).toBeVisible();
   expect((await domain(editor)).kind).toBe('alpha');
   await expect(editor.button('Draw around the part that bends')).toHaveAttribute('aria-pressed', 'true');
@@ -102,8 +102,12 @@ test('an empty lasso and a handle outside the lasso are rejected', async ({ page
   await page.keyboard.press('p');
   const foot = at(312, 1126);
   await page.mouse.click(foot.x, foot.y);
-  await expect(page.getByText('This part of the picture stays')).toBeVisible();
+  await expect(page.getByText('Outside of the selection, the picture stays still.')).toBeVisible();
   expect(await ids(editor)).toEqual(['head']);
+  await editor.waitForSolve(() => editor.button('Extend the selection').click());
+  await expect(editor.button('Undo: extend the selection')).toBeEnabled();
+  await page.mouse.click(foot.x, foot.y);
+  await expect.poll(() => ids(editor)).toHaveLength(2);
 });
 
 test('a lasso is drawn by keys, and its draft survives a reload', async ({ page }) => {
@@ -137,6 +141,8 @@ test('a self-crossing line makes a lasso; the list selects the select tool', asy
   // One and a half times around.
   const [once, more] = [around(at), around((x, y) => at(x - 20, y + 10)).slice(0, 12)];
   await draw(editor, [...once, ...more]);
+  // It ends on the other side of its beginning, so that more could follow.
+  await page.keyboard.press('Enter');
   await expect.poll(() => ids(editor)).toEqual(['head']);
   await expect.poll(() => editor.mapped(312, 1126)).toBeNull();
   expect((await domain(editor)).rings).toHaveLength(1);
@@ -153,7 +159,7 @@ test('the lasso panel offers to hold the boundary', async ({ page }) => {
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('l');
   // All handles lie inside.
-  await draw(editor, [at(10, 10), at(1014, 10), at(1014, 1270), at(10, 1270)]);
+  await draw(editor, [at(10, 10), at(1014, 10), at(1014, 1270), at(10, 1270), at(10, 20)]);
   await expect(page.getByText('It leaves a gap where it moves away.')).toBeVisible();
   expect(await ids(editor)).toHaveLength(5);
   await editor.button('Hold its boundary').click();
@@ -169,6 +175,7 @@ test('a lasso begun with Alt cuts a hole; a separate one adds a part', async ({ 
     at(x + side, y),
     at(x + side, y + side),
     at(x, y + side),
+    at(x, y + 5),
   ];
   await page.keyboard.press('l');
   await draw(editor, around(at));
@@ -178,7 +185,7 @@ test('a lasso begun with Alt cuts a hole; a separate one adds a part', async ({ 
   await page.keyboard.up('Alt');
   await page.keyboard.press('l');
   await draw(editor, square(200, 950, 200));
-  expect((await domain(editor)).rings?.map((ring) => ring.length)).toEqual([24, 4, 4]);
+  expect((await domain(editor)).rings).toHaveLength(3);
   await expect.poll(() => editor.mapped(510, 430)).toBeNull();
   await expect.poll(() => editor.mapped(300, 1050)).not.toBeNull();
 });

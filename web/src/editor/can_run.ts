@@ -23,6 +23,7 @@ import {
   STILL_HERE,
   VIEW_ONLY,
 } from './reason_texts';
+import { ringCornerInHand } from './ring_corner';
 import { documentOf, type EditorState, projectOf, selectionOf } from './state';
 import { NO_CLIP_OPEN } from './timeline_texts';
 
@@ -72,6 +73,12 @@ function lineInHand(state: EditorState) {
 
 const isDrawing = ({ tools }: EditorState): boolean => draftOf(tools) !== null;
 
+/** With the focus on a corner of the selection's outline, a command is about that one. */
+const ofRing =
+  (otherwise: Reason): Reason =>
+  (state) =>
+    ringCornerInHand(state) ? unlessChangeable(state) : otherwise(state);
+
 /** Commands that are missing can always run. */
 const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   select: unlessChangeable,
@@ -118,15 +125,17 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   reset: unlessSelected((handle) => !isAtRest(handle), AT_REST),
   mirror: unlessAnySelected,
   rename: either(unlessChangeable, (state) => (selectionOf(state).length === 1 ? null : NO_SINGLE)),
-  remove: (state) => (isDrawing(state) ? null : unlessAnySelected(state)),
+  remove: (state) => (isDrawing(state) ? null : ofRing(unlessAnySelected)(state)),
   forward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.most, IN_FRONT),
   backward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.least, AT_BACK),
   'add-point': ({ menu }) => (menu?.bends ? null : STILL_HERE),
-  'add-corner': either(unlessChangeable, (state) => (lineInHand(state) ? null : NO_LINE)),
-  'remove-corner': either(unlessChangeable, (state) => {
-    const line = lineInHand(state);
-    if (!line) return NO_LINE;
-    const needed = CORNERS_NEEDED[line.kind];
-    return line.posed.length > needed ? null : cornersNeededText(line.kind, needed);
-  }),
+  'add-corner': ofRing(either(unlessChangeable, (state) => (lineInHand(state) ? null : NO_LINE))),
+  'remove-corner': ofRing(
+    either(unlessChangeable, (state) => {
+      const line = lineInHand(state);
+      if (!line) return NO_LINE;
+      const needed = CORNERS_NEEDED[line.kind];
+      return line.posed.length > needed ? null : cornersNeededText(line.kind, needed);
+    }),
+  ),
 };

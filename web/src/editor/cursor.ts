@@ -2,9 +2,10 @@
 import { selectedHandles } from '../document/document';
 import { groupTurn } from '../document/group';
 import { draftOf, isPressing } from '../tools/machine';
-import { hitAt } from './hit_areas';
+import { ringHit } from '../tools/ring_hit';
+import { gripsOf, hitAt, isLassoing } from './hit_areas';
 import { handlesAreShown, pressesPan } from './permissions';
-import { documentOf, type EditorState } from './state';
+import { documentOf, type EditorState, projectOf } from './state';
 
 /** A CSS cursor, or `turn`, for which CSS has none. */
 export type Cursor =
@@ -28,6 +29,8 @@ export function cursorOf(state: EditorState): Cursor {
   if (tools.tool === 'lens' || tools.tool === 'brush') return 'crosshair';
   const draft = draftOf(tools);
   if (draft) return draft.finishing ? 'pointer' : 'crosshair';
+  if (pointer.hovered && isLassoing(state) && !pressing && !pointer.alt)
+    if (ringHit(projectOf(state), gripsOf(state), pointer.hovered)) return 'move';
   const places = tools.tool !== 'select';
   const under =
     pointer.hovered && handlesAreShown(state)

@@ -1,4 +1,5 @@
 /** What the runtime does for the editor: everything that takes time or touches the page. */
+import type { RingCorner } from '../document/lasso_corners';
 import type { MapFile } from '../document/map_file';
 import type { Clip, Project, ProjectFile } from '../document/project';
 import type { Vec } from '../geometry/vec';
@@ -14,10 +15,12 @@ import type { FigureName } from './study_state';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
 
-/** An element to focus: a handle, one of its corners, or the stage. */
+/** An element to focus: a handle, one of its corners, a corner of the selection's outline, or the stage. */
 export interface FocusTarget {
   readonly handle: string | null;
   readonly corner: number | null;
+  /** A corner of the selection's outline. */
+  readonly ring?: RingCorner;
 }
 
 /** Controls that the editor focuses by itself. */
@@ -76,6 +79,8 @@ export type EditorEffect =
   | { readonly type: 'notify-page'; readonly notification: PageNotification }
   /** Sets the solver's picture; null when none is open. */
   | { readonly type: 'use-picture'; readonly picture: Picture | null }
+  /** Answered by `luminance-read`. */
+  | { readonly type: 'read-luminance'; readonly picture: Picture }
   | { readonly type: 'solve'; readonly key: string; readonly project: Project }
   /** Fits a rig to the open picture. Answered by `rig-fitted` or `error-reported`. */
   | { readonly type: 'fit-rig'; readonly rig: RigSource; readonly picture: Picture }

@@ -11,11 +11,13 @@ import type { ClipPreset } from '../document/clip_presets';
 import type { EngineLoss } from '../document/engine_rig';
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
+import type { RingCorner } from '../document/lasso_corners';
 import type { Ease, Handle, Loop, PoseMode, Project, ProjectFile } from '../document/project';
 import type { Preset, Setting } from '../document/settings';
 import type { Suggestion } from '../document/suggestion';
 import type { Variant } from '../document/variants';
 import type { Camera, Size } from '../geometry/camera';
+import type { Luminance } from '../geometry/luminance';
 import type { Blend } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { ToolName } from '../tools/machine';
@@ -111,7 +113,10 @@ type ControlEvent =
   | { readonly type: 'outline-shown'; readonly on: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }
   | { readonly type: 'crease-zoomed' }
-  | { readonly type: 'pixel-art-switched' | 'snapping-switched'; readonly on: boolean }
+  | {
+      readonly type: 'pixel-art-switched' | 'snapping-switched' | 'edge-snapping-switched';
+      readonly on: boolean;
+    }
   | { readonly type: 'drawing-finished' | 'corner-taken-back' | 'theme-switched' }
   | { readonly type: 'settings-opened'; readonly open: boolean }
   | { readonly type: 'numbers-opened'; readonly open: boolean }
@@ -175,15 +180,26 @@ type ClipEvent =
   | { readonly type: 'keys-eased'; readonly ease: Ease }
   | { readonly type: 'keys-removed' | 'keys-copied' | 'keys-pasted' | 'keys-mirrored' };
 
+/** Null if it cannot be read. */
+type LuminanceEvent = {
+  readonly type: 'luminance-read';
+  readonly picture: Picture;
+  readonly values: Luminance | null;
+};
+
 /** What a tool did with a press, when more than the document is concerned. */
 type ToolEvent =
-  | { readonly type: 'placement-missed' }
+  | { readonly type: 'placement-missed'; readonly at: Vec }
+  /** The selection is to include a place of the original. */
+  | { readonly type: 'selection-extended'; readonly at: Vec }
   | { readonly type: 'lasso-drawn'; readonly ring: readonly Vec[]; readonly hole: boolean };
 
 type FocusEvent =
   | { readonly type: 'stage-focused' | 'field-focused' | 'control-focused' | 'focus-lost' }
   | { readonly type: 'handle-focused'; readonly id: string }
-  | { readonly type: 'corner-focused'; readonly corner: Corner };
+  | { readonly type: 'corner-focused'; readonly corner: Corner }
+  /** A corner of the selection's outline. */
+  | { readonly type: 'ring-focused'; readonly corner: RingCorner };
 
 type NoticeEvent =
   | { readonly type: 'notice-dismissed' }
@@ -327,6 +343,7 @@ export type EditorEvent =
   | StudyEvent
   | ClipEvent
   | ToolEvent
+  | LuminanceEvent
   | FocusEvent
   | NoticeEvent
   | ClipboardEvent

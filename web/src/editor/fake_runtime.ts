@@ -4,6 +4,7 @@
  */
 
 import { keyCorners, trackOf } from '../document/clip_keys';
+import { isInsideOf, ringsOf } from '../document/domain';
 import { groupCentre } from '../document/group';
 import {
   anchor,
@@ -18,6 +19,7 @@ import {
 import type { HandlePose } from '../document/handle_poses';
 import type { Clip, Handle, Project } from '../document/project';
 import type { Crease } from '../geometry/crease';
+import { distanceToLine } from '../geometry/polyline';
 import { add, lerp, subtract, type Vec } from '../geometry/vec';
 import type { Deformation, GroupWay, LimitedPose } from './deformation';
 import type { EditorEffect } from './effects';
@@ -202,8 +204,14 @@ const shift = ({ handles }: Project): Vec => {
   return subtract(sum, mean);
 };
 
-const isInside = ({ image }: Project, [x, y]: Vec, within: number): boolean =>
-  x >= -within && y >= -within && x <= image.width + within && y <= image.height + within;
+function isInside(project: Project, at: Vec, within: number): boolean {
+  const { width, height } = project.image;
+  const rings = ringsOf(project);
+  if (rings.length > 0)
+    return isInsideOf(rings, at) || rings.some((ring) => distanceToLine(ring, true, at) <= within);
+  const [x, y] = at;
+  return x >= -within && y >= -within && x <= width + within && y <= height + within;
+}
 
 export const solutionOf = (key: string, project: Project): Solution => ({
   key,

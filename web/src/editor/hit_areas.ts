@@ -1,10 +1,13 @@
 /** The hit areas of a press, as large as the pointer in use needs, and the context in which tools find them. */
 
 import type { Brush } from '../document/brush_stroke';
+import { isInsideOf, ringsOf } from '../document/domain';
 import type { HiddenCorners, Turns } from '../document/handle';
 import { toImage } from '../geometry/camera';
+import { distanceToLine } from '../geometry/polyline';
 import { type Hit, hit } from '../tools/hit';
 import type { Grips, Press, ToolContext } from '../tools/state';
+import { traceOf } from './edge_snapping';
 import { handlesAreShown } from './permissions';
 import { snapped } from './snapping';
 import type { StagePointer } from './stage_pointer';
@@ -45,8 +48,12 @@ export function toolContext(state: EditorState): ToolContext {
     get brush() {
       return brushOf(state);
     },
+    get trace() {
+      return traceOf(state);
+    },
     snap: (at, moving) => snapped(state, at, moving),
     place: (at) => {
+      if (isLeftOut(state, at, grips.line)) return null;
       if (deformation) return deformation.placement(project, at, grips.line);
       // Without a solution, the point of the original is the place itself.
       return isOnPicture(state, at) ? { posed: at, rest: at, rotation: 0, scale: 1 } : null;
@@ -109,6 +116,14 @@ export const holdsAt = (state: EditorState, pointer: StagePointer): boolean => {
   const noted = { ...state, pointer: { ...state.pointer, coarse: pointer.coarse } };
   return handlesAreShown(noted) && hitAt(noted, pressOf(noted, pointer).at) !== null;
 };
+
+/** Whether a place lies outside of a selection that is not solved yet. The shown solution still has another one. */
+function isLeftOut(state: EditorState, at: Press['at'], within: number): boolean {
+  const project = projectOf(state);
+  const rings = ringsOf(project);
+  if (rings.length === 0 || state.solution.shown?.project.domain === project.domain) return false;
+  return !isInsideOf(rings, at) && rings.every((ring) => distanceToLine(ring, true, at) > within);
+}
 
 function isOnPicture({ picture }: EditorState, [x, y]: Press['at']): boolean {
   return picture !== null && x >= 0 && y >= 0 && x < picture.width && y < picture.height;

@@ -9,7 +9,7 @@ import { DEFAULT_CHOICES } from './export_choices';
 import { DEFAULT_FILM } from './film_choices';
 import { DEFAULT_MAPS } from './map_choices';
 import type { OpeningState } from './opening_state';
-import { NO_OVERLAYS } from './overlays';
+import { FIRST_OVERLAYS } from './overlays';
 import type { Media, PageAttributes } from './page';
 import { NOT_PLAYED } from './playback_state';
 import type { EditorState } from './state';
@@ -37,6 +37,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       reported: { selection: [], undo: null, redo: null, title: null },
     },
     tools: initialTools,
+    luminance: null,
     brush: DEFAULT_BRUSH,
     guard: { on: false, allowed: null, holding: false, asked: null, reached: null },
     opening,
@@ -55,7 +56,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
     view: { camera: { scale: 1, x: 0, y: 0 }, stage, fitted: true, sheet: 'none' },
     widened: false,
     display: {
-      overlays: NO_OVERLAYS,
+      overlays: FIRST_OVERLAYS,
       preview: null,
       settings: false,
       overlayList: false,
@@ -63,6 +64,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       numbers: false,
       popover: null,
       snapping: false,
+      edgeSnapping: null,
       guides: [],
       box: null,
       zoomedCrease: -1,
@@ -73,7 +75,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
     timeline: CLOSED_TIMELINE,
     playback: NOT_PLAYED,
     pointer: { coarse: media.coarse, hovered: null, alt: false, last: null, onHandle: false, space: false },
-    focus: { on: 'nothing', handle: null, corner: null },
+    focus: { on: 'nothing', handle: null, corner: null, ring: null },
     menu: null,
     notices: { offer: null, error: null, passing: null, graphics: null, announcement: '', tasks: [] },
     exporting: {

@@ -4,7 +4,9 @@ import type { OutlineDetail } from './solution';
 
 export const NOTHING_TO_HOLD = 'There is nothing to hold here: place the handle on the picture.';
 
-export const LASSO_OUTSIDE = 'This part of the picture stays still: place the handle inside the lasso.';
+export const LASSO_OUTSIDE = 'Outside of the selection, the picture stays still.';
+export const CORNER_CROSSES = 'The outline would cross itself there';
+export const CORNER_STAYS = 'The outline needs this corner';
 export const LASSO_EMPTY = 'The lasso is empty: draw it around a part of the picture.';
 export const LASSO_LOOSE = 'Only this part bends now. It leaves a gap where it moves away.';
 

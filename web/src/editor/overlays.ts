@@ -1,8 +1,9 @@
 /** The overlays that can be drawn over the picture. */
 export const OVERLAYS = [
+  'selection',
   'mesh',
-  'cells',
   'sites',
+  'cells',
   'graph',
   'creases',
   'reach',
@@ -13,3 +14,6 @@ export type OverlayName = (typeof OVERLAYS)[number];
 export type OverlayFlags = Readonly<Record<OverlayName, boolean>>;
 
 export const NO_OVERLAYS = Object.fromEntries(OVERLAYS.map((name) => [name, false])) as OverlayFlags;
+
+/** At first only the selection is shown: what a lasso lets bend. */
+export const FIRST_OVERLAYS: OverlayFlags = { ...NO_OVERLAYS, selection: true };

@@ -14,6 +14,7 @@ import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
 import type { Crease } from '../geometry/crease';
 import type { Guide } from '../geometry/guides';
+import type { Luminance } from '../geometry/luminance';
 import type { Vec } from '../geometry/vec';
 import type { Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
@@ -49,6 +50,8 @@ export interface EditorState {
   readonly picture: Picture | null;
   /** Whether the picture is drawn as pixel art. */
   readonly pixelated: boolean;
+  /** How light a picture is, once the lasso needs it. */
+  readonly luminance: { readonly of: Picture; readonly values: Luminance } | null;
   readonly document: DocumentState;
   readonly tools: Tools;
   readonly brush: BrushState;
@@ -130,6 +133,8 @@ export interface DisplayState {
   readonly popover: Popover | null;
   /** Dragged and placed handles snap to guides. */
   readonly snapping: boolean;
+  /** The lasso snaps to edges of the picture; null before a choice, when it does in opaque pictures. */
+  readonly edgeSnapping: boolean | null;
   /** The guides that what is being moved lies on. */
   readonly guides: readonly Guide[];
   /** The selection box being drawn, image pixels. */
@@ -208,5 +213,8 @@ export function onlySelected(state: EditorState): Handle | null {
   const [only = null, ...others] = selectedHandles(documentOf(state));
   return others.length === 0 ? only : null;
 }
-export const overlaysOf = ({ page, display }: EditorState): OverlayFlags =>
-  page.posable ? NO_OVERLAYS : display.overlays;
+/** A picture that plays is seen as it will be exported: without the marks of the selection. */
+export function overlaysOf({ page, display, timeline }: EditorState): OverlayFlags {
+  if (page.posable) return NO_OVERLAYS;
+  return timeline.playing ? { ...display.overlays, selection: false } : display.overlays;
+}

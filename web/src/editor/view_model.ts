@@ -1,8 +1,10 @@
 /** Everything that the templates show, derived from the state. */
 import type { Document } from '../document/document';
 import { handleById, selectedHandles } from '../document/document';
+import { ringsOf } from '../document/domain';
 import { anchor, type HiddenCorners, isLine, nameOf, type Turns } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
+import type { RingCorner } from '../document/lasso_corners';
 import { atMoment } from '../document/moment';
 import type { Handle } from '../document/project';
 import type { Box } from '../geometry/box';
@@ -18,6 +20,7 @@ import { canRun, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
+import { snapsToEdges } from './edge_snapping';
 import { type EngineModel, engineModel } from './engine_model';
 import { choicesFor, type ExportChoices, type ExportKind } from './export_choices';
 import { type FilmModel, filmModel } from './film_model';
@@ -32,6 +35,7 @@ import type { OverlayFlags } from './overlays';
 import type { Sample } from './page';
 import { handlesAreShown } from './permissions';
 import { isDrawing, type Picture } from './picture';
+import { ringCornerInHand } from './ring_corner';
 import { snapped } from './snapping';
 import type { SolveReport } from './solution';
 import {
@@ -105,6 +109,8 @@ export interface EditorModel {
   readonly borders: Float32Array | null;
   /** Pieces × 2 ends × 2: the outline of the bending part, while it is being set. */
   readonly outline: Float32Array | null;
+  /** The outline of the part that bends inside of a lasso, in the same form, while it is shown. */
+  readonly selected: Float32Array | null;
   /** The triangles of the creases, while they are shown. */
   readonly creased: CreasedMesh | null;
   /** Where the picture is visibly turned over, from the largest. */
@@ -149,6 +155,12 @@ export interface EditorModel {
   /** Whether handles snap to guides, and the guides that what is moved or placed lies on. */
   readonly snapping: boolean;
   readonly guides: readonly Guide[];
+  /** Whether the lasso snaps to edges of the picture. */
+  readonly edgeSnapping: boolean;
+  /** Whether the edges of the picture are still to be found. */
+  readonly edgesPending: boolean;
+  /** The focused corner of the selection's outline. */
+  readonly ringCorner: RingCorner | null;
   /** The ids of handles whose names are shown beside them: of the one selected, and of the one under the pointer. */
   readonly named: readonly string[];
   /** The id of the handle whose ring Alt shows. */
@@ -256,6 +268,9 @@ export function viewModel(state: EditorState): EditorModel {
         ? shown.deformation.posedBorders(project, borders.pieces)
         : null,
     outline: shown && display.outlined ? shown.deformation.outline(project) : null,
+    get selected() {
+      return selectedOutline(state);
+    },
     creased: shown && overlays.creases ? shown.deformation.creasedMesh(project) : null,
     creases: overlays.creases || guard.on ? (shown?.deformation.creases(project) ?? []) : checks.creases,
     forcing: forcingNames(state),
@@ -282,6 +297,9 @@ export function viewModel(state: EditorState): EditorModel {
     box: display.box,
     crosshair: display.crosshair,
     snapping: display.snapping,
+    edgeSnapping: snapsToEdges(state),
+    edgesPending: state.luminance?.of !== picture,
+    ringCorner: ringCornerInHand(state),
     get guides() {
       return guidesShown(state);
     },
@@ -314,6 +332,14 @@ export function viewModel(state: EditorState): EditorModel {
     canRun: (command) => canRun(state, command),
     reasonAgainst: (command) => reasonAgainst(state, command),
   };
+}
+
+/** Null without a lasso, and before its solution. */
+function selectedOutline(state: EditorState): Float32Array | null {
+  const project = projectOf(state);
+  const shown = state.solution.shown?.deformation;
+  const isShown = overlaysOf(state).selection && state.display.preview === null;
+  return shown && isShown && ringsOf(project).length > 0 ? shown.outline(project) : null;
 }
 
 function forcingNames(state: EditorState): readonly string[] {

@@ -33,6 +33,8 @@ export interface WorkSnapshot extends Work {
   readonly guarded: boolean;
   /** Whether handles snap to guides. Without it, the switch stays as it is. */
   readonly snapping?: boolean;
+  /** Whether the lasso snaps to edges. Without it, the picture decides. */
+  readonly edgeSnapping?: boolean;
   /** Another tab stored this version of the open work, and the person has not chosen yet. */
   readonly fromOtherTab?: boolean;
   /** The choices for exports. Without them, those of the editor stay. */

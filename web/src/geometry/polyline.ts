@@ -92,3 +92,7 @@ export function constrained(from: Vec, to: Vec, step: number): Vec {
   const [dx, dy] = subtract(to, from);
   return add(from, scaled(along, Math.max(0, along[0] * dx + along[1] * dy)));
 }
+
+/** The length of an open line. */
+export const lengthOf = (corners: readonly Vec[]): number =>
+  edgesOf(corners, false).reduce((sum, [a, b]) => sum + distance(a, b), 0);

@@ -49,7 +49,7 @@ function linked(ring: Ring, crossings: readonly (readonly [number, Junction])[][
   return all;
 }
 
-/** Walks from the leftmost junction along the outside, at each junction by the first way beside the one it came from. */
+/** Walks from the leftmost junction along the outside, at each junction by the first way beside the one behind. */
 function walked(start: Junction, most: number): Ring {
   const ring: Vec[] = [];
   let [here, behind]: [Junction, Vec] = [start, [start.at[0] - 1, start.at[1]]];

@@ -1,8 +1,8 @@
 /**
  * Intelligent scissors: the path between two places that follows the edges of a picture (Mortensen and Barrett 1995).
  *
- * Dijkstra's algorithm finds the cheapest path in a window around both places, where steep luminance is cheap. Costs are
- * whole numbers, so that a ring of buckets sorts the nodes. Without edges the path is straight.
+ * Dijkstra's algorithm finds the cheapest path in a window around both places, where steep luminance is cheap. Costs
+ * are whole numbers, so that a ring of buckets sorts the nodes. Without edges the path is straight.
  *
  * Cost: linear in the nodes of the window, of which there are at most {@link MOST_NODES}.
  */

@@ -23,4 +23,6 @@ export interface View {
 export interface Overlays {
   /** The triangles of the picture's mesh. */
   readonly mesh?: boolean;
+  /** The static background is dimmed: it does not bend. */
+  readonly selection?: boolean;
 }

@@ -29,6 +29,9 @@ import pictureFragment from './picture.frag.glsl?raw';
 import { PixelLayer, type PixelMesh, showsPixels } from './pixel_layer';
 import { drawWith, program } from './program';
 
+/** The light of the static background while it is dimmed: enough to tell it apart, and to see it well. */
+const DIMMED = 0.7;
+
 /** Colour of the lines of a coarse mesh, premultiplied. It shows on light and dark pictures. */
 const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
 
@@ -208,9 +211,10 @@ export class Painter {
       u_view: [view.scale, view.x, view.y],
       u_at_rest: view.compare === true || !this.#posed,
       u_rigid: this.#blend === 'rigid',
+      u_light: 1,
     };
     const behind = view.compare ? undefined : this.#background;
-    const atRest = { ...uniforms, u_at_rest: true };
+    const atRest = { ...uniforms, u_at_rest: true, u_light: view.overlays?.selection ? DIMMED : 1 };
     const heat = view.compare || !this.#heat?.isSet ? undefined : this.#heat;
     if (showsPixels(view) && !heat) {
       const meshes: PixelMesh[] = behind ? [[behind.triangles, atRest]] : [];

@@ -4,9 +4,15 @@
 precision highp float;
 
 uniform sampler2D u_picture;
+// Below 1, the picture is dimmed.
+uniform float u_light;
 
 in vec2 v_texcoord;
 out vec4 colour;
+
+vec4 lit(vec4 premultiplied) {
+  return vec4(u_light * premultiplied.rgb, premultiplied.a);
+}
 
 void main() {
   vec2 right = dFdx(v_texcoord);
@@ -15,7 +21,7 @@ void main() {
   // The width of a pixel in texels.
   float width = max(length(right * size), length(down * size));
   if (width <= 1.0) {
-    colour = textureLod(u_picture, v_texcoord, 0.0);
+    colour = lit(textureLod(u_picture, v_texcoord, 0.0));
     return;
   }
   float level = max(log2(width) - 1.0, 0.0);
@@ -24,10 +30,10 @@ void main() {
   float spread = sqrt((1.0 - 1.0 / (width * width)) / 12.0);
   vec2 across = spread * right;
   vec2 along = spread * down;
-  colour = 0.25 * (
+  colour = lit(0.25 * (
     textureLod(u_picture, v_texcoord + across + along, level) +
     textureLod(u_picture, v_texcoord + across - along, level) +
     textureLod(u_picture, v_texcoord - across + along, level) +
     textureLod(u_picture, v_texcoord - across - along, level)
-  );
+  ));
 }

@@ -57,6 +57,11 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'notify-page': (effect, resources) => resources.notifyPage(effect.notification),
   'use-picture': (effect, { pictures, solver }) =>
     solver.usePicture(effect.picture && pictures.opened(effect.picture).pixels),
+  'read-luminance': ({ picture }, { dispatch, pictures }) =>
+    pictures
+      .opened(picture)
+      .luminance()
+      .then((values) => dispatch({ type: 'luminance-read', picture, values })),
   solve: (effect, { solver }) => solver.solve(effect.key, effect.project),
   'fit-rig': (effect, { dispatch, pictures, solver }) => fitRig(effect, pictures, solver, dispatch),
   'suggest-handles': (effect, { solver }) => solver.suggestHandles(effect.project),

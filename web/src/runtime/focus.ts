@@ -34,11 +34,12 @@ export class Focus {
   }
 
   /** Focuses a handle or one of its corners once it is rendered, or else the stage, so that keys go on working. */
-  move({ handle, corner }: FocusTarget): void {
+  move({ handle, corner, ring }: FocusTarget): void {
     queueMicrotask(() => {
       const id = handle === null ? '' : CSS.escape(handle);
       const wanted = corner === null ? `[data-handle="${id}"]` : `[data-of="${id}"][data-corner="${corner}"]`;
-      const button = handle === null ? null : this.#root.querySelector(wanted);
+      const outlined = ring && `[data-ring="${ring.ring}"][data-ring-corner="${ring.index}"]`;
+      const button = handle === null && !outlined ? null : this.#root.querySelector(outlined ?? wanted);
       const target = button ?? this.#root.querySelector('.stage');
       if (target instanceof HTMLElement) target.focus({ preventScroll: true });
     });
@@ -65,9 +66,11 @@ export class Focus {
 }
 
 function report(target: Element, dispatch: Dispatch): void {
-  const { handle, of, corner } = (target as HTMLElement).dataset;
+  const { handle, of, corner, ring, ringCorner } = (target as HTMLElement).dataset;
   if (handle !== undefined) dispatch({ type: 'handle-focused', id: handle });
   else if (of !== undefined) dispatch({ type: 'corner-focused', corner: { id: of, index: Number(corner) } });
+  else if (ring !== undefined)
+    dispatch({ type: 'ring-focused', corner: { ring: Number(ring), index: Number(ringCorner) } });
   else if (target.matches('.stage')) dispatch({ type: 'stage-focused' });
   else dispatch({ type: isField(target) ? 'field-focused' : 'control-focused' });
 }

@@ -22,6 +22,7 @@ type StoredDocument = Pick<
   | 'pixelated'
   | 'guarded'
   | 'snapping'
+  | 'edgeSnapping'
   | 'saved'
   | 'exports'
   | 'films'
@@ -135,7 +136,7 @@ export class StoredWork {
     // An earlier version of this tab is part of this one.
     values.delete(this.#nameOf(this.#writer));
     const { id, file, name, thumbnail, record, drawings = [], guarded, ...more } = work;
-    const { snapping, pixelated, saved, exports, films, engines, maps, exportKind } = more;
+    const { snapping, edgeSnapping, pixelated, saved, exports, films, engines, maps, exportKind } = more;
     if (file !== this.#file) [this.#file, this.#mark] = [file, unique()];
     const mark = this.#mark;
     if (picture?.mark !== mark) values.put(`${this.#key}/picture`, { id, file, name, thumbnail, mark });
@@ -145,6 +146,7 @@ export class StoredWork {
     const settings = {
       guarded,
       ...(snapping !== undefined && { snapping }),
+      ...(edgeSnapping !== undefined && { edgeSnapping }),
       ...(pixelated !== undefined && { pixelated }),
       ...(saved && { saved }),
       ...(exports && { exports }),

@@ -52,6 +52,7 @@ class Bench {
       },
       posesOnly: false,
       brush: { radius: 30, strength: 1, erases: this.erases },
+      trace: null,
       snap: (at) => ({ at, guides: [] }),
       turns: new Map(),
       place: () => null,

@@ -7,8 +7,8 @@ import { putCorner } from '../document/edits';
 import { isLine, rotationOf } from '../document/handle';
 import { constrained } from '../geometry/polyline';
 import { add, subtract, type Vec } from '../geometry/vec';
-import { STEP_DEGREES } from './drafting';
 import { outcome, type State, snappedPlace } from './state';
+import { STEP_DEGREES } from './stroking';
 
 /** @param origin the document at the start of the drag. */
 export const cornering = (origin: Document, id: string, index: number, from: Vec, rest: State): State => {

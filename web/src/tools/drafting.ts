@@ -1,11 +1,12 @@
 /**
  * Drawing a bar, a polygon or a lasso: every press sets a corner, which follows the pointer until the release. The
- * corner of a lasso leaves others along its path.
+ * presses of a lasso are in `stroking.ts`.
  *
  * A press on the last corner finishes the drawing, and so does a double click. A press on the first corner finishes a
- * polygon or lasso. One press, drag and release draws a whole bar or lasso. Shift snaps to steps of 45°. A cancelled
- * press removes only its own corners.
+ * polygon or lasso. One press, drag and release draws a whole bar. Shift snaps to steps of 45°. A cancelled press
+ * removes only its own corners.
  */
+import { ringsOf } from '../document/domain';
 import { addHandle, freeId } from '../document/edits';
 import { CORNERS_NEEDED, isClosed, isLine, rounded, roundedVec } from '../document/handle';
 import type { LineHandle, Project } from '../document/project';
@@ -13,6 +14,7 @@ import { constrained } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
 import {
   type Draft,
+  type Effect,
   type Outcome,
   outcome,
   type Press,
@@ -20,36 +22,35 @@ import {
   snappedPlace,
   type ToolContext,
 } from './state';
+import { aimed, closed, STEP_DEGREES, stroking, withoutStroke, withStroke } from './stroking';
 
 export type LineKind = LineHandle['kind'];
-
-/** The distance between the corners along the path of a lasso, in multiples of `Grips.slop`. */
-const SPACING = 2;
-
-/** The step of directions with Shift, degrees. */
-export const STEP_DEGREES = 45;
 
 export const isDrawable = ({ kind, corners }: Draft): boolean => corners.length >= CORNERS_NEEDED[kind];
 
 /** The state between two presses of a drawing. `rest` is the state of the tool without a drawing. */
 export function drafting(draft: Draft, rest: State): State {
-  const { corners, taken } = draft;
   const state: State = {
     draft,
     down: (press, context) => {
-      if (finishes(draft, press.at, context)) return outcome(finishing(draft, rest));
+      if (finishes(draft, press.at, context)) return outcome(finishing(draft, press, context, rest));
       // On the last corner, but there are too few corners to finish.
       if (onLast(draft, press.at, context)) return outcome(state);
-      return outcome(setting(draft, press, drawn(draft, press, context), rest));
+      if (draft.kind === 'lasso') return outcome(stroke(draft, press, context, rest));
+      const at = drawn(draft, press, context);
+      return outcome(setting(draft, press, at, rest), ...missed(at, context));
     },
     hover: (press, context) => {
-      const next = press && drawn(draft, press, context);
       const onFinish = press !== null && finishes(draft, press.at, context);
+      if (draft.kind === 'lasso') {
+        const end = !press || !onFinish ? 'none' : onFirst(draft, press.at, context) ? 'first' : 'last';
+        return outcome(drafting(aimed(draft, press, context, end), rest));
+      }
+      const next = press && drawn(draft, press, context);
       return outcome(drafting({ ...draft, next, finishing: onFinish }, rest));
     },
     finish: (context) => (isDrawable(draft) ? finished(draft, context, rest) : outcome(state)),
-    back: () =>
-      shortened({ ...draft, corners: corners.slice(0, -1), taken: [...taken, ...corners.slice(-1)] }, rest),
+    back: () => shortened(withoutStroke(draft), rest),
     ...lengthening(draft, rest),
   };
   return state;
@@ -57,14 +58,9 @@ export function drafting(draft: Draft, rest: State): State {
 
 /** Redoes the corner that was undone last, even if the drawing has no other corner. */
 function lengthening(draft: Draft, rest: State): Pick<State, 'again'> {
-  const [last] = draft.taken.slice(-1);
+  const last = draft.taken.at(-1);
   if (!last) return {};
-  const longer: Draft = {
-    ...draft,
-    corners: [...draft.corners, last],
-    taken: draft.taken.slice(0, -1),
-    finishing: false,
-  };
+  const longer: Draft = { ...withStroke(draft, last), taken: draft.taken.slice(0, -1) };
   return { again: () => outcome(drafting(longer, rest), { type: 'drafted', draft: longer }) };
 }
 
@@ -75,30 +71,42 @@ export function begun(
   context: ToolContext,
   rest: State,
 ): Outcome {
-  const draft: Draft = { ...of, corners: [], taken: [], next: null, finishing: false };
-  return outcome(setting(draft, press, drawn(draft, press, context), rest), { type: 'select', ids: [] });
+  const strokes = of.kind === 'lasso' ? { strokes: [] } : {};
+  const draft: Draft = { ...of, ...strokes, corners: [], taken: [], next: null, finishing: false };
+  const selects = { type: 'select', ids: [] } as const;
+  if (of.kind === 'lasso') return outcome(stroke(draft, press, context, rest), selects);
+  const at = drawn(draft, press, context);
+  return outcome(setting(draft, press, at, rest), selects, ...missed(at, context));
+}
+
+/** A press of a lasso. */
+const stroke = (draft: Draft, press: Press, context: ToolContext, rest: State): State =>
+  stroking(draft, press, context, {
+    drawn: (after) => outcome(drafting(after, rest), { type: 'drafted', draft: after }),
+    closed: (after, then) => finished(after, then, rest),
+    cancelled: () => shortened(draft, rest, false),
+  });
+
+/** A corner of a bar or polygon outside of a lasso moves nothing. Elsewhere the solver tells of parts outside. */
+function missed(at: Vec, context: ToolContext): readonly Effect[] {
+  const bends = ringsOf(context.document.project).length === 0 || context.place(at);
+  return bends ? [] : [{ type: 'miss', at }];
 }
 
 /** Resumes a drawing. */
 export const resumed = (draft: Draft, rest: State): State =>
-  drafting({ ...draft, next: null, finishing: false }, rest);
+  drafting({ ...draft, next: null, path: [], finishing: false }, rest);
 
-/** The state during a press. The new corner follows the pointer. A drag from the first corner adds others. */
+/** The state during a press. The new corner follows the pointer. A drag from the first corner draws a whole bar. */
 const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
   const first = draft.corners.length === 0;
   const anchored: Draft = first ? { ...draft, corners: [at] } : draft;
   const held = (corners: readonly Vec[]): State => {
     const after: Draft = { ...draft, corners, taken: [], next: null, finishing: false };
-    const whole = first && corners.length > 1 && draft.kind !== 'polygon' && isDrawable(after);
+    const whole = first && corners.length > 1 && draft.kind === 'bar';
     return {
       draft: after,
       move: (press, context) => {
-        if (draft.kind === 'lasso' && !press.shift) {
-          const [last = from.at] = corners.slice(-1);
-          return outcome(
-            held(distance(press.at, last) > SPACING * context.grips.slop ? [...corners, press.at] : corners),
-          );
-        }
         if (distance(press.at, from.at) > context.grips.slop) {
           return outcome(held([...anchored.corners, drawn(anchored, press, context)]));
         }
@@ -115,9 +123,9 @@ const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
 };
 
 /** The state during a press that finishes the drawing on release. A second finger can still cancel it. */
-const finishing = (draft: Draft, rest: State): State => ({
+const finishing = (draft: Draft, from: Press, begun: ToolContext, rest: State): State => ({
   draft,
-  up: (_, context) => finished(draft, context, rest),
+  up: (_, context) => finished(draft, context, rest, !from.alt && onFirst(draft, from.at, begun)),
   cancel: () => outcome(drafting(draft, rest)),
 });
 
@@ -130,11 +138,12 @@ function shortened(draft: Draft, rest: State, told = true): Outcome {
   return outcome(next, { type: 'drafted', draft: left });
 }
 
-function finished(draft: Draft, context: ToolContext, rest: State): Outcome {
+/** @param along a lasso that snaps to edges closes along them. Otherwise it closes by a straight line. */
+function finished(draft: Draft, context: ToolContext, rest: State, along = false): Outcome {
   const { project } = context.document;
   const { kind, corners, hole = false } = draft;
   if (kind === 'lasso') {
-    const lassoed = { type: 'lassoed', ring: corners, hole } as const;
+    const lassoed = { type: 'lassoed', ring: closed(draft, context, along), hole } as const;
     return outcome(rest, { type: 'drafted', draft: null }, lassoed);
   }
   const handle = lineHandle(project, { kind, corners }, (places) => context.layerUnder(places));
@@ -179,10 +188,9 @@ function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
  * Returns the position of the next corner. Shift snaps its direction. Otherwise it snaps to another handle's corner in
  * reach, or to guides, or else follows the pointer.
  */
-function drawn({ kind, corners }: Draft, press: Press, context: ToolContext): Vec {
+function drawn({ corners }: Draft, press: Press, context: ToolContext): Vec {
   const last = corners.at(-1);
   if (press.shift && last) return constrained(last, press.at, STEP_DEGREES);
-  if (kind === 'lasso') return press.at;
   const away = (corner: Vec) => distance(corner, press.at);
   const [nearest] = context.document.project.handles
     .filter(isLine)
@@ -193,11 +201,12 @@ function drawn({ kind, corners }: Draft, press: Press, context: ToolContext): Ve
     : snappedPlace(press.at, press, context, []).at;
 }
 
-function finishes(draft: Draft, at: Vec, context: ToolContext): boolean {
-  if (!isDrawable(draft)) return false;
-  const [first] = draft.corners;
-  const closes = isClosed(draft.kind) && first && distance(first, at) <= context.grips.handle;
-  return closes || onLast(draft, at, context);
+const finishes = (draft: Draft, at: Vec, context: ToolContext): boolean =>
+  isDrawable(draft) && (onFirst(draft, at, context) || onLast(draft, at, context));
+
+function onFirst({ kind, corners }: Draft, at: Vec, { grips }: ToolContext): boolean {
+  const [first] = corners;
+  return isClosed(kind) && first !== undefined && distance(first, at) <= grips.handle;
 }
 
 function onLast({ corners }: Draft, at: Vec, { grips }: ToolContext): boolean {

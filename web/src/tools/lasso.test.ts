@@ -1,5 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { newProject, openDocument } from '../document/document';
+import { ringsOf } from '../document/domain';
+import type { Project } from '../document/project';
 import type { Vec } from '../geometry/vec';
 import { TestTools } from './fixtures';
 import type { Effect, Press, ToolContext } from './state';
@@ -9,6 +11,7 @@ const scene: ToolContext = {
   grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
   posesOnly: false,
   brush: { radius: 10, strength: 1, erases: false },
+  trace: null,
   snap: (at) => ({ at, guides: [] }),
   turns: new Map(),
   place: () => null,
@@ -47,14 +50,17 @@ describe('the lasso', () => {
     effects = [];
   });
 
-  it('follows a drag, with corners some way apart, and closes at its end', () => {
+  it('follows a drag in few corners, and closes where it comes back', () => {
     drag([
       [10, 10],
       [12, 10],
+      [30, 10.5],
       [50, 10],
       [52, 11],
       [50, 60],
       [10, 60],
+      [11, 30],
+      [10, 18],
     ]);
     expect(lassoed()).toEqual({
       type: 'lassoed',
@@ -63,10 +69,23 @@ describe('the lasso', () => {
         [50, 10],
         [50, 60],
         [10, 60],
+        [10, 18],
       ],
       hole: false,
     });
     expect(machine.draft).toBeNull();
+  });
+  it('goes on after a drag that ends elsewhere', () => {
+    drag([
+      [10, 10],
+      [50, 10],
+      [50, 60],
+    ]);
+    expect(lassoed()).toBeUndefined();
+    click([10, 60]);
+    expect(machine.draft?.corners).toHaveLength(4);
+    click([10, 12]);
+    expect(lassoed()).toMatchObject({ ring: expect.arrayContaining([[10, 60]]) });
   });
   it('takes corners by clicks, and closes at the first', () => {
     for (const at of [
@@ -85,32 +104,41 @@ describe('the lasso', () => {
       ],
     });
   });
-  it('is finished by Enter, goes on drawing after a click, and takes corners back', () => {
+  it('is finished by Enter, and takes back a click or a whole drag, and redoes it', () => {
     click([10, 10]);
     drag([
       [90, 10],
       [100, 50],
       [90, 90],
     ]);
+    click([50, 95]);
+    expect(machine.draft?.corners).toHaveLength(5);
+    machine.back();
     expect(machine.draft?.corners).toHaveLength(4);
     machine.back();
+    expect(machine.draft?.corners).toEqual([[10, 10]]);
+    machine.again();
+    expect(machine.draft?.corners).toHaveLength(4);
     act(machine.finish(scene));
     expect(lassoed()).toMatchObject({
       ring: [
         [10, 10],
         [90, 10],
         [100, 50],
+        [90, 90],
       ],
     });
   });
   it('cuts a hole with Alt at its beginning', () => {
+    const alt = { alt: true };
     drag(
       [
         [10, 10],
         [50, 10],
         [50, 60],
+        [12, 12],
       ],
-      { alt: true },
+      alt,
     );
     expect(lassoed()).toMatchObject({ hole: true });
   });
@@ -127,5 +155,116 @@ describe('the lasso', () => {
     machine.move(press([50, 10]), scene);
     machine.cancel();
     expect(machine.draft).toBeNull();
+  });
+  describe('that snaps to edges', () => {
+    // An edge along y = 100, which ways follow.
+    const snapping: ToolContext = {
+      ...scene,
+      trace: (from, [x, y]) =>
+        Math.abs(y - 100) > 20
+          ? [[x, y]]
+          : from
+            ? [
+                [(from[0] + x) / 2, 100],
+                [x, 100],
+              ]
+            : [[x, 100]],
+    };
+    const press2 = (at: Vec, keys: Partial<Press> = {}) => {
+      machine.down(press(at, keys), snapping);
+      act(machine.up(press(at, keys), snapping));
+    };
+    it('shows the way to the pointer, and sets it with a click', () => {
+      press2([10, 104]);
+      machine.hover(press([50, 96]), snapping);
+      expect(machine.draft).toMatchObject({ next: [50, 100], path: [[30, 100]] });
+      press2([50, 96]);
+      expect(machine.draft?.corners).toEqual([
+        [10, 100],
+        [30, 100],
+        [50, 100],
+      ]);
+      machine.back();
+      expect(machine.draft?.corners).toEqual([[10, 100]]);
+    });
+    it('draws freely with Alt', () => {
+      press2([10, 104]);
+      machine.hover(press([50, 96], { alt: true }), snapping);
+      expect(machine.draft).toMatchObject({ next: [50, 96], path: [] });
+    });
+    it('puts the pieces of a drag on edges that are near', () => {
+      machine.down(press([10, 104]), snapping);
+      for (let x = 10; x <= 100; x += 5) machine.move(press([x, 104]), snapping);
+      for (let y = 104; y <= 200; y += 4) machine.move(press([100, y]), snapping);
+      act(machine.up(press([100, 200]), snapping));
+      expect(machine.draft?.corners.slice(0, 3).every(([, y]) => y === 100)).toBe(true);
+      expect(machine.draft?.corners.at(-1)).toEqual([100, 200]);
+    });
+  });
+});
+
+describe('the corners of a selection', () => {
+  const square = [
+    [100, 100],
+    [200, 100],
+    [200, 200],
+    [100, 200],
+  ] as const;
+  const project: Project = {
+    ...scene.document.project,
+    domain: { kind: 'polygon', rings: [square] },
+    handles: [{ id: 'a', kind: 'point', rest: [105, 105], posed: [105, 105] }],
+  };
+  const lassoed: ToolContext = { ...scene, document: openDocument(project) };
+  const drag = (path: readonly Vec[]): readonly Effect[] => {
+    const machine = new TestTools();
+    machine.choose('lasso');
+    const [first = [0, 0]] = path;
+    machine.down(press(first), lassoed);
+    const moves = path.slice(1).flatMap((at) => machine.move(press(at), lassoed));
+    return [...moves, ...machine.up(press(path.at(-1) ?? first), lassoed)];
+  };
+  const ringOf = (effects: readonly Effect[]) => {
+    const last = effects.findLast((effect) => effect.type === 'edit');
+    return last?.type === 'edit' ? ringsOf(last.document.project)[0] : undefined;
+  };
+
+  it('move by drags, as one step, and tell of handles left outside', () => {
+    const effects = drag([
+      [102, 101],
+      [110, 110],
+      [142, 141],
+    ]);
+    expect(ringOf(effects)).toEqual([[140, 140], ...square.slice(1)]);
+    expect(effects.filter(({ type }) => type === 'begin' || type === 'commit')).toHaveLength(2);
+    expect(effects.at(-1)).toEqual({ type: 'left-out', count: 1 });
+  });
+  it('are added by drags from an edge', () => {
+    expect(
+      ringOf(
+        drag([
+          [150, 101],
+          [150, 90],
+          [150, 81],
+        ]),
+      ),
+    ).toEqual([square[0], [150, 80], ...square.slice(1)]);
+  });
+  it('stop before the outline crosses itself', () => {
+    expect(
+      ringOf(
+        drag([
+          [100, 100],
+          [150, 120],
+          [400, 120],
+        ]),
+      )?.[0],
+    ).toEqual([150, 120]);
+  });
+  it('get the focus by a click, and a click on an edge begins a new outline', () => {
+    expect(drag([[100, 100]])).toEqual([
+      { type: 'ring-focus', corner: expect.objectContaining({ ring: 0, index: 0 }) },
+    ]);
+    expect(drag([[150, 100]]).map(({ type }) => type)).toEqual(['select', 'drafted']);
   });
 });

@@ -24,6 +24,7 @@ class Bench {
     grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
     posesOnly: false,
     brush: { radius: 10, strength: 1, erases: false },
+    trace: null,
     snap: (at) => ({ at, guides: [] }),
     turns: new Map(),
     place: () => null,
@@ -378,5 +379,27 @@ describe('a bar that is there', () => {
     bench.document = selectHandles(bench.document, ['arm']);
     bench.drag([100, 0], [120, 0]);
     expect(bench.posed('arm')?.[1]).toEqual([120, 0]);
+  });
+});
+
+describe('a corner outside of the selection', () => {
+  it('is told at once, and the drawing goes on', () => {
+    const bench = new Bench();
+    const { project } = bench.document;
+    const rings = [
+      [
+        [0, 0],
+        [9, 0],
+        [9, 9],
+      ],
+    ] as const;
+    bench.document = { ...bench.document, project: { ...project, domain: { kind: 'polygon', rings } } };
+    bench.take('bar');
+    const effects = bench.machine.down(
+      { at: [50, 60], stage: [50, 60], shift: false, alt: false, free: false },
+      bench.scene(),
+    );
+    expect(effects).toContainEqual({ type: 'miss', at: [50, 60] });
+    expect(bench.machine.draft?.corners).toEqual([[50, 60]]);
   });
 });

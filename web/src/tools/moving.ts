@@ -7,8 +7,8 @@ import type { Document } from '../document/document';
 import { moveHandles } from '../document/edits';
 import { constrained } from '../geometry/polyline';
 import { add, subtract, type Vec } from '../geometry/vec';
-import { STEP_DEGREES } from './drafting';
 import { outcome, type State, snappedPlace } from './state';
+import { STEP_DEGREES } from './stroking';
 
 /**
  * @param origin the document at the start of the drag. Moves start from it, so that rounding errors do not add up.

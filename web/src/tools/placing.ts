@@ -32,7 +32,7 @@ export function pointHandle(project: Project, placement: Placement): PointHandle
 export function placed(press: Press, context: ToolContext, rest: State): Outcome {
   const { at, guides } = snappedPlace(press.at, press, context, []);
   const placement = context.place(at) ?? context.place(press.at);
-  if (!placement) return outcome(rest, { type: 'miss' });
+  if (!placement) return outcome(rest, { type: 'miss', at: press.at });
   const handle = pointHandle(context.document.project, placement);
   const document = addHandle(context.document, handle);
   return outcome(

@@ -9,6 +9,7 @@ import type { Brush } from '../document/brush_stroke';
 import type { Document } from '../document/document';
 import type { PosedDocument } from '../document/group';
 import type { CORNERS_NEEDED, Turns } from '../document/handle';
+import type { RingCorner } from '../document/lasso_corners';
 import type { LineHandle } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Guide, SnappedPlace } from '../geometry/guides';
@@ -58,6 +59,12 @@ export interface ToolContext {
    * Otherwise `null`.
    */
   place(at: Vec): Placement | null;
+  /**
+   * The way of a lasso from its last corner to a place, along edges of the picture. It ends at the edge near the place,
+   * and lacks the corner. From `null`, it is the end alone. Null while the lasso does not snap to edges. A way that is
+   * set, and not only shown under the pointer, is precise.
+   */
+  readonly trace: ((from: Vec | null, to: Vec, precise?: boolean) => readonly Vec[]) | null;
   /** Snaps a place to guides, except to those of the moving handles. */
   snap(at: Vec, moving: readonly string[]): SnappedPlace;
   /**
@@ -72,10 +79,14 @@ export interface Draft {
   readonly kind: keyof typeof CORNERS_NEEDED;
   /** Corners on the posed picture, or on the original for a lasso, image pixels. */
   readonly corners: readonly Vec[];
-  /** Corners to redo, the next one last. A new corner clears them. */
-  readonly taken: readonly Vec[];
+  /** How many corners each press has set, for a lasso. Otherwise each has set one. */
+  readonly strokes?: readonly number[];
+  /** The corners of presses to redo, the next press last. A new corner clears them. */
+  readonly taken: readonly (readonly Vec[])[];
   /** Position of the corner that a press would set. */
   readonly next: Vec | null;
+  /** The places before `next` that a press of a lasso would set too, along edges of the picture. */
+  readonly path?: readonly Vec[];
   /** Whether a press would finish the drawing. */
   readonly finishing: boolean;
   /** Whether a lasso cuts a hole. */
@@ -94,9 +105,14 @@ export type Effect =
   | { readonly type: 'pan'; readonly by: Vec }
   /** The lens is put on a place of the posed picture. */
   | { readonly type: 'look'; readonly at: Vec }
-  | { readonly type: 'miss' }
+  /** A place that does not bend, of the posed picture. */
+  | { readonly type: 'miss'; readonly at: Vec }
   /** A corner was set or undone. */
   | { readonly type: 'drafted'; readonly draft: Draft | null }
+  /** The corner of a drawn ring gets the focus. */
+  | { readonly type: 'ring-focus'; readonly corner: RingCorner }
+  /** So many handles lay outside of a changed selection, and are gone. */
+  | { readonly type: 'left-out'; readonly count: number }
   /** A lasso was closed. */
   | { readonly type: 'lassoed'; readonly ring: readonly Vec[]; readonly hole: boolean }
   /** The drawing of the new handle, which is resumed if the solver rejects the handle. */

@@ -86,6 +86,7 @@ class Bench {
       turns: this.turns,
       posesOnly: this.posesOnly,
       brush: { radius: 20, strength: 1, erases: false },
+      trace: null,
       snap: (at) => snappedTo(at, this.guides, 5),
       place: (at) => this.placement && { posed: this.led ?? at, ...this.placement },
       layerUnder: (corners) => corners.map((at) => this.placement ?? { rest: at, rotation: 0, scale: 1 }),
@@ -440,7 +441,7 @@ describe('point', () => {
   it('misses where there is no picture', () => {
     bench.placement = null;
     bench.click([50, 60]);
-    expect(bench.others).toEqual([{ type: 'miss' }]);
+    expect(bench.others).toEqual([{ type: 'miss', at: [50, 60] }]);
     expect(bench.history.present.project.handles).toHaveLength(2);
   });
 

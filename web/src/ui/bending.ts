@@ -86,7 +86,7 @@ export function bending(
 
 /** The way back from a lasso to the whole picture. */
 const lassoed = (model: EditorModel, dispatch: Dispatch): TemplateResult => html`<div class="switch">
-  <span class="text">Lasso<span class="faint">Only the part inside bends.</span></span>
+  <span class="text">Selection<span class="faint">Only the part inside of the lasso bends.</span></span>
   <button
     type="button"
     class="button toggle"

@@ -8,6 +8,7 @@ import { distance } from '../geometry/vec';
 import { isDrawable } from '../tools/drafting';
 import type { Draft } from '../tools/state';
 import { dots, onStage } from './dots';
+import { edgeSwitch } from './edge_switch';
 import { icon } from './icons';
 
 export const draftMarks = ({ draft, waiting, camera, stage }: EditorModel): SVGTemplateResult => svg`
@@ -16,8 +17,10 @@ export const draftMarks = ({ draft, waiting, camera, stage }: EditorModel): SVGT
 /** @param waits the draft belongs to another tool, so that presses on it have no effect. */
 function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTemplateResult {
   const set = draft.corners.map((corner) => toStage(camera, corner));
+  const path = (draft.path ?? []).map((place) => toStage(camera, place));
   const next = draft.next && !draft.finishing ? toStage(camera, draft.next) : null;
-  const all = next ? [...set, next] : set;
+  const ahead = next ? [...path, next] : path;
+  const all = [...set, ...ahead];
   const [first] = set;
   const last = set.at(-1);
   const targets = isDrawable(draft) && !waits ? [...(isClosed(draft.kind) ? [0] : []), set.length - 1] : [];
@@ -28,8 +31,9 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
     ${isClosed(draft.kind) && all.length > 2 ? svg`<path class="body" d="M${all.join('L')}Z"/>` : nothing}
     <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
     ${
-      next && last
-        ? svg`<path class="line under" d="M${last}L${next}"/>${dots('line next', onStage([last, next], false, stage))}`
+      ahead.length > 0 && last
+        ? svg`<path class="line under" d="M${[last, ...ahead].join('L')}"/>
+            ${dots('line next', onStage([last, ...ahead], false, stage))}`
         : nothing
     }
     ${
@@ -39,7 +43,7 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
     }
     ${set.map(([x, y], k) => {
       const target = targets.includes(k);
-      // A freehand lasso has hundreds of corners.
+      // A lasso along edges has many corners.
       if (draft.kind === 'lasso' && !target) return nothing;
       return svg`<circle class="corner ${target ? 'target' : ''} ${k === hot ? 'hot' : ''}"
         cx=${x} cy=${y} r=${target ? 6 : 4.5}/>`;
@@ -60,6 +64,7 @@ export function draftBar(model: EditorModel, dispatch: Dispatch): TemplateResult
       : `${missing} corners more`;
   return html`<div class="draft-bar card" part="notice" role="group" aria-label="Drawing">
     <span class="words">${words}</span>
+    ${draft.kind === 'lasso' ? edgeSwitch(model, dispatch) : nothing}
     ${button('undo', 'Take back the last corner', '⌫', () => dispatch({ type: 'corner-taken-back' }))}
     ${button('close', 'Give up drawing', 'Esc', () => dispatch({ type: 'command-run', command: 'bail' }))}
     <button type="button" class="button finish" part="button" data-tip="Finish" data-keys="↵"

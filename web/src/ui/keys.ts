@@ -21,6 +21,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'lens',
       ['Enter', 'Finish a drawing, or place at the crosshair'],
       ['Shift', 'Draw and move by 45°, turn by 15°'],
+      ['Alt', 'Lasso: leave edges, or begin a hole'],
     ],
   ],
   [

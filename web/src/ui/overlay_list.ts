@@ -16,10 +16,14 @@ const TEXTS = {
   reach: ['Reach', 'How far each place follows a small move of the selected handles'],
   coverage: ['Coverage', 'The number of handles that move each place, virtual ones included'],
   stiffness: ['Stiffness', 'How stiff each place is: by the brush, and inside of stiff polygons'],
+  selection: ['Selection', 'The outline of what a lasso lets bend, and the rest dimmed'],
 } as const satisfies Record<OverlayName, readonly [label: string, tip: string]>;
 
 export function overlayButton(model: EditorModel, dispatch: Dispatch): TemplateResult {
-  const shown = OVERLAYS.filter((name) => model.overlays[name]).map((name) => TEXTS[name][0]);
+  // The selection is shown from the beginning.
+  const shown = OVERLAYS.filter((name) => model.overlays[name] && name !== 'selection').map(
+    (name) => TEXTS[name][0],
+  );
   const label = ['Overlays', shown.join(', ').toLowerCase()].filter(Boolean).join(': ');
   const open = !model.overlayList;
   return html`<button

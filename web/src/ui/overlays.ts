@@ -33,6 +33,10 @@ export function outlineOverlay(outline: Float32Array | null, camera: Camera): Ov
 }
 
 /** @param outline as for {@link outlineOverlay}. */
+export const selectionOverlay = (outline: Float32Array | null, camera: Camera): Overlay =>
+  outline ? outlined('selection', path(outline.length / 2, 2, through(outline, camera))) : nothing;
+
+/** @param outline as for {@link outlineOverlay}. */
 export const onionOverlay = (outline: Float32Array, camera: Camera): SVGTemplateResult =>
   outlined('onion-skin', path(outline.length / 2, 2, through(outline, camera)));
 

@@ -9,14 +9,21 @@ import { brushMarks } from './brush_marks';
 import { cornerMarks } from './client';
 import { creaseMarks } from './crease_marks';
 import { cssCursor } from './cursor';
-import { domainMarks } from './domain';
+import { domainMarks, ringButtons } from './domain';
 import { draftMarks } from './drawing';
 import { frame } from './frame';
 import { guideLines } from './guides';
 import { handleButtons } from './handle_buttons';
 import { handleMarks } from './handle_marks';
 import { nameMarks } from './name_marks';
-import { cellOverlay, creaseOverlay, onionOverlay, outlineOverlay, siteOverlay } from './overlays';
+import {
+  cellOverlay,
+  creaseOverlay,
+  onionOverlay,
+  outlineOverlay,
+  selectionOverlay,
+  siteOverlay,
+} from './overlays';
 
 /** Keys without a control of their own. */
 const KEYS = 'Arrow keys move the selection. Comma and full stop turn it, and with Alt scale it.';
@@ -44,13 +51,13 @@ export function stage(
       ${guideLines(model)} ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
       ${brushMarks(model)} ${studied} ${crosshair(model)} ${waitingMarks(model)}
     </svg>
-    ${handled && model.tool !== 'lasso' ? handleButtons(model, dispatch) : nothing}
+    ${handled ? (model.tool === 'lasso' ? ringButtons(model, dispatch) : handleButtons(model, dispatch)) : nothing}
   </div>`;
 }
 
 /** The marks on the posed picture. */
 const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
-  ${model.posable ? nothing : frame(model)} ${cellOverlay(model.overlays.cells ? model.borders : null, model.camera)}
+  ${model.posable ? nothing : frame(model)} ${selectionOverlay(model.selected, model.camera)} ${cellOverlay(model.overlays.cells ? model.borders : null, model.camera)}
   ${siteOverlay(model.sites, model.camera, model.overlays)}
   ${model.onion.map((outline) => onionOverlay(outline, model.camera))} ${outlineOverlay(model.outline, model.camera)}
   ${creaseOverlay(model.creased, model.camera)} ${creaseMarks(model)} ${handled ? handleMarks(model) : nothing} ${askedMarks(model)} ${handled ? nameMarks(model) : nothing}

@@ -3,10 +3,12 @@
  * without handles gets some by the button in it.
  */
 import { html, nothing, type TemplateResult } from 'lit';
+import { ringsOf } from '../document/domain';
 import { COMMANDS } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import type { ToolName } from '../tools/machine';
+import { edgeSwitch } from './edge_switch';
 import { icon } from './icons';
 
 export function toolHint(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
@@ -19,8 +21,10 @@ export function toolHint(model: EditorModel, dispatch: Dispatch): TemplateResult
   const words = wordsOf(model)[model.tool];
   if (words === undefined) return nothing;
   const suggests = document.project.handles.length === 0 && BEGINNERS.includes(model.tool);
-  return html`<p class="hint ${suggests ? 'suggests' : ''}" part="hint">
+  const acts = suggests || model.tool === 'lasso';
+  return html`<p class="hint ${acts ? 'suggests' : ''}" part="hint">
     <span>${words}</span>${suggests ? suggestButton(model, dispatch) : nothing}
+    ${model.tool === 'lasso' ? edgeSwitch(model, dispatch) : nothing}
   </p>`;
 }
 
@@ -40,7 +44,10 @@ function wordsOf({ press, document }: EditorModel): Partial<Record<ToolName, str
   const lines = {
     bar: `Drag a bar, or ${press} its corners`,
     polygon: `Draw a polygon: ${press} its corners`,
-    lasso: `Draw around the part that bends: drag, or ${press} corners`,
+    lasso:
+      ringsOf(document.project).length > 0
+        ? 'Drag a corner of the selection, or draw around another part'
+        : `Draw around the part that bends: drag, or ${press} corners`,
   };
   if (document.project.handles.length > 0) return lines;
   return {

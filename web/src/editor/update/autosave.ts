@@ -33,7 +33,13 @@ export function snapshotOf(state: EditorState): WorkSnapshot | null {
   const { id, file, name, thumbnail } = open.picture;
   const { kind: exportKind, choices: exports, film: films, engine: engines, maps } = exporting;
   const chosen = { exports, films, engines, maps, exportKind };
-  const settings = { guarded: guard.on, snapping: display.snapping, ...chosen };
+  const { snapping, edgeSnapping } = display;
+  const settings = {
+    guarded: guard.on,
+    snapping,
+    ...(edgeSnapping !== null && { edgeSnapping }),
+    ...chosen,
+  };
   return { id, file, name, thumbnail, ...open.work, ...settings };
 }
 

@@ -24,6 +24,7 @@ import { contextWithoutHandles } from '../hit_areas';
 import type { MenuState } from '../menu_state';
 import { mayEdit } from '../permissions';
 import { stem } from '../picture';
+import { ringCornerInHand } from '../ring_corner';
 import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from '../state';
 import { fitView, showActualSize, zoom } from '../view';
 import { handleWords } from '../wording';
@@ -34,6 +35,7 @@ import { openSettings, togglePreview } from './display';
 import { mirror, paste, raise, removeSelected, reset } from './edits';
 import { cancelExport, exportChosen, exportPicture, projectForFile } from './exporting';
 import type { Handlers } from './handlers';
+import { addRingCorner, removeRingCorner } from './lasso_corners';
 import { announce, dismiss, notify, shownNotice } from './notices';
 import { openTimeline, play } from './playhead';
 import { applyTools } from './press';
@@ -105,7 +107,11 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   'without-folds': edit((state, emit) => leaveFolds(state, emit)),
   rename: edit(renameSelected),
   remove: edit((state, emit, menu) =>
-    isDrawing(state) ? takeBack(state, emit, menu) : removeSelected(state, emit),
+    isDrawing(state)
+      ? takeBack(state, emit, menu)
+      : ringCornerInHand(state)
+        ? removeRingCorner(state, emit)
+        : removeSelected(state, emit),
   ),
   copy: effect('copy-pose'),
   paste: effect('paste-pose'),
@@ -122,8 +128,12 @@ const RUN: Readonly<Record<CommandName, Run>> = {
     focus(emit, selectionOf(up)[0]);
     return up;
   }),
-  'add-corner': edit((state, emit, menu) => addCornerToSelected(state, menu?.at ?? null, emit)),
-  'remove-corner': edit((state, emit) => removeFocusedCorner(state, emit)),
+  'add-corner': edit((state, emit, menu) =>
+    ringCornerInHand(state) ? addRingCorner(state, emit) : addCornerToSelected(state, menu?.at ?? null, emit),
+  ),
+  'remove-corner': edit((state, emit) =>
+    ringCornerInHand(state) ? removeRingCorner(state, emit) : removeFocusedCorner(state, emit),
+  ),
   forward: edit((state, emit) => raise(state, 1, emit)),
   backward: edit((state, emit) => raise(state, -1, emit)),
   settings: (state) => openSettings(state, !state.display.settings),

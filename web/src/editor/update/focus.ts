@@ -6,13 +6,19 @@ import type { Handlers } from './handlers';
 
 const withFocus = (state: EditorState, change: Partial<Focus>): EditorState => ({
   ...state,
-  focus: { ...state.focus, ...change },
+  focus: { ...state.focus, ring: null, ...change },
 });
 
 const isSame = (a: Corner | null, b: Corner): boolean => a?.id === b.id && a.index === b.index;
 
 export const focusHandlers: Handlers<
-  'stage-focused' | 'field-focused' | 'control-focused' | 'focus-lost' | 'handle-focused' | 'corner-focused'
+  | 'stage-focused'
+  | 'field-focused'
+  | 'control-focused'
+  | 'focus-lost'
+  | 'handle-focused'
+  | 'corner-focused'
+  | 'ring-focused'
 > = {
   'stage-focused': (state) => withFocus(state, { on: 'stage', handle: null, corner: null }),
   // The panel is about the corner that had the focus before.
@@ -20,6 +26,8 @@ export const focusHandlers: Handlers<
   'control-focused': (state) => withFocus(state, { on: 'control', handle: null }),
   'focus-lost': (state) => withFocus(state, { on: 'nothing', handle: null }),
   'handle-focused': (state, { id }) => withFocus(state, { on: 'handle', handle: id, corner: null }),
+  'ring-focused': (state, { corner }) =>
+    withFocus(state, { on: 'ring', handle: null, corner: null, ring: corner }),
   'corner-focused': (state, { corner }) =>
     withFocus(state, {
       on: 'corner',

@@ -25,6 +25,7 @@ import type { Handlers } from './handlers';
 import { keyHandlers } from './keys';
 import { lassoHandlers } from './lasso';
 import { lensHandlers, requestStudy } from './lens';
+import { luminanceHandlers } from './luminance';
 import { mapHandlers } from './maps';
 import { menuHandlers } from './menu';
 import { dismiss, noticeHandlers } from './notices';
@@ -84,6 +85,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...keyHandlers,
   ...lassoHandlers,
   ...lensHandlers,
+  ...luminanceHandlers,
   ...menuHandlers,
   ...noticeHandlers,
   ...pageHandlers,

@@ -8,12 +8,14 @@ import { crosshairMoved, crosshairPlace, hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import { contextWithoutHandles, isBrushing, toolContext } from '../hit_areas';
 import { mayEdit } from '../permissions';
+import { ringCornerInHand } from '../ring_corner';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import { moveCamera } from '../view';
 import { awaitsPicture } from '../waiting_input';
 import { finish, focus } from './corners';
 import { nudge, nudgeCorner, turn } from './edits';
 import type { Handlers } from './handlers';
+import { nudgeRingCorner } from './lasso_corners';
 import { moveLens } from './lens';
 import { announce } from './notices';
 import { holdAlt, withPointer } from './pointer';
@@ -23,10 +25,13 @@ import { applyTools } from './press';
 const PAN_CSS_PX = 40;
 
 /** The effect of an arrow key; null if it is left to the page. */
-function arrowTarget(state: EditorState): 'lens' | 'corner' | 'handles' | 'crosshair' | 'view' | null {
+function arrowTarget(
+  state: EditorState,
+): 'lens' | 'ring' | 'corner' | 'handles' | 'crosshair' | 'view' | null {
   if (state.tools.tool === 'lens' && state.picture) return 'lens';
   const drawing = draftOf(state.tools) !== null;
   if (mayEdit(state)) {
+    if (ringCornerInHand(state)) return 'ring';
     if (state.focus.corner && !drawing) return 'corner';
     if (selectionOf(state).length > 0 && !drawing) return 'handles';
     if (places(state.tools.tool)) return 'crosshair';
@@ -44,6 +49,7 @@ export const takesSpace = ({ page }: EditorState): boolean => !page.posable;
 function arrow(state: EditorState, by: Vec, emit: Emit): EditorState {
   const target = arrowTarget(state);
   if (target === 'lens') return moveLens(state, by);
+  if (target === 'ring') return nudgeRingCorner(state, by, emit);
   if (target === 'corner' && state.focus.corner) return nudgeCorner(state, state.focus.corner, by, emit);
   if (target === 'handles') return nudge(state, by, emit);
   if (target === 'crosshair') return moveCrosshair(state, by);

@@ -1,9 +1,11 @@
 /** The lasso: which part of the picture bends, and what a press beside that part says. */
-import { domainOf, ringsOf, withLasso } from '../../document/domain';
+import { domainOf, withLasso } from '../../document/domain';
 import { selectHandles } from '../../document/edits';
+import { withPlaceAdded } from '../../document/lasso_growth';
 import type { Vec } from '../../geometry/vec';
 import type { Emit } from '../effects';
 import { LASSO_EMPTY, LASSO_LOOSE, LASSO_OUTSIDE, leftOutText, NOTHING_TO_HOLD } from '../notice_texts';
+import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
 import type { Handlers } from './handlers';
 import { inform, informOfStep, notify } from './notices';
@@ -32,8 +34,20 @@ export function removeLasso(state: EditorState, emit: Emit): EditorState {
   return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
 }
 
-export const lassoHandlers: Handlers<'placement-missed' | 'lasso-drawn'> = {
-  'placement-missed': (state, _, emit) =>
-    inform(state, ringsOf(projectOf(state)).length > 0 ? LASSO_OUTSIDE : NOTHING_TO_HOLD, emit),
+/** Says that a place does not bend. A place of the picture outside of the lasso can be added. */
+function missed(state: EditorState, at: Vec, emit: Emit): EditorState {
+  if (!withPlaceAdded(projectOf(state), at)) return inform(state, NOTHING_TO_HOLD, emit);
+  const action = { label: 'Extend the selection', event: { type: 'selection-extended', at } } as const;
+  return notify(state, { kind: 'info', text: LASSO_OUTSIDE, action, passes: true, ofStep: true }, emit);
+}
+
+function extend(state: EditorState, at: Vec, emit: Emit): EditorState {
+  const project = withPlaceAdded(projectOf(state), at);
+  return project ? step(state, 'Extend the selection', { ...documentOf(state), project }, emit) : state;
+}
+
+export const lassoHandlers: Handlers<'placement-missed' | 'selection-extended' | 'lasso-drawn'> = {
+  'placement-missed': (state, { at }, emit) => missed(state, at, emit),
+  'selection-extended': (state, { at }, emit) => (mayEdit(state) ? extend(state, at, emit) : state),
   'lasso-drawn': (state, { ring, hole }, emit) => lasso(state, ring, hole, emit),
 };

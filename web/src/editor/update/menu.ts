@@ -83,8 +83,8 @@ function openMenu(before: EditorState, under: Hit | null, at: Vec, emit: Emit): 
 
 /** The focus once the menu has closed: where it was before, or on the handle that the menu was about. */
 function focusAfter({ focus }: EditorState, under: Hit | null, corner: Corner | null): Focus {
-  if (under) return { on: corner ? 'corner' : 'handle', handle: under.id, corner };
-  return isOnStage(focus) ? focus : { on: 'stage', handle: null, corner: null };
+  if (under) return { on: corner ? 'corner' : 'handle', handle: under.id, corner, ring: null };
+  return isOnStage(focus) ? focus : { on: 'stage', handle: null, corner: null, ring: null };
 }
 
 const isOnStage = ({ on }: Focus): boolean => on === 'stage' || on === 'handle' || on === 'corner';

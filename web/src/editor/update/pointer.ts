@@ -4,7 +4,7 @@ import { cancelPress, draftOf, hover, pressDown, pressMove, pressUp } from '../.
 import { withoutRings } from '../../tools/pressing';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
-import { hitAt, pressOf, toolContext } from '../hit_areas';
+import { hitAt, isLassoing, pressOf, toolContext } from '../hit_areas';
 import { mayEdit, pressesPan } from '../permissions';
 import type { StagePointer } from '../stage_pointer';
 import { type EditorState, type PointerState, selectionOf } from '../state';
@@ -12,6 +12,7 @@ import { moveCamera } from '../view';
 import { followClip } from './clip_slice';
 import { focus } from './corners';
 import type { Handlers } from './handlers';
+import { removeRingCornerAt } from './lasso_corners';
 import { followPointer } from './lens';
 import { closeMenu } from './menu_closing';
 import { movePlayhead } from './playhead';
@@ -48,13 +49,23 @@ function end(before: EditorState, pointer: StagePointer, emit: Emit): EditorStat
   const press = pressOf(before, pointer);
   const drawing = draftOf(before.tools) !== null;
   const held = drawing ? null : hitAt(before, press.at, before.tools.tool === 'select');
-  const state = applyTools(before, pressUp(before.tools, press, toolContext(before)), emit);
+  const outcome = pressUp(before.tools, press, toolContext(before));
+  const state = applyTools(before, outcome, emit);
+  if (outcome.effects.some(({ type }) => type === 'ring-focus')) return state;
   const selection = selectionOf(state);
   // Focusing a handle selects it: not one that a Shift-click has just deselected.
   const keeps = held !== null && held.part !== 'ring' && held.part !== 'grip' && selection.includes(held.id);
   if (keeps && held.part === 'corner') focus(emit, held.id, held.index);
   else focus(emit, keeps ? held.id : selection[0]);
   return state;
+}
+
+/** With other tools than these a double click ends a drawing. */
+function doublePressed(state: EditorState, pointer: StagePointer, emit: Emit): EditorState {
+  if (pressesPan(state) || pointer.alt) return state;
+  const { at } = pressOf(state, pointer);
+  if (state.tools.tool === 'select') return doublePress(state, at, emit);
+  return isLassoing(state) && mayEdit(state) ? removeRingCornerAt(state, at, emit) : state;
 }
 
 /** Moves the pointer without a press; null when it leaves the stage. */
@@ -73,7 +84,10 @@ function hovered(state: EditorState, pointer: StagePointer | null): EditorState 
 export function holdAlt(state: EditorState, alt: boolean): EditorState {
   const { last, hovered: at } = state.pointer;
   if (!last || !at || state.pointer.alt === alt) return state;
-  return withPointer(state, { alt, last: { ...last, pointer: { ...last.pointer, alt } } });
+  const held = withPointer(state, { alt, last: { ...last, pointer: { ...last.pointer, alt } } });
+  // The way of a lasso to the pointer leaves the edges, or follows them again.
+  const press = pressOf(held, { ...last.pointer, alt });
+  return isLassoing(state) ? { ...held, tools: hover(held.tools, press, toolContext(held)) } : held;
 }
 
 /** Repeats the last hover if the camera has moved under a resting pointer. */
@@ -100,11 +114,7 @@ export const pointerHandlers: Handlers<
     applyTools(state, pressMove(state.tools, pressOf(state, pointer), toolContext(state)), emit),
   'press-ended': (state, { pointer }, emit) => end(state, pointer, emit),
   'press-cancelled': (state, _, emit) => applyTools(state, cancelPress(state.tools), emit),
-  // With another tool a double click ends a drawing.
-  'double-pressed': (state, { pointer }, emit) =>
-    !pressesPan(state) && state.tools.tool === 'select' && !pointer.alt
-      ? doublePress(state, pressOf(state, pointer).at, emit)
-      : state,
+  'double-pressed': (state, { pointer }, emit) => doublePressed(state, pointer, emit),
   'pointer-hovered': (state, { pointer }) => hovered(state, pointer),
   'pointer-noted': (state, { coarse }) => noteKind(state, coarse),
   'page-clicked': (state, _, emit) => (mayEdit(state) ? select(state, [], emit) : state),

@@ -11,6 +11,7 @@ import { beginCrossing, crossed, withDepths, withNeededDepths } from '../crossin
 import type { Emit } from '../effects';
 import { beginGuarding, guarded } from '../fold_guard';
 import { turnsOf } from '../hit_areas';
+import { leftOutText } from '../notice_texts';
 import { documentOf, type EditorState } from '../state';
 import { moveCamera } from '../view';
 import { draftWords, placeWords } from '../wording';
@@ -18,7 +19,7 @@ import { saveWork } from './autosave';
 import { committed, guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { look } from './lens';
-import { announce } from './notices';
+import { announce, informOfStep } from './notices';
 import { letGo, ownPose } from './playback';
 import { beginRecording, dropRecording, endRecording, recordMove } from './recording';
 import { select } from './selection';
@@ -55,8 +56,13 @@ function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
         emit({ type: 'follow-up', event: { type: 'study-shown', page: 'lens' } });
       return look(state, effect.at);
     case 'miss':
-      emit({ type: 'follow-up', event: { type: 'placement-missed' } });
+      emit({ type: 'follow-up', event: { type: 'placement-missed', at: effect.at } });
       return state;
+    case 'ring-focus':
+      emit({ type: 'focus', target: { handle: null, corner: null, ring: effect.corner } });
+      return state;
+    case 'left-out':
+      return informOfStep(state, leftOutText(effect.count), emit);
     case 'lassoed':
       emit({ type: 'follow-up', event: { type: 'lasso-drawn', ring: effect.ring, hole: effect.hole } });
       return state;

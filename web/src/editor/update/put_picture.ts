@@ -5,6 +5,7 @@ import type { Picture } from '../picture';
 import type { EditorState } from '../state';
 import { openView } from '../view';
 import type { Work } from '../work';
+import { wantLuminance } from './luminance';
 import { closeMenu } from './menu_closing';
 import { announce, clearNotices } from './notices';
 import { endStages, withSolution } from './solve_request';
@@ -32,6 +33,12 @@ function showPicture(before: EditorState, picture: Picture | null, emit: Emit): 
   const solution = { shown: null, recent: [], wanted: null, borders: null } as const;
   const state = closeMenu(clearNotices(withSolution(endStages(before, emit), solution), emit), emit);
   emit({ type: 'use-picture', picture });
-  const next = { ...state, picture, checks: { ...state.checks, outline: '', loose: false } };
+  const shown = {
+    ...state,
+    picture,
+    luminance: null,
+    checks: { ...state.checks, outline: '', loose: false },
+  };
+  const next = wantLuminance(shown, emit);
   return picture && !next.page.posable ? announce(next, `${picture.name} is open`) : next;
 }

@@ -70,7 +70,8 @@ export function restore(
   const { exports = choices, films = film, engines = engine, maps = state.exporting.maps } = work;
   const chosen = { choices: exports, film: films, engine: engines, maps, kind: work.exportKind ?? kind };
   const exporting = { ...state.exporting, ...chosen };
-  const display = { ...state.display, snapping: work.snapping ?? state.display.snapping };
+  const { snapping = state.display.snapping, edgeSnapping = null } = work;
+  const display = { ...state.display, snapping, edgeSnapping };
   return withOpening({ ...state, guard, display, exporting }, { restoring, nextId: id + 1 });
 }
 

@@ -4,6 +4,7 @@ import { COMMANDS } from '../commands';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import { type EditorState, projectOf } from '../state';
+import { wantLuminance } from './luminance';
 import { announce } from './notices';
 import { applyTools } from './press';
 import { select } from './selection';
@@ -19,7 +20,7 @@ export function choose(state: EditorState, tool: ToolName, emit: Emit): EditorSt
   }
   // With a placing tool Enter must reach the stage, not the focused handle.
   if (places(tool) && isOnHandles(next)) focusStage(emit);
-  return hideCrosshair(next);
+  return wantLuminance(hideCrosshair(next), emit);
 }
 
 /** Chooses a tool for a person, and announces it. */

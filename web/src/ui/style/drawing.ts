@@ -45,6 +45,22 @@ export const drawingStyle = css`
     line-height: 1.25;
     color: var(--_faint);
   }
+  @container ${phone} {
+    /* Two rows: the words and the switch, and the buttons. */
+    .draft-bar:has(.edge-switch) {
+      flex-wrap: wrap;
+      justify-content: flex-end;
+      width: 340px;
+      padding-left: 14px;
+    }
+    .draft-bar:has(.edge-switch) .words {
+      flex: 1 0 140px;
+      margin: 0;
+    }
+    .draft-bar .edge-switch {
+      padding-right: 4px;
+    }
+  }
   .button.finish {
     padding: 0 12px 0 8px;
     background: var(--_accent);

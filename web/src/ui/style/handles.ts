@@ -87,6 +87,26 @@ export const handlesStyle = css`
   .handle.middle-mark[aria-pressed='false']:not(:focus-visible)::before {
     opacity: 0;
   }
+  /* The marks show the corners of the selection; its buttons show the focus only. */
+  .ring-button {
+    position: absolute;
+    left: 0;
+    top: 0;
+    width: 22px;
+    height: 22px;
+    margin: -11px 0 0 -11px;
+    padding: 0;
+    border: 0;
+    border-radius: 50%;
+    background: none;
+    cursor: inherit;
+    pointer-events: none;
+  }
+  :host(.keyed) .ring-button:focus-visible {
+    outline: 2px solid var(--_handle);
+    outline-offset: -1px;
+    box-shadow: inset 0 0 0 2px var(--_casing);
+  }
   .handles.drawing {
     opacity: 0.45;
   }

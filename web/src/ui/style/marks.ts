@@ -46,6 +46,16 @@ export const marksStyle = css`
     stroke-width: 1.25;
     stroke-dasharray: 5 5;
   }
+  .ring-corner {
+    fill: var(--_casing);
+    stroke: #26272b;
+    stroke-width: 1.25;
+  }
+  .ring-corner.in-hand {
+    fill: var(--_handle);
+    stroke: var(--_casing);
+    stroke-width: 2;
+  }
   .domain .veil {
     fill: #0006;
     stroke: none;

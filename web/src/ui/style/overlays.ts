@@ -50,6 +50,16 @@ export const overlaysStyle = css`
     stroke: #fffc;
     stroke-width: 4;
   }
+  .selection {
+    fill: none;
+    stroke: #26272bb3;
+    stroke-width: 1;
+    stroke-linecap: round;
+  }
+  .selection.pale {
+    stroke: #fffa;
+    stroke-width: 2.5;
+  }
   .onion-skin {
     fill: none;
     stroke: #2558e8a0;

@@ -142,6 +142,10 @@ export const panelStyle = css`
     .panel.open {
       display: block;
     }
+    /* Three columns where they fit, so that the sheet shows all overlays at once. */
+    .checks {
+      grid-template-columns: repeat(auto-fill, minmax(118px, 1fr));
+    }
     /* One line. Its tooltips extend beyond it. */
     .panel:not(.numbers, .settings, .overlaid) {
       overflow: visible;

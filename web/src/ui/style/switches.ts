@@ -61,6 +61,38 @@ export const switchesStyle = css`
     opacity: 0.45;
     cursor: default;
   }
+  /* In hints and bars: the knob and a few words. */
+  .edge-switch {
+    display: inline-flex;
+    align-items: center;
+    gap: 8px;
+    height: 34px;
+    padding: 0 12px;
+    border: 0;
+    border-radius: 17px;
+    background: none;
+    color: inherit;
+    font: inherit;
+    font-size: 13px;
+    white-space: nowrap;
+    cursor: pointer;
+    pointer-events: auto;
+  }
+  .edge-switch::before {
+    content: '';
+    width: 30px;
+    height: 18px;
+    border-radius: 9px;
+    background: radial-gradient(circle at 9px 50%, #fff 6.5px, #fff0 7px) var(--_bound);
+  }
+  .edge-switch[aria-checked='true']::before {
+    background: radial-gradient(circle at 21px 50%, #fff 6.5px, #fff0 7px) var(--_accent);
+  }
+  @media (pointer: coarse) {
+    .edge-switch {
+      height: var(--_finger);
+    }
+  }
   @container ${phone} {
     .switch {
       padding-top: 6px;

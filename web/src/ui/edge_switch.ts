@@ -1,0 +1,17 @@
+/** Whether the lasso snaps to edges of the picture: beside its hint, and beside its drawing. */
+import { html, type TemplateResult } from 'lit';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
+
+export const edgeSwitch = (model: EditorModel, dispatch: Dispatch): TemplateResult => html`<button
+  type="button"
+  class="edge-switch"
+  part="button"
+  role="switch"
+  aria-checked=${String(model.edgeSnapping)}
+  aria-busy=${String(model.edgesPending)}
+  data-tip="The lasso follows edges of the picture. Hold Alt to draw freely"
+  @click=${() => dispatch({ type: 'edge-snapping-switched', on: !model.edgeSnapping })}
+>
+  Snap to edges
+</button>`;
