@@ -27,10 +27,9 @@ export const LEAST_STEEPNESS = 6;
 export function edgeWindow(luminance: Luminance, from: Vec, to: Vec, most: number): EdgeWindow {
   const wanted = extent(luminance, from, to);
   const shrink = Math.sqrt((wanted.width * wanted.height) / most);
-  // Halved copies, so that no move of a pointer reads all of a large picture.
+  // No move of a pointer reads all of a large picture. Means of some numbers follow the wanted size more closely.
   let source = luminance;
-  for (let halvings = Math.floor(Math.log2(Math.max(1, shrink))); halvings > 0; halvings--)
-    source = halved(source);
+  for (let left = shrink; left >= 4 && source.coarser; left /= 2) source = source.coarser;
   const { left, top, ...size } = extent(source, from, to);
   const coarse = Math.max(1, Math.ceil(Math.sqrt((size.width * size.height) / most)));
   const [width, height] = [
@@ -58,19 +57,6 @@ function extent({ width, height, step }: Luminance, from: Vec, to: Vec) {
   const right = high(Math.max(from[0], to[0]), left, width);
   const bottom = high(Math.max(from[1], to[1]), top, height);
   return { left, top, width: right - left, height: bottom - top };
-}
-
-const halves = new WeakMap<Luminance, Luminance>();
-
-/** The luminance in numbers for 2 × 2 others each, made once. */
-function halved(luminance: Luminance): Luminance {
-  const made = halves.get(luminance);
-  if (made) return made;
-  const [width, height] = [Math.ceil(luminance.width / 2), Math.ceil(luminance.height / 2)];
-  const values = Uint8Array.from(means(luminance, 0, 0, width, height, 2), Math.round);
-  const half = { width, height, values, step: 2 * luminance.step };
-  halves.set(luminance, half);
-  return half;
 }
 
 function means(

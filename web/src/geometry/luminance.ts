@@ -6,4 +6,6 @@ export interface Luminance {
   readonly values: Uint8Array;
   /** Image pixels per number, along either axis; at least 1. */
   readonly step: number;
+  /** The same in numbers for 2 × 2 of these each; null if these are few. */
+  readonly coarser: Luminance | null;
 }

@@ -17,7 +17,7 @@ function disc(width: number, height: number, centre: Vec, radius: number, step =
       const inside = distance([(x + 0.5) * step, (y + 0.5) * step], centre) < radius;
       values[y * width + x] = (inside ? 170 : 80) + noise();
     }
-  return { width, height, values, step };
+  return { width, height, values, step, coarser: null };
 }
 
 const on = (centre: Vec, radius: number, degrees: number): Vec => {
@@ -37,13 +37,13 @@ describe('a path along edges', () => {
       [100, 200],
       [350, 260],
     ] as const) {
-      const path = edgePath(picture, on(CENTRE, RADIUS, from), on(CENTRE, RADIUS, to));
+      const path = finePath(picture, on(CENTRE, RADIUS, from), on(CENTRE, RADIUS, to));
       expect(offEdge(path), `from ${from}`).toBeLessThan(2);
       expect(path.length).toBeLessThan(40);
     }
   });
   it('ends where it is asked to, and is straight without edges', () => {
-    const flat = { width: 100, height: 100, values: new Uint8Array(1e4).fill(99), step: 1 };
+    const flat = { width: 100, height: 100, values: new Uint8Array(1e4).fill(99), step: 1, coarser: null };
     for (const to of [
       [90, 35],
       [12, 80],

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { luminanceOf } from './luminance';
+import { buffersOf, luminanceOf } from './luminance';
 
 const pixels = (...levels: readonly (readonly [number, number, number, number])[]) =>
   new Uint8Array(levels.flat());
@@ -18,5 +18,12 @@ describe('the luminance of a picture', () => {
     const { width, height, step, values } = luminanceOf(rgba, 40, 30, 300);
     expect([width, height, step]).toEqual([20, 15, 2]);
     expect(new Set(values)).toEqual(new Set([205]));
+  });
+  it('brings coarser ones, down to few numbers', () => {
+    const fine = luminanceOf(new Uint8Array(500 * 300 * 4).fill(255), 500, 300);
+    expect([fine.coarser?.width, fine.coarser?.height, fine.coarser?.step]).toEqual([250, 150, 2]);
+    expect(fine.coarser?.coarser).toBeNull();
+    expect(new Set(fine.coarser?.values)).toEqual(new Set([255]));
+    expect(buffersOf(fine)).toHaveLength(2);
   });
 });

@@ -107,7 +107,7 @@ describe('a focused corner of the selection', () => {
 });
 
 describe('snapping to edges', () => {
-  const values = { width: 400, height: 300, values: new Uint8Array(120_000), step: 1 };
+  const values = { width: 400, height: 300, values: new Uint8Array(120_000), step: 1, coarser: null };
 
   it('is on for opaque pictures, and a choice stays with the work', () => {
     const runtime = opened();

@@ -4,7 +4,7 @@
  * Decoding a hundred million pixels takes seconds, and copying them alone takes longer than a frame.
  */
 import type { Platform } from '../decode';
-import { luminanceOf } from '../luminance';
+import { buffersOf, luminanceOf } from '../luminance';
 import type { PictureRequest, ReadReply, ReadRequest } from '../picture_messages';
 import { readPicture } from '../read_picture';
 
@@ -39,7 +39,7 @@ async function serve(file: Blob, port: MessagePort): Promise<void> {
     }
     if (data.kind === 'luminance') {
       const values = pixels && size && luminanceOf(pixels, size.width, size.height);
-      data.to.postMessage(values, values ? [values.values.buffer] : []);
+      data.to.postMessage(values, values ? [...buffersOf(values)] : []);
       return;
     }
     reading.abort();
