@@ -21,6 +21,10 @@ export const domainOf = (threshold: number | null): Domain =>
 export const ringsOf = ({ domain }: Project): readonly Ring[] =>
   domain?.kind === 'polygon' ? domain.rings : [];
 
+/** Whether two projects have the same domain. Cheap while it is the same object. */
+export const isSameDomain = (a: Project, b: Project): boolean =>
+  a.domain === b.domain || JSON.stringify(a.domain) === JSON.stringify(b.domain);
+
 /**
  * Adds the inside of a drawn ring to the domain, or cuts it out as a hole. Returns `null` if the ring contains nothing
  * of the picture.

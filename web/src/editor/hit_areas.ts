@@ -1,7 +1,7 @@
 /** The hit areas of a press, as large as the pointer in use needs, and the context in which tools find them. */
 
 import type { Brush } from '../document/brush_stroke';
-import { isInsideOf, ringsOf } from '../document/domain';
+import { isInsideOf, isSameDomain, ringsOf } from '../document/domain';
 import type { HiddenCorners, Turns } from '../document/handle';
 import { toImage } from '../geometry/camera';
 import { distanceToLine } from '../geometry/polyline';
@@ -121,7 +121,8 @@ export const holdsAt = (state: EditorState, pointer: StagePointer): boolean => {
 function isLeftOut(state: EditorState, at: Press['at'], within: number): boolean {
   const project = projectOf(state);
   const rings = ringsOf(project);
-  if (rings.length === 0 || state.solution.shown?.project.domain === project.domain) return false;
+  const { shown } = state.solution;
+  if (rings.length === 0 || (shown && isSameDomain(shown.project, project))) return false;
   return !isInsideOf(rings, at) && rings.every((ring) => distanceToLine(ring, true, at) > within);
 }
 

@@ -1,7 +1,7 @@
 /** Everything that the templates show, derived from the state. */
 import type { Document } from '../document/document';
 import { handleById, selectedHandles } from '../document/document';
-import { ringsOf } from '../document/domain';
+import { isSameDomain, ringsOf } from '../document/domain';
 import { anchor, type HiddenCorners, isLine, nameOf, type Turns } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
 import type { RingCorner } from '../document/lasso_corners';
@@ -334,12 +334,13 @@ export function viewModel(state: EditorState): EditorModel {
   };
 }
 
-/** Null without a lasso, and before its solution. */
+/** Null without a lasso, and before its solution: the shown one would have another outline. */
 function selectedOutline(state: EditorState): Float32Array | null {
   const project = projectOf(state);
-  const shown = state.solution.shown?.deformation;
+  const { shown } = state.solution;
   const isShown = overlaysOf(state).selection && state.display.preview === null;
-  return shown && isShown && ringsOf(project).length > 0 ? shown.outline(project) : null;
+  if (!shown || !isShown || ringsOf(project).length === 0) return null;
+  return isSameDomain(shown.project, project) ? shown.deformation.outline(project) : null;
 }
 
 function forcingNames(state: EditorState): readonly string[] {
