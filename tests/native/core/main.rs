@@ -11,6 +11,7 @@ mod cloud;
 mod continuity;
 mod depth;
 mod energy;
+mod fill;
 mod fine_outlines;
 mod geodesic;
 mod handles;

@@ -19,6 +19,7 @@ use crate::{
     cell_borders::CellBorders,
     drawing::{Canvas, Drawing},
     error::{to_js, with_code},
+    fill::Fill,
     filming::{FilmOptions, Filming, Moment},
     solution::Solution,
 };
@@ -114,6 +115,31 @@ impl Session {
         ms.pose = now_ms() - start;
         let report = Inspection { report: solution.report(&pose), ms };
         Ok(Solution::new(solution, json(&report)))
+    }
+
+    /// Asks for the fill behind the domain of a project that is solved.
+    ///
+    /// # Errors
+    /// For a project that breaks the format.
+    pub fn begin_fill(&mut self, project_json: &str) -> Result<(), JsValue> {
+        let project = Project::from_json(project_json).map_err(|error| to_js(&error.into()))?;
+        self.solver.begin_fill(&project);
+        Ok(())
+    }
+
+    /// Runs the next step of the fill. Returns the part that is done, from 0 to 1; `undefined` when nothing is left.
+    ///
+    /// # Errors
+    /// For a domain that covers all of the picture.
+    pub fn advance_fill(&mut self) -> Result<Option<f64>, JsValue> {
+        let picture = Picture::new(self.width, self.height, &self.rgba);
+        picture.and_then(|picture| self.solver.advance_fill(&picture)).map_err(|error| to_js(&error))
+    }
+
+    /// The fill behind the last solution, if the project has one and it is finished.
+    #[must_use]
+    pub fn fill(&self) -> Option<Fill> {
+        self.solver.solution().and_then(c2warp::Solution::fill).map(Fill::from)
     }
 
     /// Prepares to draw the warped picture at full quality. Solves first if necessary.
@@ -303,6 +329,7 @@ impl Session {
         let options = ResampleOptions { edges: project.edges, ..options };
         // Invalid scales are rejected before the solve, because it takes time.
         raster::warped_size(self.width, self.height, options.scale)?;
+        self.try_solve_filled(&project)?;
         let (solution, pose) = self.try_pose(&project, moment)?;
         solution.drawing(&Picture::new(self.width, self.height, &self.rgba)?, &pose, options)
     }
@@ -328,10 +355,19 @@ impl Session {
         // Invalid options are rejected before the solve, because it takes time.
         let times = film.times(&clip)?;
         let (width, height) = raster::warped_size(self.width, self.height, film.resample.scale)?;
-        self.try_solve(&project)?;
+        self.try_solve_filled(&project)?;
         let solution = self.solver.shared_solution().expect("it has just been solved");
         let options = ResampleOptions { edges: project.edges, ..film.resample };
         Ok(Filming::new(solution, &project, clip, times, options, [width, height]))
+    }
+
+    /// As [`try_solve`](Self::try_solve), with the fill behind the domain.
+    fn try_solve_filled(&mut self, project: &Project) -> Result<(), Error> {
+        self.try_solve(project)?;
+        self.solver.begin_fill(project);
+        let picture = Picture::new(self.width, self.height, &self.rgba)?;
+        while self.solver.advance_fill(&picture)?.is_some() {}
+        Ok(())
     }
 
     /// The solution of a project. The last one is used again if it fits.

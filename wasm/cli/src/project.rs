@@ -204,8 +204,25 @@ impl LoadedProject {
 
     /// Solves the project. Tells on standard error if the outline could not be followed closely.
     pub(crate) fn solve(&self) -> Result<Solution, CliError> {
+        self.solve_by(|_| Ok(()))
+    }
+
+    /// The same, with the fill behind the domain: for results that show pixels.
+    pub(crate) fn solve_filled(&self) -> Result<Solution, CliError> {
+        self.solve_by(|solver| {
+            progress::show("filling the background");
+            let picture = self.picture()?;
+            while let Some(done) = solver.advance_fill(&picture).map_err(|reason| self.refused(reason))? {
+                progress::count("filling the background: percent", (100.0 * done) as usize, 100);
+            }
+            Ok(())
+        })
+    }
+
+    fn solve_by(&self, finish: impl Fn(&mut Solver) -> Result<(), CliError>) -> Result<Solution, CliError> {
         let mut solver = Solver::new();
         self.solve_stages(&mut solver, &self.picture()?).map_err(|reason| self.refused(reason))?;
+        finish(&mut solver)?;
         let solution = solver.into_solution().expect("every stage has run");
         if let Some(remark) = remark(solution.domain()) {
             error::tell(format_args!("{}: {remark}", self.image_path.display()));

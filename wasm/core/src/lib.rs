@@ -62,6 +62,7 @@ pub mod weight;
 
 // Drawing.
 mod cell_borders;
+pub mod fill;
 pub mod raster;
 mod render_mesh;
 mod static_background;

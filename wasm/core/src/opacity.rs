@@ -37,9 +37,13 @@ enum Block {
 
 impl Opacity {
     pub(crate) fn new(picture: &Picture<'_>) -> Self {
-        let (width, height) = picture.size();
-        let (columns, rows) = (width.div_ceil(BLOCK), height.div_ceil(BLOCK));
         let pixels = picture.rgba().as_chunks::<4>().0;
+        Self::of_levels(picture.size(), |at| pixels[at][3])
+    }
+
+    /// The opacity of a picture by the level of each pixel.
+    pub(crate) fn of_levels((width, height): (u32, u32), level: impl Fn(usize) -> u8) -> Self {
+        let (columns, rows) = (width.div_ceil(BLOCK), height.div_ceil(BLOCK));
         let mut levels = Vec::new();
         let mut block = |column: u32, row: u32| {
             let mut own = [0; BLOCK_PIXELS];
@@ -47,7 +51,7 @@ impl Opacity {
             for y in 0..BLOCK.min(height - row * BLOCK) {
                 let from = (row * BLOCK + y) as usize * width as usize + (column * BLOCK) as usize;
                 let line = &mut own[(y * BLOCK) as usize..][..columns];
-                line.iter_mut().zip(&pixels[from..]).for_each(|(level, pixel)| *level = pixel[3]);
+                line.iter_mut().zip(from..).for_each(|(own, at)| *own = level(at));
             }
             if own.iter().all(|&level| level < VISIBLE) {
                 return Block::Empty;

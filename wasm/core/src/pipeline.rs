@@ -128,6 +128,7 @@ pub(crate) fn compute_weights(
         handle_counts: input.handle_counts(),
         outside,
         prepared,
+        fill: None,
     }
 }
 

@@ -6,6 +6,7 @@ use crate::{
     distance::Navigation,
     domain::Domain,
     error::Error,
+    fill::{FillKey, Mask},
     opacity::Opacity,
     picture::Picture,
     project::{DomainSpec, Project},
@@ -18,19 +19,21 @@ pub(crate) struct PreparedDomain {
     pub(crate) navigation: Navigation,
     /// Width and height of the picture, or `None` without a picture.
     pub(crate) picture: Option<(u32, u32)>,
-    /// The opacity of the picture, if it goes on beyond the outline and needs a skirt.
+    /// The opacity of the picture, if it goes on beyond the outline and needs a skirt. Over a filled background, of
+    /// those of its pixels that are filled alone: the skirt covers them at rest.
     pub(crate) around: Option<Opacity>,
     /// Size of the picture, if it continues beyond the outline as a background that stays.
     pub(crate) background_size: Option<DVec2>,
 }
 
 impl PreparedDomain {
-    /// Finds the domain of a picture and triangulates it. If its boundary is `held`, it has fewer corners.
+    /// Finds the domain of a project in a picture and triangulates it. If its boundary is held, it has fewer corners.
     ///
     /// # Errors
     /// The errors of [`Domain::new`].
-    pub(crate) fn new(spec: Option<&DomainSpec>, picture: &Picture, held: bool) -> Result<Self, Error> {
-        let domain = Domain::bounded(spec, picture, held)?;
+    pub(crate) fn new(project: &Project, picture: &Picture) -> Result<Self, Error> {
+        let spec = project.domain.as_ref();
+        let domain = Domain::bounded(spec, picture, project.fix_boundary)?;
         let navigation = Navigation::new(&domain);
         let has_skirt = match spec {
             Some(DomainSpec::Alpha { .. }) => true,
@@ -39,7 +42,11 @@ impl PreparedDomain {
         };
         let has_background = matches!(spec, Some(DomainSpec::Polygon { .. }));
         let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-        let around = has_skirt.then(|| Opacity::new(picture));
+        let around = if FillKey::of(project).is_some() {
+            Some(Mask::new(domain.rings(), picture.size()).opacity(picture.size()))
+        } else {
+            has_skirt.then(|| Opacity::new(picture))
+        };
         let background_size = has_background.then_some(size);
         Ok(Self { domain, navigation, picture: Some(picture.size()), around, background_size })
     }
@@ -57,10 +64,21 @@ pub(crate) struct DomainKey {
     domain: Option<DomainSpec>,
     picture: (u32, u32),
     held: bool,
+    filled: bool,
 }
 
 impl DomainKey {
+    /// Whether it is that of a filled domain in a picture of a size.
+    pub(crate) fn is_of(&self, domain: &DomainSpec, picture: (u32, u32)) -> bool {
+        self.filled && self.domain.as_ref() == Some(domain) && self.picture == picture
+    }
+
     pub(crate) fn of(project: &Project) -> Self {
-        Self { domain: project.domain.clone(), picture: project.image.size(), held: project.fix_boundary }
+        Self {
+            domain: project.domain.clone(),
+            picture: project.image.size(),
+            held: project.fix_boundary,
+            filled: FillKey::of(project).is_some(),
+        }
     }
 }

@@ -11,6 +11,7 @@ use crate::{
     distance::Navigation,
     domain::Domain,
     error::Error,
+    fill::Fill,
     loose::Loose,
     picture::Picture,
     pose::Poser,
@@ -69,6 +70,8 @@ pub struct Solution {
     /// Islands without sites that follow others.
     pub(crate) loose: Loose,
     pub(crate) prepared: Arc<PreparedDomain>,
+    /// The picture behind the mesh, once it is filled.
+    pub(crate) fill: Option<Arc<Fill>>,
 }
 
 /// The meshes that a pose draws, in drawing order.
@@ -78,6 +81,8 @@ struct Drawn {
     triangles: Vec<[u32; 3]>,
     /// The box around all crossings.
     crossed: Option<Bounds>,
+    /// The whole picture behind them.
+    behind: Option<Vec<u8>>,
 }
 
 /// The mesh.
@@ -101,6 +106,14 @@ impl Solution {
     #[must_use]
     pub fn static_background(&self) -> &StaticBackground {
         &self.background
+    }
+
+    /// The fill of the picture behind the mesh; `None` if the project has none, or a [`Solver`](crate::Solver) has not
+    /// finished it. With it, the whole picture is drawn behind the mesh in place of the
+    /// [static background](Self::static_background).
+    #[must_use]
+    pub fn fill(&self) -> Option<&Fill> {
+        self.fill.as_deref()
     }
 
     /// Number of samples: the first [`vertices`](Self::vertices), which lie in the domain.
@@ -359,8 +372,8 @@ impl Solution {
         rest_points(&values, vertices, triangles, points).into_iter().map(|found| found.map(|value| value.x)).collect()
     }
 
-    /// The warped picture: [`warp`](crate::raster::warp) of the [static background](Self::static_background) and the
-    /// mesh. Without handles, the whole picture at rest.
+    /// The warped picture: [`warp`](crate::raster::warp) of the [static background](Self::static_background) or the
+    /// [filled](Self::fill) picture, and the mesh. Without handles, the whole picture at rest.
     ///
     /// It has the size that [`warped_size`](crate::raster::warped_size) returns, unless the canvas grows.
     ///
@@ -379,8 +392,8 @@ impl Solution {
     /// # Errors
     /// Those of [`warped`](Self::warped).
     pub fn drawing(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Drawing, Error> {
-        let Drawn { rest, posed, triangles, crossed } = self.drawn(picture, pose)?;
-        let drawing = Drawing::new(picture, &rest, &posed, &triangles, options)?;
+        let Drawn { rest, posed, triangles, crossed, behind } = self.drawn(picture, pose)?;
+        let drawing = Drawing::over(picture, behind, &rest, &posed, &triangles, options)?;
         Ok(match crossed {
             Some(around) if options.edges && options.filter != Filter::Nearest => {
                 drawing.with_edges(picture, options.scale, around)
@@ -398,7 +411,7 @@ impl Solution {
         Ok(self.drawing(picture, pose, ResampleOptions { edges: false, ..options })?.extent())
     }
 
-    /// The static background and the mesh, or the whole picture at rest without handles.
+    /// The static background or the filled picture, and the mesh, or the whole picture at rest without handles.
     fn drawn(&self, picture: &Picture<'_>, pose: &Pose) -> Result<Drawn, Error> {
         if let Some(size) = self.prepared.picture {
             check_picture(size, picture)?;
@@ -412,18 +425,24 @@ impl Solution {
                 posed: corners.into(),
                 triangles: vec![[0, 1, 2], [0, 2, 3]],
                 crossed: None,
+                behind: None,
             });
+        }
+        let posed = self.posed_vertices(pose);
+        let DrawnPose { triangles, crossed, .. } = self.drawn_pose(pose, &posed);
+        if let Some(fill) = &self.fill {
+            let (rest, triangles) = (self.mesh.vertices.clone(), triangles.into_owned());
+            return Ok(Drawn { rest, posed, triangles, crossed, behind: Some(fill.over(picture)) });
         }
         let around = self.background.vertices();
         let first = around.len() as u32;
-        let posed = self.posed_vertices(pose);
-        let DrawnPose { triangles, crossed, .. } = self.drawn_pose(pose, &posed);
         let moved = triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex));
         Ok(Drawn {
             rest: [around, &self.mesh.vertices].concat(),
             posed: [around, &posed].concat(),
             triangles: self.background.triangles().iter().copied().chain(moved).collect(),
             crossed,
+            behind: None,
         })
     }
 

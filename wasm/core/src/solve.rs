@@ -28,6 +28,7 @@ pub fn solve(project: &Project, picture: &Picture<'_>) -> Result<Solution, Error
     let mut solver = Solver::new();
     solver.begin(project, picture)?;
     while solver.advance()?.is_some() {}
+    while solver.advance_fill(picture)?.is_some() {}
     Ok(solver.into_solution().expect("every stage has run"))
 }
 

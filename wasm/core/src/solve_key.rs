@@ -2,6 +2,7 @@
 
 use crate::{
     error::Error,
+    fill::FillKey,
     picture::Picture,
     prepared_domain::DomainKey,
     project::{DomainSpec, Project},
@@ -9,7 +10,7 @@ use crate::{
 };
 
 /// Everything that a solution depends on: equal keys have equal solutions. Poses of handles, clips and colours are left
-/// out.
+/// out, unless the picture is filled behind the domain.
 ///
 /// ```
 /// use c2warp::{Picture, SolveKey, project::{Handle, Project}};
@@ -29,6 +30,8 @@ pub struct SolveKey {
     input: SolveInput,
     /// The alpha of each pixel, if the outline depends on it and a pixel is not opaque.
     alpha: Option<Vec<u8>>,
+    /// The fill with the pixels that it is made from.
+    fill: Option<(FillKey, Vec<u8>)>,
 }
 
 impl SolveKey {
@@ -43,6 +46,7 @@ impl SolveKey {
         let follows_alpha = matches!(project.domain, None | Some(DomainSpec::Alpha { .. }));
         let alpha = (follows_alpha && picture.has_transparency())
             .then(|| picture.rgba().as_chunks::<4>().0.iter().map(|pixel| pixel[3]).collect());
-        Ok(Self { domain: DomainKey::of(project), input: SolveInput::new(project)?, alpha })
+        let fill = FillKey::of(project).map(|key| (key, picture.rgba().to_vec()));
+        Ok(Self { domain: DomainKey::of(project), input: SolveInput::new(project)?, alpha, fill })
     }
 }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::{
     distance::Propagation,
     error::Error,
+    fill::{FillKey, Filling},
     picture::Picture,
     pipeline,
     prepared_domain::{DomainKey, PreparedDomain},
@@ -45,6 +46,7 @@ use crate::{
 pub struct Solver {
     domain: Option<DomainCache>,
     propagation: Propagation,
+    filling: Filling,
     pending: Option<PendingSolve>,
     finished: Option<FinishedSolve>,
 }
@@ -116,9 +118,10 @@ impl Solver {
         let input = SolveInput::new(project)?;
         let key = DomainKey::of(project);
         if self.domain.as_ref().is_none_or(|known| known.key != key) {
-            let prepared = Arc::new(PreparedDomain::new(project.domain.as_ref(), picture, project.fix_boundary)?);
+            let prepared = Arc::new(PreparedDomain::new(project, picture)?);
             self.domain = Some(DomainCache { key, prepared, sampling: SamplingCache::default() });
         }
+        self.filling.ask(FillKey::of(project));
         let domain = self.domain.as_ref().map(|domain| &domain.key);
         let known = self.finished.as_ref().filter(|finished| Some(&finished.key) == domain);
         let is_solved = known.is_some_and(|known| known.input.differs_in_stiffness_alone(&input));
@@ -135,7 +138,8 @@ impl Solver {
     /// [`Error::BarsOverlap`], [`Error::HeldTooFine`], [`Error::TooManySites`], [`Error::TooMuchMemory`]. An error
     /// ends the solve; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
-        let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, pending, finished } = self
+        let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, filling, pending, finished } =
+            self
         else {
             return Ok(None);
         };
@@ -160,13 +164,44 @@ impl Solver {
             }
             Progress::Partitioned { located, samples, partition } => {
                 let prepared = Arc::clone(prepared);
-                let solution = pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
+                let mut solution =
+                    pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
+                solution.fill = filling.finished_for(key);
                 *finished = Some(FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) });
                 return Ok(Some(Stage::Weights));
             }
         };
         *pending = Some(PendingSolve { input, progress });
         Ok(Some(stage))
+    }
+
+    /// Asks for the fill of a project, and drops one that another domain or seed had. [`begin`](Self::begin) does so
+    /// as well.
+    pub fn begin_fill(&mut self, project: &Project) {
+        self.filling.ask(FillKey::of(project));
+    }
+
+    /// Runs the next step of the fill behind the last project's domain. Returns the part that is done, from 0 to 1;
+    /// `None` if nothing is left to do, or the project has no fill. Solutions of the project then draw it.
+    ///
+    /// A fill depends on the picture, the domain and the seed alone. It goes on where it was while other handles are
+    /// solved.
+    ///
+    /// # Errors
+    /// - [`Error::PictureMismatch`];
+    /// - [`Error::NothingToFillFrom`];
+    /// - those of [`Domain::new`](crate::domain::Domain::new).
+    pub fn advance_fill(&mut self, picture: &Picture<'_>) -> Result<Option<f64>, Error> {
+        let progress = self.filling.advance(picture)?;
+        if progress.is_none()
+            && let Some(FinishedSolve { key, solution, .. }) = &mut self.finished
+        {
+            let fill = self.filling.finished_for(key);
+            if solution.fill != fill {
+                Arc::make_mut(solution).fill = fill;
+            }
+        }
+        Ok(progress)
     }
 
     /// The last solution; `None` before the first solve has finished.

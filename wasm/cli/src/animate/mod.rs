@@ -103,7 +103,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     };
     let targets = targets(&loaded, arguments, &film)?;
 
-    let solution = loaded.solve()?;
+    let solution = loaded.solve_filled()?;
     let options = ResampleOptions {
         scale,
         filter: if arguments.pixelated { Filter::Nearest } else { Filter::Cubic },

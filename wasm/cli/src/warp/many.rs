@@ -157,7 +157,7 @@ impl Batch<'_> {
         }
         let targets = Targets::open(&loaded, &job.output, job.stmap.as_deref())?;
         let key = SolveKey::new(&loaded.project, &loaded.picture()?).map_err(|reason| loaded.refused(reason))?;
-        let solution = self.solutions.get(key, || loaded.solve())?;
+        let solution = self.solutions.get(key, || loaded.solve_filled())?;
         Ok(targets.write(&loaded, &solution, &self.arguments.drawing)?.origin)
     }
 

@@ -74,7 +74,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         return bent::run(arguments, &loaded);
     }
     let targets = Targets::open(&loaded, &arguments.output, arguments.stmap.as_deref())?;
-    let solution = loaded.solve()?;
+    let solution = loaded.solve_filled()?;
     let extent = targets.write(&loaded, &solution, &arguments.drawing)?;
     let written = [Some(&arguments.output), arguments.stmap.as_ref()];
     let origin = extent.origin.map(f64::from);

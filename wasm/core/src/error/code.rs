@@ -4,7 +4,7 @@ use super::Error;
 
 impl Error {
     /// All codes that [`code`](Self::code) returns.
-    pub const CODES: [&'static str; 27] = [
+    pub const CODES: [&'static str; 28] = [
         "project",
         "picture",
         "picture-mismatch",
@@ -12,6 +12,7 @@ impl Error {
         "canvas",
         "nothing-drawn",
         "nothing-opaque",
+        "nothing-to-fill-from",
         "no-outline",
         "domain",
         "handle-outside",
@@ -45,6 +46,7 @@ impl Error {
     /// | `canvas` | a warped picture that is too large to be drawn as a whole |
     /// | `nothing-drawn` | a covered part without a pixel |
     /// | `nothing-opaque` | a picture without an opaque region of sufficient size |
+    /// | `nothing-to-fill-from` | a domain that covers all of the picture, with a fill behind it |
     /// | `no-outline` | a picture without transparency, to be fitted by its outline |
     /// | `domain` | invalid rings, or rings with too many corners |
     /// | `handle-outside` | a handle outside the domain |
@@ -75,6 +77,7 @@ impl Error {
             Self::NothingDrawn => "nothing-drawn",
             Self::PictureMismatch { .. } => "picture-mismatch",
             Self::NothingOpaque { .. } | Self::OnlySpecks { .. } => "nothing-opaque",
+            Self::NothingToFillFrom => "nothing-to-fill-from",
             Self::NoOutline => "no-outline",
             Self::RingOutsidePicture { .. }
             | Self::RingPoint { .. }

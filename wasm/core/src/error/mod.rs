@@ -107,6 +107,11 @@ pub enum Error {
         /// The alpha threshold, in (0, 1].
         threshold: f64,
     },
+    /// The domain covers all of the picture.
+    #[error(
+        "nothing is left around the domain to fill the picture behind it from: draw domain.rings smaller, or leave out fill"
+    )]
+    NothingToFillFrom,
     /// Only specks reach the threshold.
     #[error(
         "only {specks} specks of the picture are opaque at the threshold {}: lower domain.threshold, or warp the whole image",

@@ -24,6 +24,7 @@ impl Project {
             clips,
             stiffness,
             format: _,
+            fill: _,
             samples: _,
             weighting: _,
             pose: _,

@@ -31,6 +31,7 @@ mod clip;
 mod cursor;
 mod domain;
 mod error;
+mod fill;
 mod format;
 mod handle;
 mod image;
@@ -59,6 +60,7 @@ use serde::Serialize;
 pub use self::clip::{Clip, Ease, Key, Looping, Track};
 pub use self::domain::DomainSpec;
 pub use self::error::ProjectError;
+pub use self::fill::{FillMethod, FillSpec};
 pub use self::format::Format;
 pub use self::handle::Handle;
 pub use self::image::ImageRef;
@@ -97,6 +99,11 @@ pub struct Project {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "DomainSpec", default, transform = without_default)]
     pub domain: Option<DomainSpec>,
+    /// How the picture behind a domain of rings is filled. Without it, what moves away leaves a gap. Other domains have
+    /// nothing behind them, and ignore it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "FillSpec", default, transform = without_default)]
+    pub fill: Option<FillSpec>,
     /// Approximate number of samples, from 100 to 2,000,000.
     #[schemars(default = "default_samples", range(min = LEAST_SAMPLES, max = MOST_SAMPLES))]
     pub samples: u32,
@@ -182,6 +189,7 @@ impl Project {
             format: Format::default(),
             image,
             domain: None,
+            fill: None,
             samples: default_samples(),
             weighting: Weighting::default(),
             pose: PoseSpec::default(),
@@ -208,6 +216,7 @@ impl Project {
             "format",
             "image",
             "domain",
+            "fill",
             "samples",
             "weighting",
             "pose",
@@ -222,6 +231,7 @@ impl Project {
             format,
             image: project.required("image").and_then(ImageRef::read)?,
             domain: project.optional("domain").map(DomainSpec::read).transpose()?,
+            fill: project.optional("fill").map(FillSpec::read).transpose()?,
             samples: project.value_or("samples", default_samples(), |value| value.whole_number(&SAMPLES))?,
             weighting: project.value_or("weighting", Weighting::default(), Weighting::read)?,
             pose: project.value_or("pose", PoseSpec::default(), PoseSpec::read)?,

@@ -9,14 +9,14 @@ use super::BAND_ROWS;
 use super::band::Band;
 use super::facet::Facet;
 use super::frame::{Area, Frame};
-use super::texture::Texture;
+use super::layers::Textures;
 
 /// Returns `known`, grown to hold every pixel with opacity.
 ///
 /// `facets` are relative to the frame, and `bins` holds those of each band.
-pub(super) fn covered(known: Area, frame: Frame, facets: &[Facet], bins: &[Vec<u32>], texture: &Texture<'_>) -> Area {
+pub(super) fn covered(known: Area, frame: Frame, facets: &[Facet], bins: &[Vec<u32>], textures: &Textures<'_>) -> Area {
     let [width, height] = frame.size;
-    let mut search = Search { area: known, facets, texture, band: Band::new(width, BAND_ROWS, frame.origin), frame };
+    let mut search = Search { area: known, facets, textures, band: Band::new(width, BAND_ROWS, frame.origin), frame };
     for (index, bin) in bins.iter().enumerate() {
         if !search.area.is_empty() && search.area.rows.start <= index * BAND_ROWS {
             break;
@@ -43,7 +43,7 @@ struct Search<'a> {
     area: Area,
     frame: Frame,
     facets: &'a [Facet],
-    texture: &'a Texture<'a>,
+    textures: &'a Textures<'a>,
     band: Band,
 }
 
@@ -52,12 +52,12 @@ impl Search<'_> {
     /// columns must be among them.
     fn visit(&mut self, index: usize, bin: &[u32], is_drawn: impl Fn(&Facet) -> bool) {
         let [width, height] = self.frame.size;
-        let drawn = || bin.iter().map(|&facet| &self.facets[facet as usize]).filter(|facet| is_drawn(facet));
+        let drawn = || bin.iter().filter(|&&facet| is_drawn(&self.facets[facet as usize]));
         if drawn().next().is_none() {
             return;
         }
         self.band.clear(index * BAND_ROWS);
-        drawn().for_each(|facet| self.band.draw(facet, self.texture));
+        drawn().for_each(|&facet| self.band.draw(&self.facets[facet as usize], self.textures.of(facet)));
         for row in index * BAND_ROWS..height.min((index + 1) * BAND_ROWS) {
             let has_opacity = |x: &usize| self.band.has_opacity(*x, row);
             if let Some(first) = (0..width).find(has_opacity) {

@@ -10,6 +10,7 @@ use super::edges::Edges;
 use super::extent::Extent;
 use super::facet::{Facet, mesh_facets};
 use super::frame::{Area, Frame};
+use super::layers::{Behind, Textures};
 use super::options::{Canvas, Filter, ResampleOptions};
 use super::sources::{Source, SourceRows};
 use super::texture::{MipLevel, Texture, mip_levels};
@@ -19,7 +20,8 @@ use crate::{deform::Bounds, error::Error, picture::Picture};
 
 /// A warped picture, ready to be drawn.
 ///
-/// It holds about 110 bytes per triangle, and the mip levels. The picture is passed to each call.
+/// It holds about 110 bytes per triangle, and the mip levels; over a [fill](crate::fill), a copy of the picture as well.
+/// The picture is passed to each call.
 ///
 /// ```
 /// use c2warp::{Drawing, ResampleOptions, Picture, glam::DVec2, raster::warp};
@@ -44,6 +46,7 @@ pub struct Drawing {
     /// Indices of the facets in each band of [`BAND_ROWS`].
     bins: Vec<Vec<u32>>,
     mip_levels: Vec<MipLevel>,
+    behind: Option<Behind>,
     edges: Option<Edges>,
 }
 
@@ -65,11 +68,30 @@ impl Drawing {
         rest: &[DVec2],
         posed: &[DVec2],
         triangles: &[[u32; 3]],
+        options: ResampleOptions,
+    ) -> Result<Self, Error> {
+        Self::over(picture, None, rest, posed, triangles, options)
+    }
+
+    /// The same over another picture of the same size, which stays in place behind the mesh. Its pixels are `behind`.
+    pub(crate) fn over(
+        picture: &Picture<'_>,
+        behind: Option<Vec<u8>>,
+        rest: &[DVec2],
+        posed: &[DVec2],
+        triangles: &[[u32; 3]],
         ResampleOptions { scale, canvas, filter, edges: _ }: ResampleOptions,
     ) -> Result<Self, Error> {
         let picture_size = warped_size(picture.width(), picture.height(), scale)?;
-        let mut facets = mesh_facets(rest, posed, triangles, scale);
-        let mip_levels = mip_levels(*picture, filter, &facets);
+        let front = mesh_facets(rest, posed, triangles, scale);
+        let mip_levels = mip_levels(*picture, filter, &front);
+        let (behind, mut facets) = match behind {
+            Some(rgba) => {
+                let (behind, facets) = Behind::new(picture, rgba, filter, scale);
+                (Some(behind), [facets, front].concat())
+            }
+            None => (None, front),
+        };
         let own = Frame::of_picture(picture_size);
         let known = match canvas {
             Canvas::Picture => Some(own),
@@ -79,22 +101,22 @@ impl Drawing {
         if let Some(frame) = known {
             move_by(&mut facets, frame.origin);
             let bins = facets_by_band(&facets, frame.size[1]);
-            return Ok(Self { frame, scale, filter, facets, bins, mip_levels, edges: None });
+            return Ok(Self { frame, scale, filter, facets, bins, mip_levels, behind, edges: None });
         }
         check_range(posed, triangles, scale)?;
         let around = own.around(&facets)?;
         move_by(&mut facets, around.origin);
         let bins = facets_by_band(&facets, around.size[1]);
         let known = if canvas == Canvas::Grown { around.area_of_picture(picture_size) } else { Area::EMPTY };
-        let texture = Texture::new(*picture, filter, &mip_levels);
-        let area = covered(known, around, &facets, &bins, &texture);
+        let textures = Textures::new(Texture::new(*picture, filter, &mip_levels), behind.as_ref(), picture, filter);
+        let area = covered(known, around, &facets, &bins, &textures);
         if area.is_empty() {
             return Err(Error::NothingDrawn);
         }
         let frame = around.of_area(&area);
         move_by(&mut facets, [0, 1].map(|axis| frame.origin[axis] - around.origin[axis]));
         let bins = facets_by_band(&facets, frame.size[1]);
-        Ok(Self { frame, scale, filter, facets, bins, mip_levels, edges: None })
+        Ok(Self { frame, scale, filter, facets, bins, mip_levels, behind, edges: None })
     }
 
     /// Prepares to draw all of a picture as it is, at a scale. The canvas is that of the picture.
@@ -111,7 +133,8 @@ impl Drawing {
     /// The same drawing with edges where parts cross. `around` bounds all crossings, in pixels of the picture, and
     /// `scale` is that of [`new`](Self::new).
     pub(crate) fn with_edges(self, picture: &Picture<'_>, scale: f64, around: Bounds) -> Self {
-        let edges = Edges::new(picture, self.frame, &self.facets, scale, around);
+        let first = self.behind.as_ref().map_or(0, |behind| behind.facets as usize);
+        let edges = Edges::new(picture, self.frame, &self.facets[first..], scale, around);
         Self { edges, ..self }
     }
 
@@ -147,7 +170,7 @@ impl Drawing {
     pub fn rows(&self, picture: &Picture<'_>, rows: Range<u32>) -> Vec<u8> {
         let width = self.frame.size[0];
         let Range { start, end } = self.whole_bands(rows);
-        let texture = Texture::new(*picture, self.filter, &self.mip_levels);
+        let textures = self.textures(picture);
         let mut rgba = vec![0; (end - start) * width * 4];
         let mut band = Band::new(width, BAND_ROWS, self.frame.origin);
         let bins = self.bins.iter().enumerate().skip(start / BAND_ROWS);
@@ -157,7 +180,7 @@ impl Drawing {
             }
             band.clear(index * BAND_ROWS);
             for &facet in bin {
-                band.draw(&self.facets[facet as usize], &texture);
+                band.draw(&self.facets[facet as usize], textures.of(facet));
             }
             band.resolve(bytes);
         }
@@ -165,6 +188,11 @@ impl Drawing {
             edges.darken(picture, &mut rgba, start);
         }
         rgba
+    }
+
+    fn textures<'a>(&'a self, picture: &Picture<'a>) -> Textures<'a> {
+        let texture = Texture::new(*picture, self.filter, &self.mip_levels);
+        Textures::new(texture, self.behind.as_ref(), picture, self.filter)
     }
 
     /// The same rows as indices, if they are of this result and begin with a band.
@@ -182,7 +210,7 @@ impl Drawing {
     pub fn sources(&self, picture: &Picture<'_>, rows: Range<u32>) -> Vec<Source> {
         let width = self.frame.size[0];
         let Range { start, end } = self.whole_bands(rows);
-        let texture = Texture::new(*picture, self.filter, &self.mip_levels);
+        let textures = self.textures(picture);
         let mut sources = vec![Source::default(); (end - start) * width];
         let bins = self.bins.iter().enumerate().skip(start / BAND_ROWS);
         for (sources, (index, bin)) in sources.chunks_mut(width * BAND_ROWS).zip(bins) {
@@ -194,7 +222,8 @@ impl Drawing {
                 scale: self.scale,
                 picture: DVec2::new(picture.width().into(), picture.height().into()),
             };
-            band.fill(bin.iter().map(|&facet| &self.facets[facet as usize]), &texture, sources);
+            let drawn = bin.iter().map(|&facet| (&self.facets[facet as usize], textures.of(facet)));
+            band.fill(drawn, sources);
         }
         sources
     }

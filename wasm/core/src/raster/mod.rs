@@ -32,6 +32,7 @@ mod facet;
 mod footprint;
 mod frame;
 mod kernel;
+mod layers;
 pub(crate) mod options;
 pub(crate) mod sources;
 #[cfg(test)]

@@ -51,17 +51,12 @@ pub(super) struct SourceRows {
 }
 
 impl SourceRows {
-    /// Adds the sources of the pixels that facets draw, in drawing order.
-    pub(super) fn fill<'a>(
-        &self,
-        facets: impl Iterator<Item = &'a Facet>,
-        texture: &Texture<'_>,
-        sources: &mut [Source],
-    ) {
+    /// Adds the sources of the pixels that facets draw with their textures, in drawing order.
+    pub(super) fn fill<'a>(&self, facets: impl Iterator<Item = (&'a Facet, &'a Texture<'a>)>, sources: &mut [Source]) {
         let Self { rows, width, origin, scale, picture } = self;
         let width = *width;
         let mut pixels = vec![Pixel::default(); sources.len()];
-        for facet in facets {
+        for (facet, texture) in facets {
             let det = (facet.det() / (scale * scale)) as f32;
             let stretch = facet.stretch().map(|stretch| (stretch / scale) as f32);
             let touched = facet.rows(rows.end);

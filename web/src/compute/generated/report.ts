@@ -85,6 +85,7 @@ export type ErrorCode =
   | 'canvas'
   | 'nothing-drawn'
   | 'nothing-opaque'
+  | 'nothing-to-fill-from'
   | 'no-outline'
   | 'domain'
   | 'handle-outside'

@@ -8,6 +8,8 @@ export interface Project {
   readonly image: ImageRef;
   /** The part of the picture to warp. The default is the opaque part of a picture with transparency, and all of any other. */
   readonly domain?: Domain;
+  /** How the picture behind a domain of rings is filled. Without it, what moves away leaves a gap. Other domains have nothing behind them, and ignore it. */
+  readonly fill?: Fill;
   /** Approximate number of samples, from 100 to 2,000,000. Left out: 10000. */
   readonly samples?: number;
   /** Settings of the weights. */
@@ -65,6 +67,17 @@ export type Domain = ImageDomain | AlphaDomain | PolygonDomain;
 
 /** A point `[x, y]` in image pixels, with pixel centres at +0.5 and y down. */
 export type Point = readonly [number, number];
+
+/** How the picture behind a domain of rings is filled, where the part that bends moves away. */
+export interface Fill {
+  /** Where the colours come from. Left out: "patches". */
+  readonly method?: FillMethod;
+  /** Chooses one of many results, each as good as another. The same seed always gives the same pixels. Left out: 0. */
+  readonly seed?: number;
+}
+
+/** Where the colours of a fill come from. */
+export type FillMethod = 'patches';
 
 /** The parameters of the weights. */
 export interface Weighting {

@@ -1,0 +1,190 @@
+//! Fills a hole step by step, so that callers can show progress and stop between steps.
+
+use std::collections::VecDeque;
+
+use super::carried::Sources;
+use super::level::{Level, NONE};
+use super::mask::Mask;
+use super::matches::Matches;
+use super::membrane::Membrane;
+use super::random::Random;
+use super::region::Region;
+use super::votes::{choose, vote};
+use super::{Fill, patch};
+use crate::{error::Error, picture::Picture, project::FillSpec};
+
+/// The hole of the coarsest level is no deeper than this, in texels, if that leaves patches enough.
+const DEPTH: usize = 3;
+/// A deeper hole is halved even if few patches are left.
+const DEEP: usize = 10;
+/// Passes over the patches before each vote.
+const PASSES: u32 = 2;
+/// Votes at the coarsest level, and at the finest. Those between have numbers between.
+const COARSEST_VOTES: usize = 12;
+const FINEST_VOTES: usize = 2;
+/// Sweeps of the membrane, all and at once.
+const SWEEPS: usize = 240;
+const SWEEPS_AT_ONCE: usize = 40;
+
+/// A step of a fill.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Step {
+    /// Fills the coarsest level from its rim inwards.
+    Peel,
+    /// Goes to the next finer level.
+    Refine,
+    Improve(u32),
+    Vote,
+    /// Takes the best match of each texel.
+    Choose,
+    Relax,
+    Carry,
+}
+
+/// A fill in progress.
+#[derive(Debug)]
+pub(crate) struct Filler {
+    mask: Mask,
+    region: Region,
+    /// From the present one to the finest.
+    levels: VecDeque<Level>,
+    matches: Option<Matches>,
+    chosen: Vec<u32>,
+    membrane: Option<Membrane>,
+    random: Random,
+    steps: VecDeque<(Step, u64)>,
+    /// Work of all steps, in comparisons of patches.
+    work: u64,
+}
+
+impl Filler {
+    /// # Errors
+    /// [`Error::NothingToFillFrom`] if the mask has all pixels of the picture.
+    pub(crate) fn new(picture: &Picture<'_>, mask: Mask, spec: &FillSpec) -> Result<Self, Error> {
+        let region = Region::new(&mask, picture.size());
+        let finest = region.level(picture, &mask);
+        if finest.unknown.len() == finest.hole.len() {
+            return Err(Error::NothingToFillFrom);
+        }
+        let mut levels = VecDeque::from([finest]);
+        while levels[0].has_sources() && levels[0].depth > DEPTH {
+            let coarser = levels[0].halved();
+            let is_deep = levels[0].depth > DEEP && coarser.has_sources();
+            if !coarser.has_choice() && !is_deep {
+                break;
+            }
+            levels.push_front(coarser);
+        }
+        let mut steps = VecDeque::new();
+        if levels[0].has_sources() {
+            let last = levels.len() - 1;
+            for (index, level) in levels.iter().enumerate() {
+                let targets = level.targets.len() as u64;
+                steps.push_back(if index == 0 { (Step::Peel, 60 * targets) } else { (Step::Refine, 2 * targets) });
+                let votes = COARSEST_VOTES - (COARSEST_VOTES - FINEST_VOTES) * index / last.max(1);
+                let passes = if index == 0 { 5 } else { PASSES };
+                for _ in 0..votes {
+                    steps.extend((0..passes).map(|pass| (Step::Improve(pass), 10 * targets)));
+                    steps.push_back((Step::Vote, 4 * targets));
+                }
+            }
+            let targets = levels[last].targets.len() as u64;
+            steps.push_back((Step::Improve(0), 10 * targets));
+            steps.push_back((Step::Choose, 2 * targets));
+        }
+        let unknown = levels[levels.len() - 1].unknown.len() as u64;
+        steps.extend((0..SWEEPS / SWEEPS_AT_ONCE).map(|_| (Step::Relax, unknown)));
+        steps.push_back((Step::Carry, unknown));
+        let work = steps.iter().map(|(_, work)| work).sum();
+        let random = Random::new(u64::from(spec.seed));
+        Ok(Self { mask, region, levels, matches: None, chosen: Vec::new(), membrane: None, random, steps, work })
+    }
+
+    /// The part of the work that is done, from 0 to 1.
+    pub(crate) fn progress(&self) -> f64 {
+        let left: u64 = self.steps.iter().map(|(_, work)| work).sum();
+        1.0 - left as f64 / self.work.max(1) as f64
+    }
+
+    /// Runs the next step. Returns the fill after the last one.
+    pub(crate) fn advance(&mut self, picture: &Picture<'_>) -> Option<Fill> {
+        let (step, _) = self.steps.pop_front()?;
+        match step {
+            Step::Peel => self.peel(),
+            Step::Refine => self.refine(),
+            Step::Improve(pass) => {
+                let matches = self.matches.as_mut().expect("peeling has found matches");
+                matches.improve(&self.levels[0], pass % 2 == 0, &mut self.random);
+            }
+            Step::Vote => {
+                let matches = self.matches.as_ref().expect("peeling has found matches");
+                let unknown = self.levels[0].unknown.clone();
+                vote(&mut self.levels[0], matches, &unknown);
+            }
+            Step::Choose => {
+                let matches = self.matches.take().expect("peeling has found matches");
+                self.chosen = choose(&mut self.levels[0], &matches);
+            }
+            Step::Relax => {
+                let level = self.levels.back().expect("there is a finest level");
+                self.chosen.resize(level.unknown.len(), NONE);
+                let membrane = self.membrane.get_or_insert_with(|| Membrane::new(level, &self.chosen));
+                membrane.relax(level, SWEEPS_AT_ONCE);
+            }
+            Step::Carry => return Some(self.carry(picture)),
+        }
+        None
+    }
+
+    fn peel(&mut self) {
+        let Self { levels, random, .. } = self;
+        let level = &mut levels[0];
+        let mut matches = Matches::random(level, random);
+        let mut known: Vec<bool> = level.hole.iter().map(|hole| !hole).collect();
+        for layer in level.layers() {
+            for pass in 0..6 {
+                matches.improve_known(level, &known, pass % 2 == 0, random);
+            }
+            vote(level, &matches, &layer);
+            layer.iter().for_each(|&at| known[at as usize] = true);
+        }
+        self.matches = Some(matches);
+    }
+
+    fn refine(&mut self) {
+        let coarse = self.levels.pop_front().expect("there is a coarser level");
+        let matches = self.matches.take().expect("peeling has found matches");
+        let level = &mut self.levels[0];
+        let mut matches = matches.doubled(&coarse, level, &mut self.random);
+        // All costs are equal, so the patch from the upper left corner is chosen. It is as good as another.
+        matches.costs.fill(0);
+        choose_own(level, &matches);
+        self.matches = Some(matches);
+    }
+
+    fn carry(&mut self, picture: &Picture<'_>) -> Fill {
+        let level = self.levels.back().expect("there is a finest level");
+        let membrane = self.membrane.take().expect("it has been relaxed");
+        let mut from = vec![NONE; level.hole.len()];
+        level.unknown.iter().zip(&self.chosen).for_each(|(&at, &source)| from[at as usize] = source);
+        let sources = Sources { region: self.region, level, from: &from, corrections: membrane.corrections() };
+        patch(picture, &self.mask, |x, y| sources.pixel(picture, &self.mask, x, y))
+    }
+}
+
+/// Sets each texel of the hole to the one of the patch around it, or of the nearest patch at the border.
+fn choose_own(level: &mut Level, matches: &Matches) {
+    use super::level::RADIUS;
+    let mut copied = Vec::with_capacity(level.unknown.len());
+    for &at in &level.unknown {
+        let (x, y) = (at as usize % level.width, at as usize / level.width);
+        let near = |place: usize, side: usize| place.clamp(RADIUS, side - 1 - RADIUS);
+        let centre = near(y, level.height) * level.width + near(x, level.width);
+        let slot = level.slots[centre];
+        copied.push(match slot {
+            NONE => level.texels[at as usize],
+            _ => level.texels[matches.sources[slot as usize] as usize + at as usize - centre],
+        });
+    }
+    level.unknown.iter().zip(copied).for_each(|(&at, texel)| level.texels[at as usize] = texel);
+}
