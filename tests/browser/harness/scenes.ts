@@ -3,6 +3,7 @@ import { Engine } from '../../../web/src/compute/engine';
 import type { Pixels } from '../../../web/src/compute/solution';
 import type { Project } from '../../../web/src/document/project';
 import { Renderer } from '../../../web/src/render/renderer';
+import { fillPatch } from '../../../web/src/runtime/fill_patch';
 import { drawnPicture } from './drawn_picture';
 import { encodePng } from './encoded';
 import { decodePicture } from './pictures';
@@ -24,6 +25,8 @@ export async function drawnTwice(project: Project, file: Blob, scale: number, ti
 
   const renderer = new Renderer(document.createElement('canvas'));
   renderer.setPicture(picture);
+  const fill = await engine.fill(project, () => {});
+  if (fill) renderer.setFill(await fillPatch(fill));
   renderer.setSolution(solution);
   const crossed = project.edges ? pose.crossed() : null;
   renderer.setMotions(pose.motions, project.pose?.blend, pose.triangles, crossed);

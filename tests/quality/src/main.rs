@@ -4,6 +4,8 @@
 //! It draws suggested handles, and compares methods on the standard poses. With NAME, it runs only the parts and poses
 //! whose name contains NAME.
 //!
+//! `c2warp-quality --fill FOLDER PICTURES` fills other pictures than those of the project.
+//!
 //! `c2warp-quality --overview FILE` draws one pose by the editor's method and the methods it is compared with.
 
 use std::{
@@ -17,13 +19,14 @@ use std::{
 use c2warp_quality::{
     continuity::continuity,
     distances::distances,
+    fills::{Filled, fills, fills_of},
     maxima::maxima,
     methods::{Comparison, EDITOR, METHODS, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES},
     poses::{PosedScene, standard_poses},
     random_poses::poses_beside_optimum,
     sheet::{Row, sheet},
     suggestions::suggestions,
-    tables::tables,
+    tables::{fill_table, tables},
 };
 
 /// Names of the parts that do not measure poses.
@@ -31,6 +34,7 @@ const DISTANCES: &str = "distances";
 const MAXIMA: &str = "maxima";
 const CONTINUITY: &str = "continuity";
 const SUGGEST: &str = "suggest";
+const FILL: &str = "fill";
 
 /// The pose of the overview.
 const WAVING: &str = "2 waving";
@@ -40,9 +44,10 @@ fn main() -> ExitCode {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let done = match words[..] {
         ["--overview", file] => overview(Path::new(file)),
+        ["--fill", folder, ref pictures @ ..] => fill_pictures(Path::new(folder), pictures),
         [folder] if !folder.starts_with('-') => compare(Path::new(folder), ""),
         [folder, name] if !folder.starts_with('-') => compare(Path::new(folder), name),
-        _ => Err("usage: c2warp-quality FOLDER [NAME], or c2warp-quality --overview FILE".into()),
+        _ => Err("usage: c2warp-quality FOLDER [NAME], --fill FOLDER PICTURES, or --overview FILE".into()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -57,6 +62,20 @@ fn overview(file: &Path) -> Result<(), Box<dyn Error>> {
     let waving = standard_poses()?.into_iter().find(|pose| pose.name == WAVING).ok_or("no such pose")?;
     let methods = [Method::Paper, EDITOR, Method::Dense, Method::LeastSquares];
     Ok(sheet(&Comparison::of(waving, &METHODS, &[])?, &methods, &[Row::Grid, Row::Picture]).save(file)?)
+}
+
+fn fill_pictures(folder: &Path, pictures: &[&str]) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(folder)?;
+    let filled = fills_of(pictures)?;
+    save_fills(folder, &filled)?;
+    Ok(io::stdout().write_all(fill_table(&filled).as_bytes())?)
+}
+
+fn save_fills(folder: &Path, filled: &[Filled]) -> Result<(), Box<dyn Error>> {
+    for filled in filled {
+        filled.sheet().save(folder.join(format!("fill-{}.png", filled.name)))?;
+    }
+    Ok(())
 }
 
 fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
@@ -85,10 +104,16 @@ fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
             suggested.sheet().save(folder.join(file))?;
         }
     }
+    let mut filled = Vec::new();
+    if FILL.contains(name) {
+        eprintln!("  {FILL}");
+        filled = fills()?;
+        save_fills(folder, &filled)?;
+    }
     let mut comparisons = Comparisons { folder, name, done: Vec::new(), failed: Vec::new() };
     comparisons.run(standard_poses()?, &METHODS, &OTHER_SAMPLES)?;
     comparisons.run(poses_beside_optimum()?, &METHODS_BESIDE_OPTIMUM, &[])?;
-    let text = tables(&measured, &counted, &jumps, &suggested, &comparisons.done, &comparisons.failed);
+    let text = tables(&measured, &counted, &jumps, &suggested, &filled, &comparisons.done, &comparisons.failed);
     fs::write(folder.join("tables.md"), &text)?;
     Ok(io::stdout().write_all(text.as_bytes())?)
 }

@@ -8,6 +8,7 @@ use c2warp_bench::aligned::aligned;
 use crate::{
     continuity::{STEPS_PX, SceneContinuity},
     distances::{Distances, greatest},
+    fills::{Filled, METHODS as FILL_METHODS},
     maxima::SceneMaxima,
     measure::MAX_ENERGY,
     methods::{Comparison, EDITOR, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES, Outcome},
@@ -20,6 +21,30 @@ use crate::{
 };
 use c2warp::project::Continuity;
 
+const FILL_NOTES: &str = "
+Four things are pasted into each picture and taken out again. Colour: mean error in levels. Gradient: mean error in
+levels per pixel. Texture: mean gradient, divided by that of the truth.
+";
+
+/// The errors of fills by each method.
+#[must_use]
+pub fn fill_table(filled: &[Filled]) -> String {
+    let mut rows = Vec::new();
+    for filled in filled {
+        for (at, (method, measured)) in FILL_METHODS.into_iter().zip(&filled.measured).enumerate() {
+            rows.push(vec![
+                if at == 0 { filled.name.clone() } else { String::new() },
+                method.to_owned(),
+                format!("{:.1}", measured.colour),
+                format!("{:.1}", measured.gradient),
+                format!("{:.2}", measured.texture),
+                if at == 0 { format!("{:.0}", filled.ms) } else { NONE.to_owned() },
+            ]);
+        }
+    }
+    aligned(&["picture", "method", "colour", "gradient", "texture", "ms"], rows.into_iter(), 2)
+}
+
 /// Placeholder for a missing value.
 const NONE: &str = "–";
 
@@ -30,6 +55,7 @@ pub fn tables(
     maxima: &[SceneMaxima],
     continuity: &[SceneContinuity],
     suggested: &[Suggested],
+    filled: &[Filled],
     comparisons: &[Comparison],
     failed: &[(String, String)],
 ) -> String {
@@ -46,6 +72,9 @@ pub fn tables(
     }
     if !suggested.is_empty() {
         write!(text, "## Suggested handles\n\n{}\n", suggestion_table(suggested)).expect("memory");
+    }
+    if !filled.is_empty() {
+        write!(text, "## Fills\n\n{}{FILL_NOTES}\n", fill_table(filled)).expect("memory");
     }
     let (beside_optimum, standard): (Vec<&Comparison>, Vec<&Comparison>) =
         comparisons.iter().partition(|comparison| comparison.is_beside_optimum());

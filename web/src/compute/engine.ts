@@ -19,7 +19,7 @@ import { Link } from './link';
 import type { DrawingOptions, FilmOptions, Messages } from './messages';
 import { checkedProject, loadModule } from './module';
 import type { PosedPicture } from './posed_picture';
-import type { CellBorders, PixelSource, SolutionData, Stage } from './solution';
+import type { CellBorders, FillData, PixelSource, SolutionData, Stage } from './solution';
 import { createPosedPicture } from './wasm_picture';
 import worker from './worker/worker?worker&url';
 
@@ -76,6 +76,24 @@ export class Engine {
     await this.#picture;
     if (turn !== this.#newestSolve) throw superseded();
     return this.#link.send('solve', { project: problemText(project) }, onProgress);
+  }
+
+  /**
+   * Fills the picture behind the domain of a project that was solved; null if it has no fill. The newest call wins.
+   * @param onProgress Called with the part that is done, from 0 to 1.
+   * @throws DOMException `AbortError` when a newer fill or picture overtakes this one; WarpError otherwise.
+   */
+  async fill(project: Project, onProgress: (part: number) => void): Promise<FillData | null> {
+    const picture = this.#picture;
+    this.stopFilling();
+    await picture;
+    if (picture !== this.#picture) throw superseded();
+    return this.#link.send('fill', { project: problemText(project) }, onProgress);
+  }
+
+  /** The answer to a fill under way is dropped. */
+  stopFilling(): void {
+    this.#link.abandon('fill');
   }
 
   /**

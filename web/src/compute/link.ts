@@ -11,12 +11,13 @@ import {
   type Boot,
   type Messages,
   type Name,
+  type ProgressOf,
   type Reply,
   type Request,
   type SentPicture,
   SUPERSEDED,
 } from './messages';
-import type { PixelSource, Stage } from './solution';
+import type { PixelSource } from './solution';
 
 /** The part of a Worker that is used here. */
 export interface Port {
@@ -37,7 +38,7 @@ interface Pending {
   readonly request: Asked;
   readonly resolve: (body: Messages[Name][1]) => void;
   readonly reject: (reason: unknown) => void;
-  readonly onProgress: ((stage: Stage) => void) | undefined;
+  readonly onProgress: ((stage: ProgressOf<Name>) => void) | undefined;
   deaths: number;
 }
 
@@ -57,6 +58,7 @@ const BROKE: Readonly<Record<Name, string>> = {
   fit: 'The pictures need more memory than there is: scale them down.',
   suggest: 'The picture needs more memory than there is to suggest handles: scale it down.',
   solve: TOO_MUCH_TO_SOLVE,
+  fill: 'The picture needs more memory than there is to fill the background: scale it down.',
   draw: TOO_MUCH_TO_DRAW,
   rows: TOO_MUCH_TO_DRAW,
   release: TOO_MUCH_TO_DRAW,
@@ -95,7 +97,7 @@ export class Link {
   send<N extends Name>(
     name: N,
     body: Messages[N][0],
-    onProgress?: (stage: Stage) => void,
+    onProgress?: (stage: ProgressOf<N>) => void,
   ): Promise<Messages[N][1]> {
     if (this.#disposed) return Promise.reject(superseded());
     const port = this.#port ?? this.#start();
@@ -109,7 +111,7 @@ export class Link {
         request,
         resolve: (answer) => resolve(answer as Messages[N][1]),
         reject,
-        onProgress,
+        onProgress: onProgress as Pending['onProgress'],
         deaths: 0,
       });
     });

@@ -3,7 +3,7 @@ import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { Area } from '../geometry/area';
 import type { PointWeights, PosedMesh } from './points';
-import type { CellBorders, PixelSource, SolutionData, Stage } from './solution';
+import type { CellBorders, FillData, PixelSource, SolutionData, Stage } from './solution';
 
 export interface DrawingOptions {
   /** Pixels of the drawing per pixel of the picture. */
@@ -66,6 +66,11 @@ export interface Messages {
   fit: [request: { readonly project: string; readonly own: PixelSource | null }, response: string];
   /** Stopped, and answered as superseded, when a newer solve or another picture arrives. */
   solve: [request: { readonly project: string }, response: SolutionData];
+  /**
+   * Fills the picture behind the domain of a project that is solved; null if it has no fill. A newer fill or another
+   * picture ends it. A solve comes first, and the fill goes on after it.
+   */
+  fill: [request: { readonly project: string }, response: FillData | null];
   /** Stops a solve as a newer one would. */
   stop: [request: null, response: null];
   /** Prepares the warped picture at full quality. It is drawn by `rows` until `release`. */
@@ -131,6 +136,9 @@ export interface Boot {
   readonly module: WebAssembly.Module;
 }
 
+/** What a request tells of its progress: the stage of a solve that is done, the part of a fill from 0 to 1. */
+export type ProgressOf<N extends Name> = N extends 'solve' ? Stage : N extends 'fill' ? number : never;
+
 /** An error that crossed from the worker. */
 export interface Failure {
   readonly code: string;
@@ -141,7 +149,7 @@ export interface Failure {
 
 export type Reply =
   | { readonly id: number; readonly kind: 'done'; readonly body: Messages[Name][1] }
-  | { readonly id: number; readonly kind: 'progress'; readonly stage: Stage }
+  | { readonly id: number; readonly kind: 'progress'; readonly stage: ProgressOf<Name> }
   | { readonly id: number; readonly kind: 'failed'; readonly failure: Failure }
   /** The module panicked: the worker must be replaced. `started`: it had a session, so a request is to blame. */
   | { readonly kind: 'died'; readonly started: boolean; readonly message: string };

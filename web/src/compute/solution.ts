@@ -29,6 +29,14 @@ export interface SolutionData {
   readonly report: Report;
 }
 
+/** The filled picture behind a domain. */
+export interface FillData {
+  /** The box around all that is filled, image pixels: left, top, width and height. */
+  readonly box: readonly [left: number, top: number, width: number, height: number];
+  /** Its pixels in straight alpha. */
+  readonly rgba: Uint8Array<ArrayBuffer>;
+}
+
 /** The borders between the cells of a solution: straight pieces, each within one triangle of its mesh. */
 export interface CellBorders {
   /** Pieces × 3: vertices of the triangle. */

@@ -135,6 +135,15 @@ export class SolverService {
         const solution = copiedOut(session.solution());
         return done(solution, buffers(solution));
       }
+      case 'fill': {
+        if (!(await this.#filled(session, request))) return;
+        const fill = session.fill();
+        if (!fill) return done(null);
+        const { box, rgba } = fill;
+        fill.free();
+        const [left = 0, top = 0, width = 0, height = 0] = box;
+        return done({ box: [left, top, width, height], rgba }, [rgba.buffer]);
+      }
       case 'stop':
         // Its arrival has stopped a solve.
         return done(null);
@@ -233,6 +242,28 @@ export class SolverService {
     return true;
   }
 
+  /** Runs the steps of a fill; false where a newer request ends it, or a solve comes first. */
+  async #filled(session: Session, request: Extract<Request, { name: 'fill' }>): Promise<boolean> {
+    const { id } = request;
+    const waits = (names: readonly string[]) =>
+      this.#queue.waits((waiting) => 'name' in waiting && names.includes(waiting.name));
+    session.begin_fill(request.body.project);
+    for (let part = session.advance_fill(); part !== undefined; part = session.advance_fill()) {
+      this.#post({ id, kind: 'progress', stage: part });
+      await nextTask();
+      if (waits(ENDS_FILLS)) {
+        this.#post({ id, kind: 'failed', failure: { code: SUPERSEDED, message: 'superseded' } });
+        return false;
+      }
+      if (waits(['solve'])) {
+        // The fill goes on after it.
+        this.#queue.push(request);
+        return false;
+      }
+    }
+    return true;
+  }
+
   /** Keeps a drawing by the id of its request. */
   #begun(drawing: number, drawn: Drawing): DrawingSize {
     this.#drawings.set(drawing, drawn);
@@ -247,6 +278,9 @@ export class SolverService {
     this.#films.clear();
   }
 }
+
+/** Requests that end a running fill. */
+const ENDS_FILLS: readonly string[] = ['fill', 'picture', 'stop'] satisfies readonly (keyof Messages)[];
 
 /** Requests that end a running solve. */
 const ENDS_SOLVES: readonly string[] = ['solve', 'picture', 'stop'] satisfies readonly (keyof Messages)[];

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec } from '../geometry/vec';
 import { newProject } from './document';
-import { ringsOf, withLasso } from './domain';
+import { isFilled, ringsOf, withFill, withLasso } from './domain';
 import type { Handle, Project } from './project';
 
 const square = (left: number, top: number, side: number): readonly Vec[] => [
@@ -33,6 +33,19 @@ describe('a lasso', () => {
     expect(after.domain).toEqual({ kind: 'polygon', rings: [square(50, 50, 100)] });
     expect(ids(after)).toEqual(['in']);
     expect(ringsOf(project())).toEqual([]);
+  });
+  it('has a filled background in an opaque picture alone, unless that is switched off', () => {
+    const lassoed = drawn(project(), square(50, 50, 100));
+    expect(lassoed.fill).toEqual({ method: 'patches', seed: 0 });
+    expect(isFilled(lassoed)).toBe(true);
+    const cutOut = newProject({ src: 'a.png', width: 400, height: 300 }, 0.5);
+    expect('fill' in drawn(cutOut, square(50, 50, 100))).toBe(false);
+    const empty = withFill(lassoed, false);
+    expect('fill' in empty).toBe(false);
+    expect(isFilled(drawn(empty, square(250, 50, 100)))).toBe(false);
+    expect(withFill(empty, true)).toEqual(lassoed);
+    const other = { ...lassoed, fill: { seed: 7 } };
+    expect(withFill(other, true)).toEqual(other);
   });
   it('is clipped to the picture and rounded to hundredths of a pixel', () => {
     const [ring] = ringsOf(drawn(project(), square(-50, -50, 100.1234)));

@@ -3,11 +3,23 @@ import { isInside } from '../geometry/polyline';
 import { areaOf, clipped, isWithin, type Ring, ringsMeet, simpleRing, touches } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import { corners, isClosed, isLine, roundedVec } from './handle';
-import type { Domain, Handle, Project } from './project';
+import type { Domain, Fill, Handle, Project } from './project';
 import { withoutLostTracks } from './tracks';
 
 /** Smaller rings are accidental. Square pixels. */
 export const LEAST_AREA = 16;
+
+/** The fill of a new lasso. */
+const FILL: Fill = { method: 'patches', seed: 0 };
+
+/** Whether the picture behind the drawn rings is filled. */
+export const isFilled = (project: Project): boolean =>
+  project.fill !== undefined && ringsOf(project).length > 0;
+
+/** Fills the picture behind the drawn rings, or leaves it empty where they move away. */
+export function withFill({ fill, ...project }: Project, on: boolean): Project {
+  return on ? { ...project, fill: fill ?? FILL } : project;
+}
 
 /**
  * The domain of a picture without drawn rings.
@@ -30,7 +42,8 @@ export const isSameDomain = (a: Project, b: Project): boolean =>
  * of the picture.
  *
  * A hole must lie inside the domain. Otherwise the ring is added, and `cut` is false. The new ring replaces the rings
- * that it meets; the others stay. Handles outside the domain are removed.
+ * that it meets; the others stay. Handles outside the domain are removed. Behind the first ring in an opaque picture the
+ * background is filled.
  */
 export function withLasso(
   project: Project,
@@ -49,7 +62,14 @@ export function withLasso(
 /** The project with these rings as its domain, and without the handles outside. */
 export function withRings(project: Project, rings: readonly Ring[]): Project {
   const handles = project.handles.filter((handle) => isOn(rings, handle));
-  return withoutLostTracks({ ...project, domain: { kind: 'polygon', rings }, handles });
+  const isNew = before.length === 0 && project.domain?.kind === 'image';
+  const lassoed = withoutLostTracks({
+    ...project,
+    domain: { kind: 'polygon', rings },
+    ...(isNew && { fill: FILL }),
+    handles,
+  });
+  return { project: lassoed, cut: holed !== null };
 }
 
 /** Returns the rings with the hole, or `null` if it is not inside the domain. */

@@ -9,6 +9,7 @@ export type {
   Clip,
   Domain,
   Ease,
+  Fill,
   ImageRef,
   Key,
   Loop,

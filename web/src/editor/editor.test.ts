@@ -55,6 +55,7 @@ const STEPS: readonly Step[] = [
   event((random) => ({ type: 'detail-chosen', detail: among(['coarse', 'fine'] as const, random) })),
   event((random) => ({ type: 'boundary-switched', held: random() < 0.5 })),
   event((random) => ({ type: 'edges-switched', on: random() < 0.5 })),
+  event((random) => ({ type: 'fill-switched', on: random() < 0.5 })),
   event((random) => ({ type: 'fold-guard-switched', on: random() < 0.5 })),
   event((random) => ({ type: 'snapping-switched', on: random() < 0.7 })),
   event((random) => ({ type: 'alt-held', held: random() < 0.5 })),
@@ -94,7 +95,7 @@ const STEPS: readonly Step[] = [
   event(() => ({ type: 'task-cancelled', task: 'solve' })),
   event((random) => ({
     type: 'timer-elapsed',
-    timer: among(['notice', 'solve-patience', 'merge-end', 'pose-check'] as const, random),
+    timer: among(['notice', 'solve-patience', 'fill-patience', 'merge-end', 'pose-check'] as const, random),
   })),
   event((random) => ({
     type: 'page-changed',

@@ -87,6 +87,9 @@ export type EditorEffect =
   /** Answered by `handles-suggested` or `suggestion-failed`, unless `stop-suggesting` or a newer one ends it. */
   | { readonly type: 'suggest-handles'; readonly project: Project }
   | { readonly type: 'stop-suggesting' }
+  /** Fills the picture behind the rings of a solution. */
+  | { readonly type: 'fill'; readonly key: string; readonly project: Project }
+  | { readonly type: 'stop-filling' }
   | { readonly type: 'find-borders'; readonly solution: Solution }
   | { readonly type: 'find-study'; readonly solution: Solution }
   /** Saves a figure of the study card as SVG. */

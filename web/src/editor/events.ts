@@ -109,6 +109,7 @@ type ControlEvent =
   | { readonly type: 'stiffness-cleared' }
   | { readonly type: 'boundary-switched'; readonly held: boolean }
   | { readonly type: 'edges-switched'; readonly on: boolean }
+  | { readonly type: 'fill-switched'; readonly on: boolean }
   /** The control of the least opacity has the focus, or has lost it. */
   | { readonly type: 'outline-shown'; readonly on: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }
@@ -314,6 +315,10 @@ type SolverEvent =
   | { readonly type: 'solver-started' }
   | { readonly type: 'solve-progressed'; readonly key: string; readonly stage: SolveStage }
   | { readonly type: 'solved'; readonly solution: Solution }
+  /** `part`: from 0 to 1. */
+  | { readonly type: 'fill-progressed'; readonly key: string; readonly part: number }
+  | { readonly type: 'filled'; readonly key: string }
+  | { readonly type: 'fill-failed'; readonly key: string; readonly error: Error }
   /** `failed`: the solver itself failed, so the project is not to blame. */
   | { readonly type: 'solve-refused'; readonly key: string; readonly error: Error; readonly failed: boolean }
   /** The project is the one that handles were suggested for. */

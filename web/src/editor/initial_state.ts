@@ -49,6 +49,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       stage: null,
       failed: false,
       ready: false,
+      fill: null,
       borders: null,
     },
     suggesting: null,

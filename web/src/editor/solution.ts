@@ -43,6 +43,8 @@ export interface SolutionState {
   readonly failed: boolean;
   /** Whether the solver has started, so that a project can be checked at once. */
   readonly ready: boolean;
+  /** The fill behind the shown solution, by its key: it is made, or there. Null if it has none. */
+  readonly fill: { readonly key: string; readonly done: boolean } | null;
   /** The borders between the cells of one solution, once they are known. */
   readonly borders: { readonly of: Solution; readonly pieces: CellBorders | null } | null;
 }

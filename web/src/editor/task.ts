@@ -1,4 +1,4 @@
-export type TaskName = 'open' | 'solve' | 'export' | 'suggest';
+export type TaskName = 'open' | 'solve' | 'export' | 'suggest' | 'fill';
 
 /** A task that takes noticeable time. */
 export interface Task {

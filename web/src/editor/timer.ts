@@ -5,5 +5,6 @@ export type Timer =
   | 'merge-end'
   | 'pose-check'
   | 'suggest-patience'
+  | 'fill-patience'
   | 'graphics'
   | 'replay';

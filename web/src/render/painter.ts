@@ -24,7 +24,7 @@ import {
   type WarpMesh,
   weightRows,
 } from './mesh';
-import { PictureTexture, setMagnification, type TextureSource } from './picture';
+import { PictureTexture, setMagnification, type TexturePatch, type TextureSource } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import { PixelLayer, type PixelMesh, showsPixels } from './pixel_layer';
 import { drawWith, program } from './program';
@@ -56,6 +56,8 @@ export class Painter {
   readonly #pictureProgram: twgl.ProgramInfo;
   readonly #lineProgram: twgl.ProgramInfo;
   #picture: PictureTexture | undefined;
+  /** The picture with its fill, drawn whole behind the mesh in place of the static background. */
+  #filled: PictureTexture | undefined;
   #loaded: LoadedMesh | undefined;
   /** The static background behind the mesh, if any. */
   #background: LoadedMesh | undefined;
@@ -86,19 +88,27 @@ export class Painter {
     this.#whole = this.#load(unwarpedMesh(width, height));
   }
 
+  /** Fills a part of the picture behind the mesh; null fills nothing. */
+  setFill(source: TextureSource, patch: TexturePatch | null): void {
+    this.#filled?.dispose();
+    this.#filled = patch ? new PictureTexture(this.#gl, source, patch) : undefined;
+  }
+
   get isLoading(): boolean {
-    return this.#picture?.isLoading === true;
+    return this.#picture?.isLoading === true || this.#filled?.isLoading === true;
   }
 
   /** Uploads the next part of a large picture. Returns whether that was the last one. */
   load(): boolean {
-    this.#picture?.load();
+    (this.#picture?.isLoading ? this.#picture : this.#filled)?.load();
     return !this.isLoading;
   }
 
   /** Frees picture and mesh. `draw` then clears the canvas only. */
   clear(): void {
     this.#picture?.dispose();
+    this.#filled?.dispose();
+    this.#filled = undefined;
     this.#unload(this.#whole);
     this.#unload(this.#loaded);
     this.#unload(this.#background);
@@ -213,8 +223,14 @@ export class Painter {
       u_rigid: this.#blend === 'rigid',
       u_light: 1,
     };
-    const behind = view.compare ? undefined : this.#background;
+    const filled = this.#filled?.isLoading ? undefined : this.#filled;
+    const fills = filled !== undefined && this.#background !== undefined;
+    const behind = view.compare ? undefined : fills ? this.#whole : this.#background;
     const atRest = { ...uniforms, u_at_rest: true, u_light: view.overlays?.selection ? DIMMED : 1 };
+    if (fills) {
+      setMagnification(gl, filled.texture, view);
+      atRest.u_picture = filled.texture;
+    }
     const heat = view.compare || !this.#heat?.isSet ? undefined : this.#heat;
     if (showsPixels(view) && !heat) {
       const meshes: PixelMesh[] = behind ? [[behind.triangles, atRest]] : [];

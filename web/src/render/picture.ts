@@ -22,23 +22,40 @@ export interface TextureSource {
   readonly preview: ImageBitmap | null;
 }
 
+/** A part of a picture with other pixels. */
+export interface TexturePatch {
+  /** Of its upper left corner, image pixels. */
+  readonly left: number;
+  readonly top: number;
+  /** Premultiplied, at the size of the picture itself. */
+  readonly bitmap: ImageBitmap;
+}
+
 /** A texture of a picture, which a large picture fills part by part. */
 export class PictureTexture {
   readonly width: number;
   readonly height: number;
   readonly #gl: WebGL2RenderingContext;
   readonly #bitmap: ImageBitmap;
+  readonly #patch: TexturePatch | null;
   readonly #full: WebGLTexture;
   #preview: WebGLTexture | null = null;
   /** Rows that are uploaded. */
   #rows = 0;
 
-  constructor(gl: WebGL2RenderingContext, { width, height, bitmap, preview }: TextureSource) {
+  /** @param patch Replaces a part of the picture. Until all of it is uploaded, there is nothing to draw. */
+  constructor(
+    gl: WebGL2RenderingContext,
+    { width, height, bitmap, preview }: TextureSource,
+    patch: TexturePatch | null = null,
+  ) {
     this.#gl = gl;
     this.width = width;
     this.height = height;
     this.#bitmap = bitmap;
+    this.#patch = patch;
     this.#full = storage(gl, bitmap);
+    if (preview && patch) return;
     if (preview) {
       this.#preview = storage(gl, preview);
       uploadRows(gl, this.#preview, preview, 0, preview.height);
@@ -64,14 +81,44 @@ export class PictureTexture {
     this.#gl.deleteTexture(this.#full);
   }
 
+  #uploadPatch(patch: TexturePatch): void {
+    const gl = this.#gl;
+    const scale = this.#bitmap.width / this.width;
+    gl.bindTexture(gl.TEXTURE_2D, this.#full);
+    if (scale === 1) {
+      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, patch.left, patch.top, gl.RGBA, gl.UNSIGNED_BYTE, patch.bitmap);
+    } else {
+      const { x, y, canvas } = scaledPatch(patch, this.#bitmap, scale);
+      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
+      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    }
+    gl.generateMipmap(gl.TEXTURE_2D);
+  }
+
   #upload(most: number): void {
     const rows = Math.min(most, this.#bitmap.height - this.#rows);
     uploadRows(this.#gl, this.#full, this.#bitmap, this.#rows, rows);
     this.#rows += rows;
     if (this.isLoading) return;
+    if (this.#patch) this.#uploadPatch(this.#patch);
     this.#gl.deleteTexture(this.#preview);
     this.#preview = null;
   }
+}
+
+/** The part of a copy of a picture that a patch covers, with the patch at the scale of the copy. */
+function scaledPatch({ left, top, bitmap }: TexturePatch, copy: ImageBitmap, scale: number) {
+  const x = Math.floor(left * scale);
+  const y = Math.floor(top * scale);
+  const width = Math.min(copy.width, Math.ceil((left + bitmap.width) * scale)) - x;
+  const height = Math.min(copy.height, Math.ceil((top + bitmap.height) * scale)) - y;
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
+  const pen = canvas.getContext('2d');
+  pen?.drawImage(copy, -x, -y);
+  pen?.drawImage(bitmap, left * scale - x, top * scale - y, bitmap.width * scale, bitmap.height * scale);
+  return { x, y, canvas };
 }
 
 /** Sets the magnification filter for a view: squares at high zoom and for pixel art, else linear. */

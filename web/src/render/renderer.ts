@@ -10,7 +10,7 @@ import { type Blend, MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { unwarpedMesh, type WarpMesh } from './mesh';
 import { Painter } from './painter';
-import type { TextureSource } from './picture';
+import type { TexturePatch, TextureSource } from './picture';
 import { resize, type Surface, surfaceOf } from './surface';
 
 export class Renderer {
@@ -19,6 +19,7 @@ export class Renderer {
   #asleep = false;
   #painter: Painter | undefined;
   #picture: TextureSource | null = null;
+  #patch: TexturePatch | null = null;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
   #heat: HeatMap | null = null;
@@ -51,11 +52,18 @@ export class Renderer {
   /** Shows another picture unwarped; null shows none. The bitmaps must stay open while shown. */
   setPicture(source: TextureSource | null): void {
     this.#picture = source;
+    this.#patch = null;
     this.#mesh = null;
     this.#motions = null;
     this.#heat = null;
     if (!source) this.#painter?.clear();
     this.#fill();
+  }
+
+  /** Fills a part of the picture behind the mesh; null fills nothing. The bitmap must stay open while shown. */
+  setFill(patch: TexturePatch | null): void {
+    this.#patch = patch;
+    if (!this.lost && this.#picture) this.#painter?.setFill(this.#picture, patch);
   }
 
   /** Sets the mesh that carries the picture, at rest until motions are set; null shows the unwarped picture. */
@@ -178,6 +186,7 @@ export class Renderer {
   #fill(): void {
     if (this.lost || !this.#picture) return;
     this.#painter?.setPicture(this.#picture);
+    this.#painter?.setFill(this.#picture, this.#patch);
     this.#fillMesh();
   }
 

@@ -303,6 +303,7 @@ export class EditorRuntime {
     const bare = display.preview !== null || isLassoing(state);
     return {
       picture: picture && this.#pictures.opened(picture).texture,
+      fill: this.#solver.fillOf(state),
       solution: deformation?.data ?? null,
       pose: deformation?.pose(project) ?? null,
       heat: bare ? null : this.#heat(),

@@ -63,6 +63,8 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
       .luminance()
       .then((values) => dispatch({ type: 'luminance-read', picture, values })),
   solve: (effect, { solver }) => solver.solve(effect.key, effect.project),
+  fill: (effect, { solver }) => solver.fill(effect.key, effect.project),
+  'stop-filling': (_, { solver }) => solver.stopFilling(),
   'fit-rig': (effect, { dispatch, pictures, solver }) => fitRig(effect, pictures, solver, dispatch),
   'suggest-handles': (effect, { solver }) => solver.suggestHandles(effect.project),
   'stop-suggesting': (_, { solver }) => solver.stopSuggesting(),

@@ -8,12 +8,14 @@ import type { SolutionData } from '../compute/solution';
 import { blendOf } from '../document/bending';
 import type { HeatMap } from '../geometry/heat';
 import type { View } from '../geometry/view';
-import type { TextureSource } from '../render/picture';
+import type { TexturePatch, TextureSource } from '../render/picture';
 import { Renderer } from '../render/renderer';
 
 /** Everything that a frame shows. Unchanged parts are the same objects as in the last frame. */
 export interface Frame {
   readonly picture: TextureSource | null;
+  /** The part of the picture that is filled behind the solution, if it is there. */
+  readonly fill: TexturePatch | null;
   readonly solution: SolutionData | null;
   /** Null draws the picture at rest. */
   readonly pose: Pose | null;
@@ -114,17 +116,19 @@ export class Frames {
   }
 
   /** Passes what has changed to the renderer. Returns whether anything has. */
-  #update({ picture, solution, pose, heat, view }: Frame): boolean {
+  #update({ picture, fill, solution, pose, heat, view }: Frame): boolean {
     const last = this.#last;
     const pictured = picture !== (last?.picture ?? null);
     const solved = pictured || solution !== (last?.solution ?? null);
+    const filled = pictured || fill !== (last?.fill ?? null);
     const posed = solved || pose !== (last?.pose ?? null);
     const heated = solved || heat?.values !== last?.heat?.values || heat?.lines !== last?.heat?.lines;
     if (pictured) this.#renderer.setPicture(picture);
+    if (filled) this.#renderer.setFill(fill);
     if (solved) this.#renderer.setSolution(solution);
     if (posed) this.#show(pose);
     if (heated) this.#renderer.setHeat(heat);
-    return posed || heated || !isSameView(view, last?.view);
+    return filled || posed || heated || !isSameView(view, last?.view);
   }
 
   #show(pose: Pose | null): void {

@@ -17,13 +17,17 @@ import type { Solution, SolveReport } from '../editor/solution';
 import type { EditorState } from '../editor/state';
 import { asError, codeOf, isAbort, isEngineFailure, TOO_MUCH, TOO_MUCH_TO_SOLVE, WarpError } from '../error';
 import type { Vec } from '../geometry/vec';
+import type { TexturePatch } from '../render/picture';
 import { SolutionDeformation } from './deformation';
+import { fillPatch } from './fill_patch';
 
 const gone = (): DOMException => new DOMException('the editor is gone', 'AbortError');
 
 export class Solver {
   readonly #dispatch: Dispatch;
   readonly #solved = new Map<Solution, SolutionDeformation>();
+  /** The last fill, by its key. */
+  #fill: { readonly key: string; readonly patch: TexturePatch } | null = null;
   #engine: Promise<Engine> | null = null;
   #pixels: PixelSource | null = null;
   #disposed = false;
@@ -41,6 +45,7 @@ export class Solver {
 
   usePicture(pixels: PixelSource | null): void {
     this.#pixels = pixels;
+    this.#releaseFill();
     if (!pixels) return;
     this.#engine?.then(
       (engine) => engine.setPicture(pixels),
@@ -62,6 +67,43 @@ export class Solver {
     } catch (thrown) {
       this.#fail(key, asError(thrown));
     }
+  }
+
+  /** Fills the picture behind the rings of a project that was solved, unless that is there. */
+  async fill(key: string, project: Project): Promise<void> {
+    try {
+      const engine = await this.#started();
+      if (this.#fill?.key !== key) {
+        const data = await engine.fill(project, (part) =>
+          this.#dispatch({ type: 'fill-progressed', key, part }),
+        );
+        const patch = data && (await fillPatch(data));
+        if (this.#disposed) return patch?.bitmap.close();
+        this.#releaseFill();
+        this.#fill = patch && { key, patch };
+      }
+      this.#dispatch({ type: 'filled', key });
+    } catch (thrown) {
+      const error = asError(thrown);
+      if (!isAbort(error)) this.#dispatch({ type: 'fill-failed', key, error });
+    }
+  }
+
+  stopFilling(): void {
+    this.#engine?.then(
+      (engine) => engine.stopFilling(),
+      () => {},
+    );
+  }
+
+  /** The fill that the state names, once it is there. */
+  fillOf({ solution: { fill } }: EditorState): TexturePatch | null {
+    return fill?.done && this.#fill?.key === fill.key ? this.#fill.patch : null;
+  }
+
+  #releaseFill(): void {
+    this.#fill?.patch.bitmap.close();
+    this.#fill = null;
   }
 
   async findBorders(solution: Solution): Promise<void> {
@@ -180,6 +222,7 @@ export class Solver {
   dispose(): void {
     this.#disposed = true;
     this.#stop();
+    this.#releaseFill();
     for (const deformation of this.#solved.values()) deformation.free();
     this.#solved.clear();
   }

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
-import { ringsOf } from '../document/domain';
+import { isFilled, ringsOf } from '../document/domain';
 import type { PoseMode } from '../document/project';
 import { settingsOf } from '../document/settings';
 import { modifier } from '../editor/commands';
@@ -60,7 +60,7 @@ export function bending(
             (on) => dispatch({ type: 'blend-chosen', blend: on ? 'rigid' : 'linear' }),
           )
     }
-    ${ringsOf(project).length > 0 ? lassoed(model, dispatch) : nothing}
+    ${ringsOf(project).length > 0 ? [lassoed(model, dispatch), filled(model, dispatch)] : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => dispatch({ type: 'boundary-switched', held: on }))}
     ${toggle('Edges where parts cross', 'A thin shadow keeps parts of one colour apart.', project.edges === true, model, (on) => dispatch({ type: 'edges-switched', on }))}
     ${looseParts(model, dispatch)}
@@ -98,6 +98,16 @@ const lassoed = (model: EditorModel, dispatch: Dispatch): TemplateResult => html
     All of it
   </button>
 </div>`;
+
+/** The background behind a lassoed part. */
+const filled = (model: EditorModel, dispatch: Dispatch): TemplateResult =>
+  toggle(
+    'Fill the background',
+    'Where the part moves away, its surroundings go on.',
+    isFilled(model.document.project),
+    model,
+    (on) => dispatch({ type: 'fill-switched', on }),
+  );
 
 /** Shown while there are parts without a handle, or they follow. */
 function looseParts(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {

@@ -25,6 +25,7 @@ import {
   setField,
   setPoseMode,
 } from './edits';
+import { switchFill } from './filling';
 import { openExport } from './filming';
 import type { Handlers } from './handlers';
 import { removeLasso } from './lasso';
@@ -50,6 +51,7 @@ export const controlHandlers: Handlers<
   | 'lasso-removed'
   | 'boundary-switched'
   | 'edges-switched'
+  | 'fill-switched'
   | 'outline-shown'
   | 'fold-guard-switched'
   | 'pixel-art-switched'
@@ -80,6 +82,7 @@ export const controlHandlers: Handlers<
   'blend-chosen': (state, { blend }, emit) => edit(state, () => setBlend(state, blend, emit)),
   'lasso-removed': (state, _, emit) => edit(state, () => removeLasso(state, emit)),
   'edges-switched': (state, { on }, emit) => edit(state, () => setEdges(state, on, emit)),
+  'fill-switched': (state, { on }, emit) => edit(state, () => switchFill(state, on, emit)),
   'boundary-switched': (state, { held }, emit) => edit(state, () => setBoundaryHeld(state, held, emit)),
   'outline-shown': (state, { on }) => ({ ...state, display: { ...state.display, outlined: on } }),
   'fold-guard-switched': (state, { on }, emit) => setGuard(state, on, emit),

@@ -18,6 +18,7 @@ import { controlHandlers } from './controls';
 import { requestBorders } from './display';
 import { engineHandlers } from './engines';
 import { exportHandlers } from './exporting';
+import { fillHandlers, showFilling } from './filling';
 import { filmHandlers } from './filming';
 import { focusHandlers } from './focus';
 import { graphicsHandlers, tellOfLostGraphics } from './graphics';
@@ -63,6 +64,8 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
         return playOn(state, emit);
       case 'pose-check':
         return checkPose(state, emit);
+      case 'fill-patience':
+        return showFilling(state, emit);
       case 'suggest-patience':
         return showSuggesting(state, emit);
       case 'graphics':
@@ -98,6 +101,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...requestEndHandlers,
   ...requestHandlers,
   ...rigHandlers,
+  ...fillHandlers,
   ...solveHandlers,
   ...studyHandlers,
   ...suggestionHandlers,

@@ -1,5 +1,5 @@
 /** The lasso: which part of the picture bends, and what a press beside that part says. */
-import { domainOf, withLasso } from '../../document/domain';
+import { domainOf, isFilled, ringsOf, withFill, withLasso } from '../../document/domain';
 import { selectHandles } from '../../document/edits';
 import { withPlaceAdded } from '../../document/lasso_growth';
 import type { Vec } from '../../geometry/vec';
@@ -22,7 +22,7 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
   const stepped = step(state, cut ? 'Cut a hole' : 'Bend what is inside', document, emit);
   const next = choose(stepped, project.handles.length > 0 ? 'select' : 'point', emit);
   if (removed > 0) return informOfStep(next, leftOutText(removed), emit);
-  if (project.fix_boundary) return next;
+  if (project.fix_boundary || isFilled(project)) return next;
   const action = { label: 'Hold its boundary', event: { type: 'boundary-switched', held: true } } as const;
   return notify(next, { kind: 'info', text: LASSO_LOOSE, action, passes: true, ofStep: true }, emit);
 }
@@ -30,7 +30,7 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
 /** Lets all of the picture bend. */
 export function removeLasso(state: EditorState, emit: Emit): EditorState {
   if (!state.picture) return state;
-  const project = { ...projectOf(state), domain: domainOf(state.picture.alphaThreshold) };
+  const project = { ...withFill(projectOf(state), false), domain: domainOf(state.picture.alphaThreshold) };
   return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
 }
 

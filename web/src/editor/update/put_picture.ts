@@ -30,7 +30,7 @@ export const closePicture = (state: EditorState, emit: Emit): EditorState =>
 
 function showPicture(before: EditorState, picture: Picture | null, emit: Emit): EditorState {
   // First, so that this picture is not fitted with the bounds of the previous one.
-  const solution = { shown: null, recent: [], wanted: null, borders: null } as const;
+  const solution = { shown: null, recent: [], wanted: null, fill: null, borders: null } as const;
   const state = closeMenu(clearNotices(withSolution(endStages(before, emit), solution), emit), emit);
   emit({ type: 'use-picture', picture });
   const shown = {

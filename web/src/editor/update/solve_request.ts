@@ -6,6 +6,7 @@ import type { Solution, SolutionState, SolveStage } from '../solution';
 import { documentOf, type EditorState, projectOf } from '../state';
 import { refitView } from '../view';
 import { saveOpened } from './autosave';
+import { requestFill } from './filling';
 import { beginTask, closeRetryNotice, endTask } from './notices';
 import { checkSolution } from './pose_checks';
 
@@ -41,7 +42,7 @@ export function requestSolution(state: EditorState, emit: Emit): EditorState {
 export function showSolution(state: EditorState, solution: Solution, emit: Emit): EditorState {
   const first = state.solution.shown === null;
   let next = withSolution(endStages(state, emit), { shown: solution, ready: true });
-  next = checkSolution(closeRetryNotice(next), solution, emit);
+  next = requestFill(checkSolution(closeRetryNotice(next), solution, emit), emit);
   if (!first) return next;
   // The bounds of the posed picture are known only now.
   return saveOpened(isInHand(next) ? next : refitView(next), emit);

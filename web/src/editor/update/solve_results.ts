@@ -10,6 +10,7 @@ import { mayChange } from '../permissions';
 import { MAX_RECENT, pendingKey, type Solution } from '../solution';
 import type { EditorState } from '../state';
 import { cancelExport } from './exporting';
+import { cancelFilling } from './filling';
 import type { Handlers } from './handlers';
 import { announce, report } from './notices';
 import { closePicture } from './put_picture';
@@ -78,6 +79,7 @@ export const solveHandlers: Handlers<
   'task-cancelled': (state, { task }, emit) => {
     if (task === 'export') return cancelExport(state, emit);
     if (task === 'suggest') return stopSuggesting(state, emit);
+    if (task === 'fill') return cancelFilling(state, emit);
     if (task === 'open') return cancelReading(state, emit);
     return task === 'solve' && mayChange(state) ? cancelSolve(state, emit) : state;
   },

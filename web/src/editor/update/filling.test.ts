@@ -1,0 +1,97 @@
+import { describe, expect, it } from 'vitest';
+import { isFilled, ringsOf } from '../../document/domain';
+import { undoLabel } from '../../document/history';
+import type { EditorEffect } from '../effects';
+import { FakeRuntime } from '../fake_runtime';
+import { projectOf } from '../state';
+import { currentTask, shownNotice } from './notices';
+
+const RING = [
+  [50, 50],
+  [150, 50],
+  [150, 150],
+  [50, 150],
+] as const;
+
+function lassoed(): FakeRuntime {
+  const runtime = new FakeRuntime();
+  runtime.open();
+  runtime.dispatch({ type: 'lasso-drawn', ring: RING, hole: false });
+  runtime.solve();
+  return runtime;
+}
+
+type Fill = Extract<EditorEffect, { type: 'fill' }>;
+
+const asked = ({ effects }: FakeRuntime): readonly Fill[] =>
+  effects.filter((effect): effect is Fill => effect.type === 'fill');
+const keyOf = (runtime: FakeRuntime): string => asked(runtime).at(-1)?.key ?? '';
+const isOn = ({ state }: FakeRuntime): boolean => isFilled(projectOf(state));
+
+describe('the fill of a lasso', () => {
+  it('is on from the beginning, and one step with the lasso', () => {
+    const runtime = lassoed();
+    expect(isOn(runtime)).toBe(true);
+    expect(asked(runtime)).toHaveLength(1);
+    runtime.dispatch({ type: 'command-run', command: 'undo' });
+    expect(isOn(runtime)).toBe(false);
+    expect(ringsOf(projectOf(runtime.state))).toEqual([]);
+    expect(runtime.state.solution.fill).toBeNull();
+  });
+
+  it('leaves no gap, so none is told of', () => {
+    expect(shownNotice(lassoed().state)).toBeNull();
+  });
+
+  it('is made once, whatever handles are placed', () => {
+    const runtime = lassoed();
+    runtime.dispatch({ type: 'filled', key: keyOf(runtime) });
+    expect(runtime.state.solution.fill?.done).toBe(true);
+    runtime.dispatch({
+      type: 'handle-added',
+      handle: { id: 'a', kind: 'point', rest: [60, 60], posed: [60, 60] },
+    });
+    runtime.solve();
+    expect(asked(runtime)).toHaveLength(1);
+    expect(runtime.state.solution.fill?.done).toBe(true);
+  });
+
+  it('shows its progress if it takes long', () => {
+    const runtime = lassoed();
+    expect(currentTask(runtime.state)).toBeNull();
+    runtime.dispatch({ type: 'timer-elapsed', timer: 'fill-patience' });
+    runtime.dispatch({ type: 'fill-progressed', key: keyOf(runtime), part: 0.5 });
+    expect(currentTask(runtime.state)).toMatchObject({ label: 'Filling the background', fraction: 0.5 });
+    runtime.dispatch({ type: 'filled', key: keyOf(runtime) });
+    expect(currentTask(runtime.state)).toBeNull();
+  });
+
+  it('is switched off when it is cancelled, and can be switched on again', () => {
+    const runtime = lassoed();
+    runtime.dispatch({ type: 'timer-elapsed', timer: 'fill-patience' });
+    runtime.dispatch({ type: 'task-cancelled', task: 'fill' });
+    expect(isOn(runtime)).toBe(false);
+    expect(currentTask(runtime.state)).toBeNull();
+    expect(undoLabel(runtime.state.document.history)).toBe('Leave the background empty');
+    runtime.solve();
+    runtime.dispatch({ type: 'fill-switched', on: true });
+    runtime.solve();
+    expect(isOn(runtime)).toBe(true);
+    expect(asked(runtime)).toHaveLength(2);
+  });
+
+  it('is switched off with a message if there is nothing to fill from', () => {
+    const runtime = lassoed();
+    runtime.dispatch({ type: 'fill-failed', key: keyOf(runtime), error: new Error('nothing is left') });
+    expect(isOn(runtime)).toBe(false);
+    expect(shownNotice(runtime.state)?.text).toContain('nothing is left');
+  });
+
+  it('goes with the lasso', () => {
+    const runtime = lassoed();
+    runtime.dispatch({ type: 'lasso-removed' });
+    runtime.solve();
+    expect('fill' in projectOf(runtime.state)).toBe(false);
+    expect(runtime.state.solution.fill).toBeNull();
+  });
+});
