@@ -42,8 +42,7 @@ export const isSameDomain = (a: Project, b: Project): boolean =>
  * of the picture.
  *
  * A hole must lie inside the domain. Otherwise the ring is added, and `cut` is false. The new ring replaces the rings
- * that it meets; the others stay. Handles outside the domain are removed. Behind the first ring in an opaque picture the
- * background is filled.
+ * that it meets; the others stay. Handles outside the domain are removed.
  */
 export function withLasso(
   project: Project,
@@ -62,13 +61,7 @@ export function withLasso(
 /** The project with these rings as its domain, and without the handles outside. */
 export function withRings(project: Project, rings: readonly Ring[]): Project {
   const handles = project.handles.filter((handle) => isOn(rings, handle));
-  const isNew = before.length === 0 && project.domain?.kind === 'image';
-  const lassoed = withoutLostTracks({
-    ...project,
-    domain: { kind: 'polygon', rings },
-    ...(isNew && { fill: FILL }),
-    handles,
-  });
+  const lassoed = withoutLostTracks({ ...project, domain: { kind: 'polygon', rings }, handles });
   return { project: lassoed, cut: holed !== null };
 }
 

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { isFilled, ringsOf } from '../../document/domain';
 import { undoLabel } from '../../document/history';
 import type { EditorEffect } from '../effects';
-import { FakeRuntime } from '../fake_runtime';
+import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf } from '../state';
 import { currentTask, shownNotice } from './notices';
 
@@ -13,9 +13,9 @@ const RING = [
   [50, 150],
 ] as const;
 
-function lassoed(): FakeRuntime {
+function lassoed(alphaThreshold: number | null = null): FakeRuntime {
   const runtime = new FakeRuntime();
-  runtime.open();
+  runtime.open({ ...testPicture(), alphaThreshold });
   runtime.dispatch({ type: 'lasso-drawn', ring: RING, hole: false });
   runtime.solve();
   return runtime;
@@ -37,6 +37,15 @@ describe('the fill of a lasso', () => {
     expect(isOn(runtime)).toBe(false);
     expect(ringsOf(projectOf(runtime.state))).toEqual([]);
     expect(runtime.state.solution.fill).toBeNull();
+  });
+
+  it('is off in a picture with transparency, and after it was switched off', () => {
+    expect(isOn(lassoed(0.5))).toBe(false);
+    const runtime = lassoed();
+    runtime.dispatch({ type: 'fill-switched', on: false });
+    runtime.dispatch({ type: 'lasso-drawn', ring: RING.map(([x, y]) => [x + 150, y]), hole: false });
+    expect(ringsOf(projectOf(runtime.state))).toHaveLength(2);
+    expect(isOn(runtime)).toBe(false);
   });
 
   it('leaves no gap, so none is told of', () => {

@@ -16,7 +16,10 @@ import { choose } from './tool_choice';
 function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Emit): EditorState {
   const found = withLasso(projectOf(state), ring, hole);
   if (!found) return informOfStep(state, LASSO_EMPTY, emit);
-  const { project, cut } = found;
+  const { cut } = found;
+  // What moves away leaves a gap in an opaque picture. A picture that is cut out has nothing behind it anyway.
+  const isFirst = ringsOf(projectOf(state)).length === 0 && state.picture?.alphaThreshold === null;
+  const project = isFirst ? withFill(found.project, true) : found.project;
   const removed = projectOf(state).handles.length - project.handles.length;
   const document = selectHandles({ ...documentOf(state), project }, selectionOf(state));
   const stepped = step(state, cut ? 'Cut a hole' : 'Bend what is inside', document, emit);
