@@ -6,10 +6,11 @@ use c2warp::{
     Picture,
     project::Project,
     rig::{Rig, RigPicture},
-    solve,
 };
 use js_sys::{Error as JsError, Function};
 use wasm_bindgen::prelude::*;
+
+use crate::solution::solution;
 
 /// Solves a project, and bakes its clips.
 ///
@@ -30,7 +31,7 @@ pub fn bake(
     let refused = |reason: &dyn fmt::Display| JsError::new(&reason.to_string());
     let project = Project::from_json(project_json).map_err(|reason| refused(&reason))?;
     let picture = Picture::new(width, height, rgba).map_err(|reason| refused(&reason))?;
-    let solution = solve(&project, &picture).map_err(|reason| refused(&reason))?;
+    let solution = solution(&project, &picture).map_err(|reason| refused(&reason))?;
     let picture = RigPicture { width, height, file: picture_file };
     let mut tell = |part: f64| {
         // Nothing can be done about a listener that fails.

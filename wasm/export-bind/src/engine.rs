@@ -2,11 +2,13 @@
 
 use std::fmt;
 
-use c2warp::{Picture, project::Project, solve};
+use c2warp::{Picture, project::Project};
 use c2warp_export::{EngineRig, Errors, ExportError, Format, Options, texture};
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use js_sys::{Error as JsError, Function};
 use wasm_bindgen::prelude::*;
+
+use crate::solution::solution;
 
 /// The part of the work that is done once the project is solved.
 const SOLVED: f64 = 0.2;
@@ -117,7 +119,7 @@ pub fn engine_rig(
     options.check(format).map_err(not_exported)?;
     let project = Project::from_json(project_json).map_err(|reason| refused(&reason))?;
     let picture = Picture::new(width, height, rgba).map_err(|reason| refused(&reason))?;
-    let solution = solve(&project, &picture).map_err(|reason| refused(&reason))?;
+    let solution = solution(&project, &picture).map_err(|reason| refused(&reason))?;
     let mut tell_rest = |part: f64| tell(SOLVED + (1.0 - SOLVED) * part);
     tell_rest(0.0);
     let rig = EngineRig::new_telling(stem, &project, &solution, &picture, options, &mut tell_rest);

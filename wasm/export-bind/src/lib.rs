@@ -6,4 +6,5 @@ pub mod bake;
 pub mod drawing;
 pub mod engine;
 pub mod maps;
+mod solution;
 pub mod solved;

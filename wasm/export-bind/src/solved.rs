@@ -2,9 +2,11 @@
 
 use std::fmt;
 
-use c2warp::{Picture, Solution, clip::Playback, deform::Pose, project::Project, solve};
+use c2warp::{Picture, Solution, clip::Playback, deform::Pose, project::Project};
 use js_sys::{Error as JsError, Function};
 use wasm_bindgen::prelude::*;
+
+use crate::solution::solution;
 
 /// The part of the work that is done once the project is solved.
 const SOLVED: f64 = 0.2;
@@ -35,7 +37,7 @@ impl SolvedProject {
     #[wasm_bindgen(constructor)]
     pub fn new(project_json: &str, width: u32, height: u32, rgba: Vec<u8>, tell: Function) -> Result<Self, JsError> {
         let project = Project::from_json(project_json).map_err(refused)?;
-        let solution = solve(&project, &Picture::new(width, height, &rgba).map_err(refused)?).map_err(refused)?;
+        let solution = solution(&project, &Picture::new(width, height, &rgba).map_err(refused)?).map_err(refused)?;
         let solved = Self { project, solution, size: [width, height], rgba, tell };
         solved.tell(0.0);
         Ok(solved)

@@ -127,9 +127,9 @@ mod tests {
         let hole = ring(&[[40.0, 40.0], [60.0, 40.0], [60.0, 60.0], [40.0, 60.0]]);
         let mask = Mask::new(&[outer, hole], (100, 90));
         let row = |y| (0..100).filter(|&x| mask.has(x, y)).collect::<Vec<u32>>();
-        assert_eq!(row(30), (19..81).collect::<Vec<_>>());
-        assert_eq!(row(50), (19..41).chain(59..81).collect::<Vec<_>>());
-        assert!(row(18).is_empty() && !row(19).is_empty() && !row(80).is_empty() && row(81).is_empty());
+        assert_eq!(row(30), (18..82).collect::<Vec<_>>());
+        assert_eq!(row(50), (18..42).chain(58..82).collect::<Vec<_>>());
+        assert!(row(17).is_empty() && !row(18).is_empty() && !row(81).is_empty() && row(82).is_empty());
     }
 
     #[test]

@@ -1,0 +1,14 @@
+//! Solves a project for exports. They have no use for the fill of the background, so it is not made.
+
+use c2warp::{Error, Picture, Solution, Solver, project::Project};
+
+/// The solution of a project.
+///
+/// # Errors
+/// Those of [`Solver::begin`] and [`Solver::advance`].
+pub(crate) fn solution(project: &Project, picture: &Picture<'_>) -> Result<Solution, Error> {
+    let mut solver = Solver::new();
+    solver.begin(project, picture)?;
+    while solver.advance()?.is_some() {}
+    Ok(solver.into_solution().expect("every stage has run"))
+}
