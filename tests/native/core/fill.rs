@@ -125,7 +125,8 @@ fn one_colour_goes_on() {
 
 #[test]
 fn stripes_go_on_through_the_hole() {
-    let stripes = |x: u32, y: u32| if (x + y / 8) / 6 % 2 == 0 { [220, 40, 30, 255] } else { [20, 60, 200, 255] };
+    let stripes =
+        |x: u32, y: u32| if ((x + y / 8) / 6).is_multiple_of(2) { [220, 40, 30, 255] } else { [20, 60, 200, 255] };
     let rgba = pixels(stripes);
     let fill = filled(&rgba, &[circle([80.0, 60.0], 18.0, 31)], 0).expect("a fill");
     let [left, top] = fill.origin();

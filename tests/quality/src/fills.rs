@@ -52,11 +52,11 @@ pub struct Filled {
 pub fn fills() -> Result<Vec<Filled>, Box<dyn Error>> {
     let mut all = Vec::new();
     for name in DRAWN {
-        all.push(Filled::new(name, Scene::named(name).picture)?);
+        all.push(Filled::new(name, &Scene::named(name).picture)?);
     }
     for name in SAMPLES {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/public/samples");
-        all.push(Filled::new(name, image::open(root.join(name).with_extension("png"))?.into_rgba8())?);
+        all.push(Filled::new(name, &image::open(root.join(name).with_extension("png"))?.into_rgba8())?);
     }
     Ok(all)
 }
@@ -68,13 +68,13 @@ pub fn fills() -> Result<Vec<Filled>, Box<dyn Error>> {
 pub fn fills_of(files: &[&str]) -> Result<Vec<Filled>, Box<dyn Error>> {
     let filled = |file: &&str| {
         let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy();
-        Filled::new(&name, image::open(file)?.into_rgba8())
+        Filled::new(&name, &image::open(file)?.into_rgba8())
     };
     files.iter().map(filled).collect()
 }
 
 impl Filled {
-    fn new(name: &str, truth: RgbaImage) -> Result<Self, Box<dyn Error>> {
+    fn new(name: &str, truth: &RgbaImage) -> Result<Self, Box<dyn Error>> {
         eprintln!("  fill: {name}");
         let (width, height) = truth.dimensions();
         let size = DVec2::new(width.into(), height.into());
@@ -100,8 +100,8 @@ impl Filled {
                 }
             }
         }
-        let results = vec![result, harmonic::filled(&truth, &hole), telea::filled(&truth, &hole)];
-        let measured = results.iter().map(|result| Measured::new(&truth, result, &hole)).collect();
+        let results = vec![result, harmonic::filled(truth, &hole), telea::filled(truth, &hole)];
+        let measured = results.iter().map(|result| Measured::new(truth, result, &hole)).collect();
         Ok(Self { name: name.to_owned(), ms: ms / PLACES.len() as f64, measured, pasted, results })
     }
 
@@ -112,7 +112,7 @@ impl Filled {
         let mut sheet = RgbaImage::from_pixel(4 * width, height + LABEL, Rgba([255; 4]));
         let named = std::iter::once(("pasted", &self.pasted)).chain(METHODS.into_iter().zip(&self.results));
         for (column, (name, picture)) in (0..).zip(named) {
-            write(&mut sheet, name, i64::from(column * width), 0);
+            write(&mut sheet, name, column * width, LABEL - 6);
             imageops::replace(&mut sheet, picture, i64::from(column * width), i64::from(LABEL));
         }
         sheet

@@ -34,11 +34,12 @@ impl Sources<'_> {
             for (column, across) in columns {
                 let at = row * self.level.width + column;
                 let weight = across * down;
-                if weight > 0.0 && self.level.hole[at] {
-                    if let Some(colour) = self.copied(picture, mask, [x, y], at, at == own) {
-                        sum += (colour + self.corrections[at]) * weight;
-                        total += weight;
-                    }
+                if weight > 0.0
+                    && self.level.hole[at]
+                    && let Some(colour) = self.copied(picture, mask, [x, y], at, at == own)
+                {
+                    sum += (colour + self.corrections[at]) * weight;
+                    total += weight;
                 }
             }
         }

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use super::carried::Sources;
-use super::level::{Level, NONE};
+use super::level::{Level, NONE, RADIUS};
 use super::mask::Mask;
 use super::matches::Matches;
 use super::membrane::Membrane;
@@ -155,9 +155,7 @@ impl Filler {
         let coarse = self.levels.pop_front().expect("there is a coarser level");
         let matches = self.matches.take().expect("peeling has found matches");
         let level = &mut self.levels[0];
-        let mut matches = matches.doubled(&coarse, level, &mut self.random);
-        // All costs are equal, so the patch from the upper left corner is chosen. It is as good as another.
-        matches.costs.fill(0);
+        let matches = matches.doubled(&coarse, level, &mut self.random);
         choose_own(level, &matches);
         self.matches = Some(matches);
     }
@@ -174,7 +172,6 @@ impl Filler {
 
 /// Sets each texel of the hole to the one of the patch around it, or of the nearest patch at the border.
 fn choose_own(level: &mut Level, matches: &Matches) {
-    use super::level::RADIUS;
     let mut copied = Vec::with_capacity(level.unknown.len());
     for &at in &level.unknown {
         let (x, y) = (at as usize % level.width, at as usize / level.width);

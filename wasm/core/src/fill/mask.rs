@@ -136,7 +136,7 @@ mod tests {
     fn band_of_a_slanted_edge_is_narrower_than_the_skirt() {
         let corners = [[10.0, 12.0], [90.0, 47.0], [30.0, 75.0]];
         let triangle = ring(&corners);
-        let mask = Mask::new(&[triangle.clone()], (100, 90));
+        let mask = Mask::new(std::slice::from_ref(&triangle), (100, 90));
         for (x, y) in (0..90).flat_map(|y| (0..100).map(move |x| (x, y))) {
             let centre = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
             let away = edges(&triangle).map(|(a, b)| crate::segment::segment_distance(centre, a, b));

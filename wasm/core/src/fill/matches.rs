@@ -153,5 +153,5 @@ fn known_cost(level: &Level, known: &[bool], target: u32, source: u32) -> u32 {
         }
     }
     let far = distance_cost(level, target, source);
-    if count == 0 { u32::MAX - 1 } else { (sum * (SIDE * SIDE) as u64 / count) as u32 + far }
+    (sum * (SIDE * SIDE) as u64).checked_div(count).map_or(u32::MAX - 1, |mean| mean as u32 + far)
 }

@@ -12,7 +12,7 @@ impl Random {
     /// A whole number below `end`, which is at least 1.
     pub(super) fn below(&mut self, end: u32) -> u32 {
         // The upper half of a product is even enough, as ends are far below 2³².
-        ((self.next() >> 32) * u64::from(end) >> 32) as u32
+        (((self.next() >> 32) * u64::from(end)) >> 32) as u32
     }
 
     /// A whole number from `-radius` to `radius`.

@@ -62,7 +62,7 @@ mod tests {
         assert_eq!(project.fill.map(|fill| fill.seed), Some(u32::MAX));
         assert!(project.to_json().contains(r#""fill": { "method": "patches", "seed": 4294967295 }"#));
         assert_eq!(Project::from_json(&project.to_json()), Ok(project));
-        assert!(!read("").unwrap().to_json().contains("fill"));
+        assert!(!read("").unwrap().to_json().contains(r#""fill""#));
     }
 
     #[test]
