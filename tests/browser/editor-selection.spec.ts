@@ -1,4 +1,4 @@
-/** Selections in photographs: outlines along edges, their corners, and what shows while posing. */
+/** Selections in photographs: outlines along edges, their corners, and how they show while posing. */
 import { decode, encode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
 import { bytes, Editor, meanDifference, type Position } from './editor';

@@ -1,10 +1,11 @@
 /**
- * `npm run quality`: errors of distances, second maxima of weights, jumps of their derivatives, suggested handles, fills
- * of pictures whose truth is known, and the quality of poses by every mode and by other methods, beside the optimum too.
+ * `npm run quality`: errors of distances, second maxima of weights, jumps of their derivatives, suggested handles,
+ * fills of pictures whose truth is known, and the quality of poses by every mode and by other methods, beside the
+ * optimum too.
  *
  * Prints tables and writes sheets of pictures. The crate `c2warp-quality` measures. `npm run quality -- NAME` runs the
- * parts with NAME in their name: poses, `optimum`, `distances`, `maxima`, `continuity`, `suggest` or `fill`. The run fails if a
- * part does not build or run, never because of a figure.
+ * parts with NAME in their name: poses, `optimum`, `distances`, `maxima`, `continuity`, `suggest` or `fill`. The run
+ * fails if a part does not build or run, never because of a figure.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';

@@ -68,6 +68,7 @@ mod render_mesh;
 mod static_background;
 
 // Solving: read `pipeline` first.
+mod kept_fill;
 mod pipeline;
 mod report;
 mod solution;

@@ -7,7 +7,8 @@ use std::sync::Arc;
 use crate::{
     distance::Propagation,
     error::Error,
-    fill::{FillKey, Filling},
+    fill::FillKey,
+    kept_fill::KeptFill,
     picture::Picture,
     pipeline,
     prepared_domain::{DomainKey, PreparedDomain},
@@ -46,7 +47,7 @@ use crate::{
 pub struct Solver {
     domain: Option<DomainCache>,
     propagation: Propagation,
-    filling: Filling,
+    fill: KeptFill,
     pending: Option<PendingSolve>,
     finished: Option<FinishedSolve>,
 }
@@ -121,7 +122,7 @@ impl Solver {
             let prepared = Arc::new(PreparedDomain::new(project, picture)?);
             self.domain = Some(DomainCache { key, prepared, sampling: SamplingCache::default() });
         }
-        self.filling.ask(FillKey::of(project));
+        self.fill.ask(FillKey::of(project));
         let domain = self.domain.as_ref().map(|domain| &domain.key);
         let known = self.finished.as_ref().filter(|finished| Some(&finished.key) == domain);
         let is_solved = known.is_some_and(|known| known.input.differs_in_stiffness_alone(&input));
@@ -138,8 +139,7 @@ impl Solver {
     /// [`Error::BarsOverlap`], [`Error::HeldTooFine`], [`Error::TooManySites`], [`Error::TooMuchMemory`]. An error
     /// ends the solve; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
-        let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, filling, pending, finished } =
-            self
+        let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, fill, pending, finished } = self
         else {
             return Ok(None);
         };
@@ -166,7 +166,7 @@ impl Solver {
                 let prepared = Arc::clone(prepared);
                 let mut solution =
                     pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
-                solution.fill = filling.finished_for(key);
+                solution.fill = fill.finished_for(|domain, picture| key.is_of(domain, picture));
                 *finished = Some(FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) });
                 return Ok(Some(Stage::Weights));
             }
@@ -178,7 +178,7 @@ impl Solver {
     /// Asks for the fill of a project, and drops one that another domain or seed had. [`begin`](Self::begin) does so
     /// as well.
     pub fn begin_fill(&mut self, project: &Project) {
-        self.filling.ask(FillKey::of(project));
+        self.fill.ask(FillKey::of(project));
     }
 
     /// Runs the next step of the fill behind the last project's domain. Returns the part that is done, from 0 to 1;
@@ -192,11 +192,11 @@ impl Solver {
     /// - [`Error::NothingToFillFrom`];
     /// - those of [`Domain::new`](crate::domain::Domain::new).
     pub fn advance_fill(&mut self, picture: &Picture<'_>) -> Result<Option<f64>, Error> {
-        let progress = self.filling.advance(picture)?;
+        let progress = self.fill.advance(picture)?;
         if progress.is_none()
             && let Some(FinishedSolve { key, solution, .. }) = &mut self.finished
         {
-            let fill = self.filling.finished_for(key);
+            let fill = self.fill.finished_for(|domain, picture| key.is_of(domain, picture));
             if solution.fill != fill {
                 Arc::make_mut(solution).fill = fill;
             }

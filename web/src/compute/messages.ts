@@ -136,7 +136,7 @@ export interface Boot {
   readonly module: WebAssembly.Module;
 }
 
-/** What a request tells of its progress: the stage of a solve that is done, the part of a fill from 0 to 1. */
+/** The progress of a request: the stage of a solve that is done, the part of a fill from 0 to 1. */
 export type ProgressOf<N extends Name> = N extends 'solve' ? Stage : N extends 'fill' ? number : never;
 
 /** An error that crossed from the worker. */

@@ -24,8 +24,8 @@ export const openDocument = (project: Project): Document => ({ project, selectio
 
 /**
  * Returns a project without handles for a newly opened picture. The editor's defaults are explicit in it. The picture
- * bends rigidly, so that dragged parts keep their shape and distant parts stay. The boundary of an opaque picture is held:
- * its edges would leave gaps behind them.
+ * bends rigidly, so that dragged parts keep their shape and distant parts stay. The boundary of an opaque picture is
+ * held: its edges would leave gaps behind them.
  *
  * @param threshold the alpha threshold of a picture with transparency, `null` for an opaque picture.
  */

@@ -61,8 +61,7 @@ export function withLasso(
 /** The project with these rings as its domain, and without the handles outside. */
 export function withRings(project: Project, rings: readonly Ring[]): Project {
   const handles = project.handles.filter((handle) => isOn(rings, handle));
-  const lassoed = withoutLostTracks({ ...project, domain: { kind: 'polygon', rings }, handles });
-  return { project: lassoed, cut: holed !== null };
+  return withoutLostTracks({ ...project, domain: { kind: 'polygon', rings }, handles });
 }
 
 /** Returns the rings with the hole, or `null` if it is not inside the domain. */

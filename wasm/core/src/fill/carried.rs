@@ -18,7 +18,7 @@ pub(super) struct Sources<'a> {
     pub(super) level: &'a Level,
     /// Texels: the one that it was copied from, or [`NONE`].
     pub(super) from: &'a [u32],
-    /// Texels: what is added to the copy. Premultiplied, from 0 to 255.
+    /// Texels: the change of the copy. Premultiplied, from 0 to 255.
     pub(super) corrections: &'a [Vec4],
 }
 

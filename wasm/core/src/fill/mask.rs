@@ -9,13 +9,13 @@ use crate::{
     opacity::Opacity,
 };
 
-/// Width of the band, in pixels. Antialiased rims of what the outline follows lie in it.
+/// Width of the band, in pixels. The antialiased rim along the outline lies in it.
 ///
 /// A pixel of the band lies within the skirt of the mesh, which is 3 px wide: it is at most √2 times this away, and its
 /// corners another 0.7 px. So the part at rest covers all that is filled.
 const BAND: f64 = 1.5;
 
-/// A box of a picture, and which of its pixels are to be filled.
+/// A box of a picture, and its pixels that are to be filled.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Mask {
     /// The upper left corner in the picture.

@@ -8,8 +8,8 @@
 use super::level::{Level, NONE, RADIUS, SIDE, Texel};
 use super::random::Random;
 
-/// What a match at the reach costs more than one in place: as much as a difference of 8 steps in every texel. A thing
-/// far away is then no match for what lies around, though it may fit by chance.
+/// Additional cost of a match at the reach, compared with one in place: as much as a difference of 8 steps in every
+/// texel. A thing far away is then no match for the surroundings, though it may fit by chance.
 const FAR: u64 = 128 * (SIDE * SIDE) as u64;
 
 /// The best known match of each patch over the hole.
@@ -121,7 +121,7 @@ fn cost(level: &Level, target: u32, source: u32, most: u32) -> u32 {
     sum
 }
 
-/// What the distance of a match costs. The reach is the width of the hole at its deepest place.
+/// The cost of the distance of a match. The reach is the width of the hole at its deepest place.
 fn distance_cost(level: &Level, target: u32, source: u32) -> u32 {
     let apart = |a: usize, b: usize| (a.abs_diff(b) as u64).pow(2);
     let (a, b, width) = (target as usize, source as usize, level.width);

@@ -31,7 +31,7 @@ struct Equation {
 /// The corrections of a level.
 #[derive(Debug, Clone)]
 pub(super) struct Membrane {
-    /// Texels: what is added to the copied colour, or the colour itself of a texel that was not copied.
+    /// Texels: the change of the copied colour, or the colour itself of a texel that was not copied.
     corrections: Vec<Vec4>,
     /// One for each texel of the hole, in the order of `level.unknown`.
     equations: Vec<Equation>,
@@ -96,7 +96,7 @@ impl Seams<'_> {
         equation
     }
 
-    /// What must be added to the copy of a texel so that it goes on from its neighbour.
+    /// The change of a texel's copy that lets it go on from its neighbour.
     fn step(&self, at: usize, beside: usize) -> Vec4 {
         if self.from[at] == NONE {
             return self.copied(beside);

@@ -1,19 +1,20 @@
-//! The picture behind a domain of rings: what the domain hides is filled from its surroundings.
+//! The picture behind a domain of rings, filled from its surroundings.
 //!
-//! PatchMatch (Barnes et al. 2009) finds a patch that looks alike for each patch over the hole, and all patches over a
-//! texel vote for its colour (Wexler et al. 2007), from a small copy of the picture to larger ones (Newson et al. 2014).
-//! Pixels are then copied from where their texels were found. A Poisson equation hides seams (Pérez et al. 2003).
+//! PatchMatch finds a patch that looks alike for each patch over the hole (Barnes et al. 2009). All patches over a
+//! texel vote for its colour (Wexler et al. 2007), from a small copy of the picture to larger ones (Newson et al.
+//! 2014). Pixels are then copied from where their texels were found. A Poisson equation hides seams (Pérez et al.
+//! 2003).
 //!
-//! The hole is the domain and a narrow band around it, so that antialiased rims lie in it. Colours are premultiplied, and
-//! the opacity is filled as a colour is: transparent surroundings go on.
+//! The hole is the domain and a narrow band around it, so that antialiased rims lie in it. Colours are premultiplied.
+//! The opacity is filled as a colour is: transparent surroundings go on.
 //!
 //! Cost: bounded by 250,000 texels of hole and surroundings, some 100 bytes each. Beside that, linear in the pixels of
-//! the hole. Known limits: things are not known, so a part of one may be copied; where the surroundings are smaller than
-//! the hole, the same patches repeat.
+//! the hole. Known limits: things are not known, so a part of one may be copied. Where the surroundings are smaller
+//! than the hole, the same patches repeat.
 
 mod carried;
 mod filler;
-mod filling;
+mod key;
 mod level;
 mod mask;
 mod matches;
@@ -23,9 +24,7 @@ mod region;
 mod spread;
 mod votes;
 
-use self::filler::Filler;
-pub(crate) use self::filling::{FillKey, Filling};
-pub(crate) use self::mask::Mask;
+pub(crate) use self::{filler::Filler, key::FillKey, mask::Mask};
 
 use crate::{domain::Domain, error::Error, picture::Picture, project::FillSpec};
 

@@ -1,5 +1,5 @@
-//! Smooth colours for a hole without patches: means of what is known around, from coarse to fine (pull-push, Gortler et
-//! al. 1996).
+//! Smooth colours for a hole without patches: means of the known colours around, from coarse to fine (pull-push,
+//! Gortler et al. 1996).
 //!
 //! Cost: linear in the texels.
 

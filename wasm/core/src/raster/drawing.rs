@@ -20,7 +20,7 @@ use crate::{deform::Bounds, error::Error, picture::Picture};
 
 /// A warped picture, ready to be drawn.
 ///
-/// It holds about 110 bytes per triangle, and the mip levels; over a [fill](crate::fill), a copy of the picture as well.
+/// It holds about 110 bytes per triangle, and the mip levels. Over a [fill](crate::fill) it also copies the picture.
 /// The picture is passed to each call.
 ///
 /// ```

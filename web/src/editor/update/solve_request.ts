@@ -6,7 +6,7 @@ import type { Solution, SolutionState, SolveStage } from '../solution';
 import { documentOf, type EditorState, projectOf } from '../state';
 import { refitView } from '../view';
 import { saveOpened } from './autosave';
-import { requestFill } from './filling';
+import { requestFill } from './fill_request';
 import { beginTask, closeRetryNotice, endTask } from './notices';
 import { checkSolution } from './pose_checks';
 

@@ -2,35 +2,18 @@
 
 use std::sync::Arc;
 
-use super::{Fill, Filler, Mask};
 use crate::{
     domain::Domain,
     error::Error,
+    fill::{Fill, FillKey, Filler, Mask},
     picture::Picture,
-    prepared_domain::DomainKey,
-    project::{DomainSpec, FillSpec, Project},
+    project::DomainSpec,
     solve_input::check_picture,
 };
 
-/// Everything that a fill depends on, except the pixels of the picture.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct FillKey {
-    domain: DomainSpec,
-    picture: (u32, u32),
-    spec: FillSpec,
-}
-
-impl FillKey {
-    /// `None` for a project without a fill, or with nothing behind its domain.
-    pub(crate) fn of(project: &Project) -> Option<Self> {
-        let domain = project.domain.as_ref().filter(|domain| matches!(domain, DomainSpec::Polygon { .. }))?;
-        Some(Self { domain: domain.clone(), picture: project.image.size(), spec: project.fill? })
-    }
-}
-
 /// The last fill that was asked for. It stays while none is wanted, so that switching it off and on costs nothing.
 #[derive(Debug, Default)]
-pub(crate) struct Filling {
+pub(crate) struct KeptFill {
     key: Option<FillKey>,
     wanted: bool,
     state: State,
@@ -44,7 +27,7 @@ enum State {
     Done(Arc<Fill>),
 }
 
-impl Filling {
+impl KeptFill {
     /// Asks for a fill. The same one as before goes on.
     pub(crate) fn ask(&mut self, key: Option<FillKey>) {
         self.wanted = key.is_some();
@@ -76,11 +59,11 @@ impl Filling {
         }
     }
 
-    /// The fill, if it is done and behind this domain.
-    pub(crate) fn finished_for(&self, domain: &DomainKey) -> Option<Arc<Fill>> {
+    /// The fill, if it is done, and made for the domain and the size of the picture that `accepts` accepts.
+    pub(crate) fn finished_for(&self, accepts: impl Fn(&DomainSpec, (u32, u32)) -> bool) -> Option<Arc<Fill>> {
         let key = self.key.as_ref()?;
         match &self.state {
-            State::Done(fill) if domain.is_of(&key.domain, key.picture) => Some(Arc::clone(fill)),
+            State::Done(fill) if accepts(&key.domain, key.picture) => Some(Arc::clone(fill)),
             _ => None,
         }
     }
