@@ -48,8 +48,8 @@ describe('the fill of a lasso', () => {
     expect(isOn(runtime)).toBe(false);
   });
 
-  it('leaves no gap, so none is told of', () => {
-    expect(shownNotice(lassoed().state)).toBeNull();
+  it('leaves no gap, and the notice tells of none', () => {
+    expect(shownNotice(lassoed().state)?.text).toBe('Only this part bends now, over a filled background.');
   });
 
   it('is made once, whatever handles are placed', () => {

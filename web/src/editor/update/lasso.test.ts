@@ -61,6 +61,27 @@ describe('a place outside of the selection', () => {
   });
 });
 
+describe('the first lasso of an opaque picture', () => {
+  it('is free over a filled background, and its boundary can be held', () => {
+    const runtime = opened();
+    expect(projectOf(runtime.state).fix_boundary).toBe(true);
+    runtime.dispatch({ type: 'lasso-drawn', ring: SQUARE, hole: false });
+    expect(projectOf(runtime.state)).toMatchObject({ fix_boundary: false, fill: { method: 'patches' } });
+    expect(shownNotice(runtime.state)?.action?.label).toBe('Hold its boundary');
+    runtime.dispatch({ type: 'notice-answered' });
+    expect(projectOf(runtime.state).fix_boundary).toBe(true);
+    // A second one leaves that as it is.
+    runtime.dispatch({ type: 'lasso-drawn', ring: SQUARE.map(([x, y]): Vec => [x + 150, y]), hole: false });
+    expect(projectOf(runtime.state).fix_boundary).toBe(true);
+  });
+  it('is removed with its fill, and the frame is held again', () => {
+    const runtime = lassoed();
+    runtime.dispatch({ type: 'lasso-removed' });
+    expect(projectOf(runtime.state)).toMatchObject({ fix_boundary: true, domain: { kind: 'image' } });
+    expect(projectOf(runtime.state).fill).toBeUndefined();
+  });
+});
+
 describe('a focused corner of the selection', () => {
   const focused = (): FakeRuntime => {
     const runtime = lassoed();

@@ -4,7 +4,14 @@ import { selectHandles } from '../../document/edits';
 import { withPlaceAdded } from '../../document/lasso_growth';
 import type { Vec } from '../../geometry/vec';
 import type { Emit } from '../effects';
-import { LASSO_EMPTY, LASSO_LOOSE, LASSO_OUTSIDE, leftOutText, NOTHING_TO_HOLD } from '../notice_texts';
+import {
+  LASSO_EMPTY,
+  LASSO_FILLED,
+  LASSO_LOOSE,
+  LASSO_OUTSIDE,
+  leftOutText,
+  NOTHING_TO_HOLD,
+} from '../notice_texts';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
 import type { Handlers } from './handlers';
@@ -17,23 +24,27 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
   const found = withLasso(projectOf(state), ring, hole);
   if (!found) return informOfStep(state, LASSO_EMPTY, emit);
   const { cut } = found;
-  // What moves away leaves a gap in an opaque picture. A picture that is cut out has nothing behind it anyway.
-  const isFirst = ringsOf(projectOf(state)).length === 0 && state.picture?.alphaThreshold === null;
-  const project = isFirst ? withFill(found.project, true) : found.project;
+  // A part of an opaque picture moves over a filled background. A picture that is cut out has none.
+  const isFirst = ringsOf(projectOf(state)).length === 0 && isOpaque(state);
+  const project = isFirst ? { ...withFill(found.project, true), fix_boundary: false } : found.project;
   const removed = projectOf(state).handles.length - project.handles.length;
   const document = selectHandles({ ...documentOf(state), project }, selectionOf(state));
   const stepped = step(state, cut ? 'Cut a hole' : 'Bend what is inside', document, emit);
   const next = choose(stepped, project.handles.length > 0 ? 'select' : 'point', emit);
   if (removed > 0) return informOfStep(next, leftOutText(removed), emit);
-  if (project.fix_boundary || isFilled(project)) return next;
+  if (project.fix_boundary) return next;
   const action = { label: 'Hold its boundary', event: { type: 'boundary-switched', held: true } } as const;
-  return notify(next, { kind: 'info', text: LASSO_LOOSE, action, passes: true, ofStep: true }, emit);
+  const text = isFilled(project) ? LASSO_FILLED : LASSO_LOOSE;
+  return notify(next, { kind: 'info', text, action, passes: true, ofStep: true }, emit);
 }
 
-/** Lets all of the picture bend. */
+const isOpaque = (state: EditorState): boolean => state.picture?.alphaThreshold === null;
+
+/** Lets all of the picture bend. An opaque picture holds its boundary again. */
 export function removeLasso(state: EditorState, emit: Emit): EditorState {
   if (!state.picture) return state;
-  const project = { ...withFill(projectOf(state), false), domain: domainOf(state.picture.alphaThreshold) };
+  const whole = { ...withFill(projectOf(state), false), domain: domainOf(state.picture.alphaThreshold) };
+  const project = isOpaque(state) ? { ...whole, fix_boundary: true } : whole;
   return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
 }
 
@@ -41,7 +52,7 @@ export function removeLasso(state: EditorState, emit: Emit): EditorState {
 function missed(state: EditorState, at: Vec, emit: Emit): EditorState {
   if (!withPlaceAdded(projectOf(state), at)) return inform(state, NOTHING_TO_HOLD, emit);
   const action = { label: 'Extend the selection', event: { type: 'selection-extended', at } } as const;
-  return notify(state, { kind: 'info', text: LASSO_OUTSIDE, action, passes: true, ofStep: true }, emit);
+  return notify(state, { kind: 'info', text: LASSO_OUTSIDE, action, passes: true }, emit);
 }
 
 function extend(state: EditorState, at: Vec, emit: Emit): EditorState {
