@@ -690,6 +690,7 @@ test('pointer and keys reach no control of a disabled editor', async ({ page }) 
   const at = await editor.centre(colours);
   await colours.focus();
   await warp.evaluate((element) => element.setAttribute('disabled', ''));
+  await expect(page.locator('c2-warp .shell')).toHaveAttribute('inert');
   await page.keyboard.press('Enter');
   await page.mouse.click(at.x, at.y);
   await page.keyboard.press('Tab');
