@@ -123,7 +123,7 @@ test('a readonly editor shows the reach of handles selected by keys', async ({ p
   await editor.button('Overlays').focus();
   await page.keyboard.press('Enter');
   await expect(reachBox(editor)).toBeVisible();
-  for (let tab = 0; tab < 5; tab++) await page.keyboard.press('Tab');
+  for (let tab = 0; tab < 6; tab++) await page.keyboard.press('Tab');
   await expect(reachBox(editor)).toBeFocused();
   await page.keyboard.press('Space');
   await expect(reachBox(editor)).toBeChecked();

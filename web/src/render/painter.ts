@@ -29,8 +29,8 @@ import pictureFragment from './picture.frag.glsl?raw';
 import { PixelLayer, type PixelMesh, showsPixels } from './pixel_layer';
 import { drawWith, program } from './program';
 
-/** The light of the static background while it is dimmed: enough to tell it apart, and to see it well. */
-const DIMMED = 0.7;
+/** The shade of the static background beside a selection: enough to tell it apart, and to see it well. */
+const SHADE = 0.3;
 
 /** Colour of the lines of a coarse mesh, premultiplied. It shows on light and dark pictures. */
 const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
@@ -221,12 +221,12 @@ export class Painter {
       u_view: [view.scale, view.x, view.y],
       u_at_rest: view.compare === true || !this.#posed,
       u_rigid: this.#blend === 'rigid',
-      u_light: 1,
+      u_shade: 0,
     };
     const filled = this.#filled?.isLoading ? undefined : this.#filled;
     const fills = filled !== undefined && this.#background !== undefined;
     const behind = view.compare ? undefined : fills ? this.#whole : this.#background;
-    const atRest = { ...uniforms, u_at_rest: true, u_light: view.overlays?.selection ? DIMMED : 1 };
+    const atRest = { ...uniforms, u_at_rest: true, u_shade: view.overlays?.selection ? SHADE : 0 };
     if (fills) {
       setMagnification(gl, filled.texture, view);
       atRest.u_picture = filled.texture;

@@ -4,14 +4,14 @@
 precision highp float;
 
 uniform sampler2D u_picture;
-// Below 1, the picture is dimmed.
-uniform float u_light;
+// The picture is darker by this fraction.
+uniform float u_shade;
 
 in vec2 v_texcoord;
 out vec4 colour;
 
-vec4 lit(vec4 premultiplied) {
-  return vec4(u_light * premultiplied.rgb, premultiplied.a);
+vec4 shaded(vec4 premultiplied) {
+  return vec4((1.0 - u_shade) * premultiplied.rgb, premultiplied.a);
 }
 
 void main() {
@@ -21,7 +21,7 @@ void main() {
   // The width of a pixel in texels.
   float width = max(length(right * size), length(down * size));
   if (width <= 1.0) {
-    colour = lit(textureLod(u_picture, v_texcoord, 0.0));
+    colour = shaded(textureLod(u_picture, v_texcoord, 0.0));
     return;
   }
   float level = max(log2(width) - 1.0, 0.0);
@@ -30,7 +30,7 @@ void main() {
   float spread = sqrt((1.0 - 1.0 / (width * width)) / 12.0);
   vec2 across = spread * right;
   vec2 along = spread * down;
-  colour = lit(0.25 * (
+  colour = shaded(0.25 * (
     textureLod(u_picture, v_texcoord + across + along, level) +
     textureLod(u_picture, v_texcoord + across - along, level) +
     textureLod(u_picture, v_texcoord - across + along, level) +

@@ -4,8 +4,8 @@
 precision highp float;
 
 uniform sampler2D u_picture;
-// Below 1, the picture is dimmed.
-uniform float u_light;
+// The picture is darker by this fraction.
+uniform float u_shade;
 
 in vec2 v_texcoord;
 out vec4 colour;
@@ -18,5 +18,5 @@ void main() {
   vec2 steps = floor(v_texcoord * vec2(size) * FRACTIONS + 0.5);
   colour = texelFetch(u_picture, clamp(ivec2(floor(steps / FRACTIONS)), ivec2(0), size - 1), 0);
   if (colour.a == 0.0) discard;
-  colour.rgb *= u_light;
+  colour.rgb *= 1.0 - u_shade;
 }
