@@ -15,16 +15,18 @@ import { schedulePoseCheck } from './pose_checks';
 import { requestSolution } from './solve_request';
 
 /**
- * `open`: another document; `input`: during a drag; `change`: a step; `selection`: only the selection changed; `pose`:
- * the page has posed handles, without a step.
+ * `open`: another document; `input`: during a drag; `drag`: its end, a step; `change`: any other step; `selection`:
+ * only the selection changed; `pose`: the page has posed handles, without a step.
  */
-export type ChangeKind = 'open' | 'input' | 'change' | 'selection' | 'pose';
+export type ChangeKind = 'open' | 'input' | 'drag' | 'change' | 'selection' | 'pose';
 
 /** Nudges merge into one undo step unless the pause between them is longer. */
 const MERGE_MS = 800;
 
 export function edited(before: EditorState, kind: ChangeKind, emit: Emit): EditorState {
-  let state = solves(before, kind) ? requestSolution(before, emit) : before;
+  // Before the solution of this step, which may be known and tell of something. A drag does so as it begins.
+  let state = kind === 'change' ? closeStepNotice(before, emit) : before;
+  if (solves(state, kind)) state = requestSolution(state, emit);
   state = withFocusedCornerSelected(closeMenuUnlessSelected(state, emit));
   if (selectionOf(state) !== state.document.reported.selection) emit({ type: 'scroll-list' });
   if (kind === 'selection') state = selected(state, emit);
@@ -33,8 +35,7 @@ export function edited(before: EditorState, kind: ChangeKind, emit: Emit): Edito
     if (kind !== 'pose' && undoLabel(state.document.history) !== null)
       state = withDocument(state, { touched: true });
   }
-  if (kind === 'change') {
-    state = closeStepNotice(state, emit);
+  if (isStep(kind)) {
     emit({ type: 'start-timer', timer: 'merge-end', ms: MERGE_MS });
     // Keeps the selected handles within view, so that they can be moved back.
     if (state.page.posable)
@@ -46,6 +47,8 @@ export function edited(before: EditorState, kind: ChangeKind, emit: Emit): Edito
   if (kind !== 'input' && kind !== 'pose') state = saveWork(state, emit);
   return notifyPage(state, kind, emit);
 }
+
+const isStep = (kind: ChangeKind): boolean => kind === 'change' || kind === 'drag';
 
 /** A solver that has failed is asked again at the end of a drag, not at each of its moves. */
 const solves = ({ solution }: EditorState, kind: ChangeKind): boolean =>
@@ -72,7 +75,8 @@ function notifyPage(state: EditorState, kind: ChangeKind, emit: Emit): EditorSta
   const now = { selection, undo: undoLabel(history), redo: redoLabel(history) };
   const notify = (notification: PageNotification) => emit({ type: 'notify-page', notification });
   if (selection.join('\n') !== reported.selection.join('\n')) notify({ type: 'selectionchange', selection });
-  if (kind === 'input' || kind === 'change') notify({ type: kind, project: filedProject(state) });
+  if (isStep(kind)) notify({ type: 'change', project: filedProject(state) });
+  else if (kind === 'input') notify({ type: 'input', project: filedProject(state) });
   if (now.undo !== reported.undo || now.redo !== reported.redo) {
     notify({ type: 'historychange', undo: now.undo, redo: now.redo });
   }

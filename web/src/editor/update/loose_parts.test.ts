@@ -32,6 +32,19 @@ describe('parts without a handle', () => {
     expect(projectOf(runtime.state).loose_parts).toBe('stay');
   });
 
+  it('are told of if the solve ends before the press that places a handle', () => {
+    const runtime = opened();
+    const pointer = { stage: [200, 150], shift: false, alt: false, free: false, coarse: false } as const;
+    runtime.dispatch({ type: 'command-run', command: 'point' });
+    runtime.dispatch({ type: 'press-began', pointer, pans: false });
+    runtime.solve({ looseParts: 2 });
+    runtime.dispatch({ type: 'press-ended', pointer });
+    expect(projectOf(runtime.state).handles).toHaveLength(1);
+    expect(shownNotice(runtime.state)?.text).toBe('2 parts have no handle and stay behind.');
+    place(runtime, 'b');
+    expect(shownNotice(runtime.state)).toBeNull();
+  });
+
   it('are told of once for each picture', () => {
     const runtime = opened();
     place(runtime, 'a');

@@ -39,10 +39,7 @@ export function checkSolution(before: EditorState, solution: Solution, emit: Emi
   return checkLooseParts(checkOutline(state, solution.report, emit), solution.report, emit);
 }
 
-/**
- * Offers to let parts without a handle follow the others, once for each picture. The solve may end before the press
- * that asked for it, so the end of that step must not close the offer.
- */
+/** Offers to let parts without a handle follow the others, once for each picture. */
 function checkLooseParts(state: EditorState, { looseParts }: SolveReport, emit: Emit): EditorState {
   const project = projectOf(state);
   const isFine =
@@ -50,7 +47,7 @@ function checkLooseParts(state: EditorState, { looseParts }: SolveReport, emit: 
   if (isFine || state.checks.loose || !mayEdit(state)) return state;
   const event = { type: 'setting-set', setting: { name: 'loose_parts', value: 'follow' } } as const;
   const action = { label: 'Let them follow', event } as const;
-  const notice = { kind: 'info', text: looseText(looseParts), action, passes: true } as const;
+  const notice = { kind: 'info', text: looseText(looseParts), action, passes: true, ofStep: true } as const;
   return notify({ ...state, checks: { ...state.checks, loose: true } }, notice, emit);
 }
 

@@ -19,7 +19,7 @@ import { saveWork } from './autosave';
 import { committed, guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { look } from './lens';
-import { announce, informOfStep } from './notices';
+import { announce, closeStepNotice, informOfStep } from './notices';
 import { letGo, ownPose } from './playback';
 import { beginRecording, dropRecording, endRecording, recordMove } from './recording';
 import { select } from './selection';
@@ -31,7 +31,7 @@ export const applyTools = (state: EditorState, { tools, effects }: ToolsOutcome,
 function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
   switch (effect.type) {
     case 'begin':
-      return beginRecording(beginDrag(state, effect.label), emit);
+      return beginRecording(beginDrag(closeStepNotice(state, emit), effect.label), emit);
     case 'edit':
       return drag(state, effect, emit);
     case 'commit':
@@ -117,7 +117,7 @@ function endDrag(before: EditorState, emit: Emit): EditorState {
   const ended = committed(state);
   // A drag that changed nothing: its label must disappear from undo.
   if (ended.document.history.past === state.document.history.past) return edited(ended, 'input', emit);
-  const next = edited(ownPose(ended, emit), 'change', emit);
+  const next = edited(ownPose(ended, emit), 'drag', emit);
   const label = history.undoLabel(next.document.history) ?? '';
   const place = placeWords(documentOf(next), turnsOf(next));
   return announce(next, place === '' ? label : `${label}. ${place}`);
