@@ -3,6 +3,7 @@
 //! A domain consists of islands, each an outer ring with holes. Rings never cross or touch. They come from the
 //! picture's rectangle, from its alpha (`outline`), or from the project (`polygon`).
 
+mod cells_inside;
 mod contour;
 mod islands;
 mod nearness;
@@ -23,6 +24,7 @@ use crate::{
     segment::segment_distance,
 };
 
+pub(crate) use cells_inside::cells_inside;
 pub use outline::OutlineDetail;
 pub use ring::Ring;
 pub(crate) use ring::{contains, edges, signed_area};

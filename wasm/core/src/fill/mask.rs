@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 use crate::{
-    domain::{Ring, edges},
+    domain::{Ring, cells_inside, edges},
     opacity::Opacity,
 };
 
@@ -35,13 +35,10 @@ impl Mask {
         let size = DVec2::new(width.into(), height.into());
         let [left, top] = low.floor().clamp(DVec2::ZERO, size).to_array().map(|side| side as u32);
         let [right, bottom] = high.ceil().clamp(DVec2::ZERO, size).to_array().map(|side| side as u32);
-        let mut mask = Self {
-            origin: [left, top],
-            width: right - left,
-            height: bottom - top,
-            filled: vec![false; (right - left) as usize * (bottom - top) as usize],
-        };
-        mask.fill_inside(rings);
+        let (width, height) = (right - left, bottom - top);
+        let first = DVec2::new(left.into(), top.into()) + 0.5;
+        let filled = cells_inside(rings, [width as usize, height as usize], |p| p - first);
+        let mut mask = Self { origin: [left, top], width, height, filled };
         for ring in rings {
             edges(ring).for_each(|(a, b)| mask.fill_band(a, b));
         }
@@ -58,26 +55,6 @@ impl Mask {
     pub(crate) fn opacity(&self, (width, height): (u32, u32)) -> Opacity {
         let is_filled = |at: usize| self.has((at % width as usize) as u32, (at / width as usize) as u32);
         Opacity::of_levels((width, height), |at| if is_filled(at) { u8::MAX } else { 0 })
-    }
-
-    /// Fills the pixels whose centres lie inside.
-    fn fill_inside(&mut self, rings: &[Ring]) {
-        let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); self.height as usize];
-        for (a, b) in rings.iter().flat_map(|ring| edges(ring)) {
-            let (top, bottom) = if a.y < b.y { (a, b) } else { (b, a) };
-            for row in self.rows(top.y - 0.5, bottom.y - 0.5) {
-                let y = f64::from(self.origin[1] + row as u32) + 0.5;
-                if top.y <= y && y < bottom.y {
-                    crossings[row].push(top.x + (y - top.y) / (bottom.y - top.y) * (bottom.x - top.x));
-                }
-            }
-        }
-        for (row, crossings) in crossings.iter_mut().enumerate() {
-            crossings.sort_unstable_by(f64::total_cmp);
-            for pair in crossings.as_chunks::<2>().0 {
-                self.fill_row(row, (pair[0] - 0.5).ceil(), (pair[1] - 0.5).ceil() - 1.0);
-            }
-        }
     }
 
     /// Fills the pixels whose centres lie close to an edge.

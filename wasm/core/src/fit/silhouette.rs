@@ -2,7 +2,7 @@
 
 use glam::{DAffine2, DMat2, DVec2};
 
-use crate::domain::{Domain, Ring, edges};
+use crate::domain::{Domain, Ring, cells_inside};
 
 /// Rows and columns of the grid on which two outlines are compared.
 const GRID: usize = 160;
@@ -46,30 +46,10 @@ impl Silhouette {
         // Half a box around, where the other region may reach.
         let (margin, cell) = ((self.high - self.low) / 2.0, (self.high - self.low) * 2.0 / GRID as f64);
         let grid = DAffine2::from_scale(cell.recip()) * DAffine2::from_translation(margin - self.low);
-        let (own, mapped) = (cells(&self.rings, &grid), cells(&other.rings, &(grid * *map)));
+        let cells =
+            |rings: &[Ring], to_grid: DAffine2| cells_inside(rings, [GRID; 2], |p| to_grid.transform_point2(p) - 0.5);
+        let (own, mapped) = (cells(&self.rings, grid), cells(&other.rings, grid * *map));
         let count = |both: fn(bool, bool) -> bool| own.iter().zip(&mapped).filter(|&(&a, &b)| both(a, b)).count();
         count(|a, b| a && b) as f64 / count(|a, b| a || b).max(1) as f64
     }
-}
-
-/// The cells of the grid whose centres lie inside rings, row after row.
-fn cells(rings: &[Ring], to_grid: &DAffine2) -> Vec<bool> {
-    let mut crossings = vec![Vec::new(); GRID];
-    for (a, b) in rings.iter().flat_map(|ring| edges(ring)) {
-        let [a, b] = [a, b].map(|p| to_grid.transform_point2(p) - 0.5);
-        let (top, bottom) = if a.y < b.y { (a, b) } else { (b, a) };
-        let [from, to] = [top.y, bottom.y].map(|y| y.ceil().clamp(0.0, GRID as f64) as usize);
-        for (row, crossings) in crossings.iter_mut().enumerate().take(to).skip(from) {
-            crossings.push(top.x + (row as f64 - top.y) / (bottom.y - top.y) * (bottom.x - top.x));
-        }
-    }
-    let mut cells = vec![false; GRID * GRID];
-    for (crossings, row) in crossings.iter_mut().zip(cells.chunks_exact_mut(GRID)) {
-        crossings.sort_by(f64::total_cmp);
-        for pair in crossings.chunks_exact(2) {
-            let [from, to] = [pair[0], pair[1]].map(|x| x.ceil().clamp(0.0, GRID as f64) as usize);
-            row[from..to].fill(true);
-        }
-    }
-    cells
 }

@@ -8,7 +8,7 @@
 
 use glam::DVec2;
 
-use crate::domain::Domain;
+use crate::domain::{Domain, cells_inside};
 
 /// Units of a side of a cell.
 pub(super) const UNITS: u32 = 5;
@@ -45,26 +45,7 @@ impl Cells {
         let counts = (size / side).ceil().max(DVec2::ONE) + 2.0 * MARGIN as f64;
         let (columns, rows) = (counts.x as usize, counts.y as usize);
         let first = (low + high) / 2.0 - (counts - 1.0) * (side / 2.0);
-        let mut crossings = vec![Vec::new(); rows];
-        for ring in domain.rings() {
-            for (at, &a) in ring.iter().enumerate() {
-                let b = ring[(at + 1) % ring.len()];
-                let row = |p: DVec2| ((p.y - first.y) / side).ceil().clamp(0.0, rows as f64) as usize;
-                let (from, to) = (row(a).min(row(b)), row(a).max(row(b)));
-                for (row, crossed) in crossings.iter_mut().enumerate().take(to).skip(from) {
-                    let y = first.y + row as f64 * side;
-                    crossed.push(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
-                }
-            }
-        }
-        let mut inside = vec![false; columns * rows];
-        for (row, mut crossed) in inside.chunks_exact_mut(columns).zip(crossings) {
-            crossed.sort_by(f64::total_cmp);
-            for pair in crossed.chunks_exact(2) {
-                let column = |x: f64| ((x - first.x) / side).ceil().clamp(0.0, columns as f64) as usize;
-                row[column(pair[0])..column(pair[1])].fill(true);
-            }
-        }
+        let inside = cells_inside(domain.rings(), [columns, rows], |p| (p - first) / side);
         let mut cells = Self { side, columns, first, inside };
         if coarse > fine {
             // Lines in a wide box may be thinner than a cell, and would fall apart.
