@@ -1,6 +1,7 @@
 /** The lasso along edges of the picture. */
 import { edgeNear, edgePath, finePath } from '../geometry/scissors';
 import type { ToolContext } from '../tools/state';
+import { isOpaque } from './picture';
 import type { EditorState } from './state';
 
 /** How far the end of a way moves to an edge, CSS pixels. */
@@ -8,7 +9,7 @@ const REACH = { fine: 9, coarse: 16 } as const;
 
 /** Whether the lasso snaps to edges: as chosen, or in opaque pictures, where no alpha bounds the parts. */
 export const snapsToEdges = ({ display, picture }: EditorState): boolean =>
-  display.edgeSnapping ?? picture?.alphaThreshold === null;
+  display.edgeSnapping ?? isOpaque(picture);
 
 /** Null while the lasso does not snap, or the luminance of the picture is not there yet. */
 export function traceOf(state: EditorState): ToolContext['trace'] {

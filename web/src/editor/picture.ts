@@ -40,6 +40,8 @@ export interface Picture extends Size {
 /** Whether a picture was made from an SVG drawing, which it then keeps as its file. */
 export const isDrawing = ({ file }: Pick<Picture, 'file'>): boolean => file.type === 'image/svg+xml';
 
+export const isOpaque = (picture: Picture | null): boolean => picture?.alphaThreshold === null;
+
 export const fits = (picture: Size, project: Project): boolean =>
   picture.width === project.image.width && picture.height === project.image.height;
 

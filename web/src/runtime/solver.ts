@@ -47,10 +47,7 @@ export class Solver {
     this.#pixels = pixels;
     this.#releaseFill();
     if (!pixels) return;
-    this.#engine?.then(
-      (engine) => engine.setPicture(pixels),
-      () => {},
-    );
+    this.#tell((engine) => engine.setPicture(pixels));
   }
 
   async solve(key: string, project: Project): Promise<void> {
@@ -90,10 +87,7 @@ export class Solver {
   }
 
   stopFilling(): void {
-    this.#engine?.then(
-      (engine) => engine.stopFilling(),
-      () => {},
-    );
+    this.#tell((engine) => engine.stopFilling());
   }
 
   /** The fill that the state names, once it is there. */
@@ -140,10 +134,7 @@ export class Solver {
   }
 
   stopSuggesting(): void {
-    this.#engine?.then(
-      (engine) => engine.stopSuggesting(),
-      () => {},
-    );
+    this.#tell((engine) => engine.stopSuggesting());
   }
 
   /** A project for another picture, fitted to the present one: see `Engine.fit`. */
@@ -255,11 +246,13 @@ export class Solver {
     this.#dispatch({ type: 'solve-refused', key, error: told, failed });
   }
 
+  /** Tells the engine something, unless it has failed to start. */
+  #tell(act: (engine: Engine) => void): void {
+    this.#engine?.then(act, () => {});
+  }
+
   #stop(): void {
-    this.#engine?.then(
-      (engine) => engine.dispose(),
-      () => {},
-    );
+    this.#tell((engine) => engine.dispose());
     this.#engine = null;
   }
 }

@@ -13,6 +13,7 @@ import {
   NOTHING_TO_HOLD,
 } from '../notice_texts';
 import { mayEdit } from '../permissions';
+import { isOpaque } from '../picture';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
 import type { Handlers } from './handlers';
 import { inform, informOfStep, notify } from './notices';
@@ -25,7 +26,7 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
   if (!found) return informOfStep(state, LASSO_EMPTY, emit);
   const { cut } = found;
   // A part of an opaque picture moves over a filled background. A picture that is cut out has none.
-  const isFirst = ringsOf(projectOf(state)).length === 0 && isOpaque(state);
+  const isFirst = ringsOf(projectOf(state)).length === 0 && isOpaque(state.picture);
   const project = isFirst ? { ...withFill(found.project, true), fix_boundary: false } : found.project;
   const removed = projectOf(state).handles.length - project.handles.length;
   const document = selectHandles({ ...documentOf(state), project }, selectionOf(state));
@@ -38,13 +39,11 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
   return notify(next, { kind: 'info', text, action, passes: true, ofStep: true }, emit);
 }
 
-const isOpaque = (state: EditorState): boolean => state.picture?.alphaThreshold === null;
-
 /** Lets all of the picture bend. An opaque picture holds its boundary again. */
 export function removeLasso(state: EditorState, emit: Emit): EditorState {
   if (!state.picture) return state;
   const whole = { ...withFill(projectOf(state), false), domain: domainOf(state.picture.alphaThreshold) };
-  const project = isOpaque(state) ? { ...whole, fix_boundary: true } : whole;
+  const project = isOpaque(state.picture) ? { ...whole, fix_boundary: true } : whole;
   return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
 }
 
