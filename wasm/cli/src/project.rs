@@ -210,7 +210,6 @@ impl LoadedProject {
     /// The same, with the fill behind the domain: for results that show pixels.
     pub(crate) fn solve_filled(&self) -> Result<Solution, CliError> {
         self.solve_by(|solver| {
-            progress::show("filling the background");
             let picture = self.picture()?;
             while let Some(done) = solver.advance_fill(&picture).map_err(|reason| self.refused(reason))? {
                 progress::count("filling the background: percent", (100.0 * done) as usize, 100);
