@@ -59,11 +59,11 @@ impl KeptFill {
         }
     }
 
-    /// The fill, if it is done, and made for the domain and the size of the picture that `accepts` accepts.
-    pub(crate) fn finished_for(&self, accepts: impl Fn(&DomainSpec, (u32, u32)) -> bool) -> Option<Arc<Fill>> {
-        let key = self.key.as_ref()?;
+    /// The fill behind a domain in a picture of a size, if it is done.
+    pub(crate) fn finished_for(&self, domain: &DomainSpec, picture: (u32, u32)) -> Option<Arc<Fill>> {
+        let is_behind = self.key.as_ref().is_some_and(|key| key.domain == *domain && key.picture == picture);
         match &self.state {
-            State::Done(fill) if accepts(&key.domain, key.picture) => Some(Arc::clone(fill)),
+            State::Done(fill) if is_behind => Some(Arc::clone(fill)),
             _ => None,
         }
     }

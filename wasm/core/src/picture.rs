@@ -69,6 +69,11 @@ impl<'a> Picture<'a> {
         self.rgba
     }
 
+    /// One pixel in straight RGBA, by its column and row.
+    pub(crate) fn pixel(&self, x: usize, y: usize) -> [u8; 4] {
+        self.rgba.as_chunks().0[y * self.width as usize + x]
+    }
+
     /// Whether any pixel is not fully opaque.
     #[must_use]
     pub fn has_transparency(&self) -> bool {

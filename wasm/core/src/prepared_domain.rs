@@ -68,9 +68,9 @@ pub(crate) struct DomainKey {
 }
 
 impl DomainKey {
-    /// Whether it is that of a filled domain in a picture of a size.
-    pub(crate) fn is_of(&self, domain: &DomainSpec, picture: (u32, u32)) -> bool {
-        self.filled && self.domain.as_ref() == Some(domain) && self.picture == picture
+    /// The domain with a fill behind it, and the size of its picture.
+    pub(crate) fn filled(&self) -> Option<(&DomainSpec, (u32, u32))> {
+        Some((self.domain.as_ref().filter(|_| self.filled)?, self.picture))
     }
 
     pub(crate) fn of(project: &Project) -> Self {

@@ -166,7 +166,7 @@ impl Solver {
                 let prepared = Arc::clone(prepared);
                 let mut solution =
                     pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
-                solution.fill = fill.finished_for(|domain, picture| key.is_of(domain, picture));
+                solution.fill = key.filled().and_then(|(domain, picture)| fill.finished_for(domain, picture));
                 *finished = Some(FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) });
                 return Ok(Some(Stage::Weights));
             }
@@ -196,7 +196,7 @@ impl Solver {
         if progress.is_none()
             && let Some(FinishedSolve { key, solution, .. }) = &mut self.finished
         {
-            let fill = self.fill.finished_for(|domain, picture| key.is_of(domain, picture));
+            let fill = key.filled().and_then(|(domain, picture)| self.fill.finished_for(domain, picture));
             if solution.fill != fill {
                 Arc::make_mut(solution).fill = fill;
             }

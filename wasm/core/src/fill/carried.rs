@@ -9,7 +9,7 @@ use glam::Vec4;
 
 use super::level::{Level, NONE};
 use super::mask::Mask;
-use super::region::{Region, pixel};
+use super::region::Region;
 use crate::picture::Picture;
 
 /// Where the texels of the hole come from.
@@ -59,7 +59,7 @@ impl Sources<'_> {
         if !is_own && mask.has(x, y) {
             return None;
         }
-        let [r, g, b, a] = pixel(picture, x, y).map(f32::from);
+        let [r, g, b, a] = picture.pixel(x as usize, y as usize).map(f32::from);
         Some(Vec4::new(r, g, b, 255.0) * (a / 255.0))
     }
 }

@@ -49,7 +49,8 @@ pub(crate) struct Filler {
     /// From the present one to the finest.
     levels: VecDeque<Level>,
     matches: Option<Matches>,
-    chosen: Vec<u32>,
+    /// Texels of the finest level: the one that it is copied from, or [`NONE`].
+    from: Vec<u32>,
     membrane: Option<Membrane>,
     random: Random,
     steps: VecDeque<(Step, u64)>,
@@ -92,12 +93,13 @@ impl Filler {
             steps.push_back((Step::Improve(0), 10 * targets));
             steps.push_back((Step::Choose, 2 * targets));
         }
-        let unknown = levels[levels.len() - 1].unknown.len() as u64;
+        let finest = &levels[levels.len() - 1];
+        let (unknown, from) = (finest.unknown.len() as u64, vec![NONE; finest.hole.len()]);
         steps.extend((0..SWEEPS / SWEEPS_AT_ONCE).map(|_| (Step::Relax, unknown)));
         steps.push_back((Step::Carry, unknown));
         let work = steps.iter().map(|(_, work)| work).sum();
         let random = Random::new(u64::from(spec.seed));
-        Ok(Self { mask, region, levels, matches: None, chosen: Vec::new(), membrane: None, random, steps, work })
+        Ok(Self { mask, region, levels, matches: None, from, membrane: None, random, steps, work })
     }
 
     /// The part of the work that is done, from 0 to 1.
@@ -123,12 +125,11 @@ impl Filler {
             }
             Step::Choose => {
                 let matches = self.matches.take().expect("peeling has found matches");
-                self.chosen = choose(&mut self.levels[0], &matches);
+                choose(&mut self.levels[0], &matches, &mut self.from);
             }
             Step::Relax => {
                 let level = self.levels.back().expect("there is a finest level");
-                self.chosen.resize(level.unknown.len(), NONE);
-                let membrane = self.membrane.get_or_insert_with(|| Membrane::new(level, &self.chosen));
+                let membrane = self.membrane.get_or_insert_with(|| Membrane::new(level, &self.from));
                 membrane.relax(level, SWEEPS_AT_ONCE);
             }
             Step::Carry => return Some(self.carry(picture)),
@@ -163,9 +164,7 @@ impl Filler {
     fn carry(&mut self, picture: &Picture<'_>) -> Fill {
         let level = self.levels.back().expect("there is a finest level");
         let membrane = self.membrane.take().expect("it has been relaxed");
-        let mut from = vec![NONE; level.hole.len()];
-        level.unknown.iter().zip(&self.chosen).for_each(|(&at, &source)| from[at as usize] = source);
-        let sources = Sources { region: self.region, level, from: &from, corrections: membrane.corrections() };
+        let sources = Sources { region: self.region, level, from: &self.from, corrections: membrane.corrections() };
         patch(picture, &self.mask, |x, y| sources.pixel(picture, &self.mask, x, y))
     }
 }

@@ -38,14 +38,12 @@ pub(super) struct Membrane {
 }
 
 impl Membrane {
-    /// The equations of a level whose hole is copied from the texels `chosen`; [`NONE`] for none.
-    pub(super) fn new(level: &Level, chosen: &[u32]) -> Self {
-        let mut from = vec![NONE; level.hole.len()];
-        level.unknown.iter().zip(chosen).for_each(|(&at, &source)| from[at as usize] = source);
-        let seams = Seams { level, from: &from };
+    /// The equations of a level each of whose texels is copied `from` another one; [`NONE`] for none.
+    pub(super) fn new(level: &Level, from: &[u32]) -> Self {
+        let seams = Seams { level, from };
         let equations = level.unknown.iter().map(|&at| seams.equation(at as usize)).collect();
         let mut corrections = vec![Vec4::ZERO; level.hole.len()];
-        if chosen.iter().all(|&from| from == NONE) {
+        if from.iter().all(|&from| from == NONE) {
             let known: Vec<_> =
                 (0..level.hole.len()).map(|at| (!level.hole[at]).then(|| colour(level.texels[at]))).collect();
             let spread = spread(&known, level.width);

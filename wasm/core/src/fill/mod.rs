@@ -55,7 +55,7 @@ fn patch(picture: &Picture<'_>, mask: &Mask, filled: impl Fn(u32, u32) -> [u8; 4
     let [left, top] = mask.origin;
     let mut rgba = Vec::with_capacity(mask.width as usize * mask.height as usize * 4);
     for (y, x) in (top..top + mask.height).flat_map(|y| (left..left + mask.width).map(move |x| (y, x))) {
-        rgba.extend(if mask.has(x, y) { filled(x, y) } else { region::pixel(picture, x, y) });
+        rgba.extend(if mask.has(x, y) { filled(x, y) } else { picture.pixel(x as usize, y as usize) });
     }
     Fill { origin: mask.origin, width: mask.width, height: mask.height, rgba }
 }

@@ -55,7 +55,9 @@ impl Region {
             for y in y..self.bottom.min(y + self.step) {
                 for x in x..self.right.min(x + self.step) {
                     is_hole |= mask.has(x, y);
-                    sum.iter_mut().zip(premultiplied(pixel(picture, x, y))).for_each(|(sum, part)| *sum += part);
+                    sum.iter_mut()
+                        .zip(premultiplied(picture.pixel(x as usize, y as usize)))
+                        .for_each(|(sum, part)| *sum += part);
                     count += 255;
                 }
             }
@@ -68,11 +70,6 @@ impl Region {
         texels.iter_mut().zip(&hole).filter(|(_, hole)| **hole).for_each(|(texel, _)| *texel = Texel::default());
         Level::new(width, height, texels, hole)
     }
-}
-
-/// A pixel of a picture: straight RGBA.
-pub(super) fn pixel(picture: &Picture<'_>, x: u32, y: u32) -> [u8; 4] {
-    picture.rgba().as_chunks().0[y as usize * picture.width() as usize + x as usize]
 }
 
 /// Premultiplied colour and opacity, each times 255.

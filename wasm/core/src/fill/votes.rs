@@ -27,20 +27,16 @@ pub(super) fn vote(level: &mut Level, matches: &Matches, texels: &[u32]) {
     texels.iter().zip(voted).for_each(|(&at, texel)| level.texels[at as usize] = texel);
 }
 
-/// Sets each texel of the hole to the one of its best patch. Returns these texels, in the order of `level.unknown`.
-pub(super) fn choose(level: &mut Level, matches: &Matches) -> Vec<u32> {
+/// Sets each texel of the hole to the one of its best patch, and `from` to the place of that.
+pub(super) fn choose(level: &mut Level, matches: &Matches, from: &mut [u32]) {
     let mut votes = Vec::with_capacity(SIDE * SIDE);
-    let mut chosen = Vec::with_capacity(level.unknown.len());
     for &at in &level.unknown {
         votes_for(level, matches, at, &mut votes);
-        chosen.push(votes.iter().min().map_or(NONE, |&(_, from, _)| from));
-    }
-    for (&at, &from) in level.unknown.iter().zip(&chosen) {
-        if from != NONE {
-            level.texels[at as usize] = level.texels[from as usize];
+        if let Some(&(_, source, _)) = votes.iter().min() {
+            from[at as usize] = source;
+            level.texels[at as usize] = level.texels[source as usize];
         }
     }
-    chosen
 }
 
 fn votes_for(level: &Level, matches: &Matches, at: u32, votes: &mut Vec<Vote>) {

@@ -99,7 +99,7 @@ impl<'a> Texture<'a> {
 
     fn texel(&self, level: usize, x: usize, y: usize) -> Vec4 {
         if level == 0 {
-            premultiplied(value(self.picture.rgba().as_chunks().0[y * self.picture.width() as usize + x]))
+            premultiplied(value(self.picture.pixel(x, y)))
         } else {
             let mip_level = &self.mip_levels[level - 1];
             value(mip_level.texels[y * mip_level.width + x])
