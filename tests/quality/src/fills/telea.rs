@@ -1,5 +1,8 @@
-//! The fast marching method of Telea (2004): pixels in the order of their distance from the rim, each from the known
-//! pixels around it and their gradients.
+//! The fast marching method of Telea (2004): pixels in the order of their distance from the rim, each the mean of the
+//! known pixels around it.
+//!
+//! The gradients of the paper are left out. In textured pictures they overshoot from pixel to pixel: with them, colours
+//! of the portrait are twice as wrong. OpenCV limits them to a level or two.
 
 use std::{cmp::Reverse, collections::BinaryHeap};
 
@@ -86,19 +89,15 @@ impl Front {
     fn colour(&self, at: usize) -> [f32; 3] {
         let (x, y) = self.place(at);
         let known = |x: i64, y: i64| self.at(x, y).filter(|&at| self.known[at]);
-        let slope = |value: &dyn Fn(usize) -> f32, x: i64, y: i64, step: (i64, i64)| {
-            let ends =
-                [known(x - step.0, y - step.1), known(x, y), known(x + step.0, y + step.1)].map(|at| at.map(value));
-            match ends {
+        let slope = |step: (i64, i64)| {
+            let ends = [known(x - step.0, y - step.1), Some(at), known(x + step.0, y + step.1)];
+            match ends.map(|at| at.map(|at| self.distances[at])) {
                 [Some(a), _, Some(b)] => 0.5 * (b - a),
                 [Some(a), Some(b), _] | [_, Some(a), Some(b)] => b - a,
                 _ => 0.0,
             }
         };
-        let normal = {
-            let distance = |at: usize| self.distances[at];
-            Vec2::new(slope(&distance, x, y, (1, 0)), slope(&distance, x, y, (0, 1))).normalize_or_zero()
-        };
+        let normal = Vec2::new(slope((1, 0)), slope((0, 1))).normalize_or_zero();
         let (mut sum, mut total) = ([0.0_f32; 3], 0.0_f32);
         for (dx, dy) in (-RADIUS..=RADIUS).flat_map(|dy| (-RADIUS..=RADIUS).map(move |dx| (dx, dy))) {
             let Some(other) = known(x + dx, y + dy).filter(|_| dx * dx + dy * dy <= RADIUS * RADIUS) else { continue };
@@ -106,11 +105,7 @@ impl Front {
             let along = (to.dot(normal) / to.length()).abs().max(1e-6);
             let level = 1.0 / (1.0 + (self.distances[other] - self.distances[at]).abs());
             let weight = along * level / to.length_squared();
-            for (part, sum) in sum.iter_mut().enumerate() {
-                let value = |at: usize| self.colours[at][part];
-                let gradient = Vec2::new(slope(&value, x + dx, y + dy, (1, 0)), slope(&value, x + dx, y + dy, (0, 1)));
-                *sum += weight * (self.colours[other][part] + gradient.dot(to));
-            }
+            sum.iter_mut().zip(self.colours[other]).for_each(|(sum, part)| *sum += weight * part);
             total += weight;
         }
         if total > 0.0 { sum.map(|sum| (sum / total).clamp(0.0, 255.0)) } else { self.colours[at] }
