@@ -3,6 +3,7 @@ import type { CDPSession, Page } from '@playwright/test';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Position } from './editor';
+import { touch } from './fingers';
 import { expect, test } from './fixtures';
 
 /** The head and two cheeks, one with a set turn and one with an automatic turn, and a bar. */
@@ -268,12 +269,7 @@ test.describe('on a phone', () => {
 
   const swipe = async (session: CDPSession, from: Position, to: Position) => {
     const half = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
-    const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: Position[]) =>
-      session.send('Input.dispatchTouchEvent', { type, touchPoints });
-    await send('touchStart', [from]);
-    await send('touchMove', [half]);
-    await send('touchMove', [to]);
-    await send('touchEnd', []);
+    await touch(session, [[from], [half], [to]]);
   };
 
   test('a finger turns by the knob and scales by the grip, each 44 px wide', async ({ page }) => {

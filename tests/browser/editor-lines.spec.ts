@@ -1,6 +1,7 @@
 /** Bars and polygons: drawing, bending, moving, turning, and rejection by the solver. */
 
 import { Editor, meanDifference, type Position } from './editor';
+import { send, touch } from './fingers';
 import { expect, test } from './fixtures';
 import { WorkerReplies } from './worker_replies';
 
@@ -475,12 +476,7 @@ test.describe('by touch', () => {
     const end = await editor.centre(editor.corner(1, 'bar 1'));
     expect((await editor.corner(1, 'bar 1').boundingBox())?.width).toBeGreaterThanOrEqual(44);
     const session = await page.context().newCDPSession(page);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: Position[]) =>
-      session.send('Input.dispatchTouchEvent', { type, touchPoints });
-    await touch('touchStart', end);
-    await touch('touchMove', { x: end.x + 10, y: end.y - 10 });
-    await touch('touchMove', { x: end.x + 20, y: end.y - 16 });
-    await touch('touchEnd');
+    await touch(session, [[end], [{ x: end.x + 10, y: end.y - 10 }], [{ x: end.x + 20, y: end.y - 16 }]]);
     await expect(editor.button('Undo: move a corner of bar 1')).toBeEnabled();
   });
 
@@ -496,14 +492,12 @@ test.describe('by touch', () => {
     await tapTool(editor, 'Select and move');
     const knee = await editor.position('bar 1');
     const session = await page.context().newCDPSession(page);
-    const touch = (type: 'touchStart' | 'touchEnd', ...touchPoints: Position[]) =>
-      session.send('Input.dispatchTouchEvent', { type, touchPoints });
     // Sent without waiting: on a busy machine two taps would be too far apart.
     await Promise.all([
-      touch('touchStart', knee),
-      touch('touchEnd'),
-      touch('touchStart', knee),
-      touch('touchEnd'),
+      send(session, 'Start', [knee]),
+      send(session, 'End'),
+      send(session, 'Start', [knee]),
+      send(session, 'End'),
     ]);
     await expect(editor.corner(3, 'bar 1')).toBeVisible();
   });

@@ -1,7 +1,8 @@
 /** The context menu: by right click, long press and keys. */
-import type { CDPSession, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Position } from './editor';
+import { lift, send } from './fingers';
 import { expect, test } from './fixtures';
 
 const menu = (page: Page) => page.getByRole('menu');
@@ -348,11 +349,6 @@ test('without clipboard access the menu pastes only poses of this page', async (
 test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
-  const send = (session: CDPSession, type: 'Start' | 'Move' | 'End', touchPoints: readonly Position[] = []) =>
-    session.send('Input.dispatchTouchEvent', {
-      type: `touch${type}`,
-      touchPoints: touchPoints.map((at, id) => ({ ...at, id })),
-    });
   /** Longer than a long press. */
   const stay = (page: Page) => page.waitForTimeout(900);
 
@@ -392,7 +388,7 @@ test.describe('by touch', () => {
     await send(session, 'Move', [beside(hand, 0, -30)]);
     await expect(menu(page)).toHaveCount(0);
     await send(session, 'Move', [beside(hand, 0, -60)]);
-    await send(session, 'End');
+    await lift(session);
     const goal = beside(hand, 0, -60);
     const missed = async () => {
       const at = await editor.position('right hand');
@@ -408,7 +404,7 @@ test.describe('by touch', () => {
     await send(session, 'Start', [again]);
     await expect(menu(page)).toBeVisible();
     await send(session, 'Move', [beside(again, -30, -40)]);
-    await send(session, 'End');
+    await lift(session);
     await expect(menu(page)).toHaveCount(0);
     await expect.poll(async () => (await editor.shownPose('right hand')).y).toBeLessThan(480);
   });
@@ -422,7 +418,7 @@ test.describe('by touch', () => {
     await stay(page);
     await expect(menu(page)).toHaveCount(0);
     await send(session, 'Move', [beside(head, 0, 100)]);
-    await send(session, 'End');
+    await lift(session);
     await expect(editor.handles).toHaveCount(6);
     await expect(menu(page)).toHaveCount(0);
     // With the same tool on an existing handle, the menu opens.

@@ -1,7 +1,8 @@
 /** `<c2-warp posable>` in an article: readers pose the existing handles, and all other input belongs to the page. */
-import type { CDPSession, Locator, Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Position, type ShownPose } from './editor';
+import { send, touch } from './fingers';
 import { expect, test } from './fixtures';
 
 /** One of the two rigs of the article. */
@@ -415,17 +416,6 @@ test('the page opens another picture, and errors are shown', async ({ page }) =>
 test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
-  /** Sends touches, one step per list of positions. The fingers rest before the end, or the page would scroll on. */
-  async function touch(session: CDPSession, steps: readonly (readonly Position[])[]): Promise<void> {
-    for (const [index, touchPoints] of steps.entries()) {
-      const type = index === 0 ? 'touchStart' : 'touchMove';
-      const points = touchPoints.map((at, id) => ({ ...at, id }));
-      await session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
-    }
-    await new Promise((resolve) => setTimeout(resolve, 200));
-    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-  }
-
   const upwards = (from: Position) => [0, -20, -40, -60, -80, -100].map((dy) => [by(from, 0, dy)]);
 
   test('a finger beside the handles scrolls the page, one on a handle drags it', async ({ page }) => {
@@ -464,9 +454,9 @@ test.describe('by touch', () => {
     const rig = await Rig.open(page);
     const fingers = await page.context().newCDPSession(page);
     const at = await rig.settled(() => rig.position('right hand'));
-    await fingers.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [at] });
+    await send(fingers, 'Start', [at]);
     await expect(page.getByRole('menu')).toHaveAccessibleName('right hand');
-    await fingers.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await send(fingers, 'End');
     await expect(page.getByRole('menuitem', { name: 'Reset', exact: true })).toBeDisabled();
     const before = await scrolled(page);
     await touch(fingers, upwards(await beside(rig)));

@@ -2,21 +2,10 @@
 import type { CDPSession, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Position } from './editor';
+import { lift, send, touch } from './fingers';
 import { expect, test } from './fixtures';
 
 test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
-
-/** Sends touches, one step per list of positions. */
-async function touch(session: CDPSession, steps: readonly (readonly Position[])[]): Promise<void> {
-  for (const [index, touchPoints] of steps.entries()) {
-    const type = index === 0 ? 'touchStart' : 'touchMove';
-    await session.send('Input.dispatchTouchEvent', {
-      type,
-      touchPoints: touchPoints.map((at, id) => ({ ...at, id })),
-    });
-  }
-  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-}
 
 const fingers = (page: Page) => page.context().newCDPSession(page);
 const beside = ({ x, y }: Position, dx: number, dy: number): Position => ({ x: x + dx, y: y + dy });
@@ -84,13 +73,10 @@ test('the sheet does not cover the selection, and hides during a drag', async ({
   await expect.poll(() => covers('left foot')).toBe(false);
   const session = await fingers(page);
   const foot = await editor.position('left foot');
-  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [foot] });
-  await session.send('Input.dispatchTouchEvent', {
-    type: 'touchMove',
-    touchPoints: [beside(foot, -20, -200)],
-  });
+  await send(session, 'Start', [foot]);
+  await send(session, 'Move', [beside(foot, -20, -200)]);
   await expect.poll(opaque).toBe(0);
-  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  await lift(session);
   await expect.poll(opaque).toBe(1);
 });
 
@@ -241,10 +227,7 @@ const pen = (session: CDPSession, type: 'mousePressed' | 'mouseMoved' | 'mouseRe
 
 /** Puts palms on the screen, or lifts them all. */
 const palms = (session: CDPSession, ...places: readonly Position[]) =>
-  session.send('Input.dispatchTouchEvent', {
-    type: places.length > 0 ? 'touchStart' : 'touchEnd',
-    touchPoints: places.map((at, id) => ({ ...at, id })),
-  });
+  send(session, places.length > 0 ? 'Start' : 'End', places);
 
 /** Waits until the right hand is at a place. */
 const expectHand = (editor: Editor, { x, y }: Position) =>
