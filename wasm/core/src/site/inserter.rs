@@ -70,6 +70,16 @@ impl<'a> SiteInserter<'a> {
         &self.voronoi.sites
     }
 
+    /// The area of the domain, in square pixels.
+    pub(super) fn area(&self) -> f64 {
+        let mesh = &self.voronoi.coarse.mesh;
+        let twice = |&[a, b, c]: &[u32; 3]| {
+            let [a, b, c] = [a, b, c].map(|v| mesh.vertices[v as usize]);
+            (b - a).perp_dot(c - a).abs()
+        };
+        mesh.triangles.iter().map(twice).sum::<f64>() / 2.0
+    }
+
     /// Inserts a site at a point of the domain.
     ///
     /// # Errors

@@ -39,6 +39,11 @@ const CROWDED: f64 = 0.5;
 /// elsewhere.
 const CONTACT: f64 = 2.0;
 
+/// Cells with a smaller radius than this fraction of the mean spacing of `density` sites are divided last. Without it,
+/// sites crowd around handles closer than samples: of 400 sites, twice as many triangles fold. With 0.7, 150 sites
+/// distort by 3 % more.
+const CLOSEST: f64 = 0.55;
+
 /// Inserts virtual sites until every cell is smaller than its site's support may reach, by [`MARGIN`].
 ///
 /// Then more sites enter where the picture bends most, until there are `density` virtual ones. They enter between
@@ -56,18 +61,19 @@ pub(crate) fn insert_virtual_sites(
 ) -> Result<Vec<Round>, Error> {
     let mut rounds = Vec::new();
     let limit = allowed_score();
+    let size_rank = size_rank(CLOSEST * (inserter.area() / density as f64).sqrt());
     let mut inserted = 0;
     let mut contacts = Contacts::default();
     loop {
         // Bones first, as no virtual site may lie on them.
         tessellation.refine(inserter)?;
-        let worst = greatest_rank(inserter, score_rank);
+        let worst = greatest_rank(inserter, &score_rank);
         let points = if worst > limit {
-            tied_farthest_points(inserter, score_rank, worst)
+            tied_farthest_points(inserter, &score_rank, worst)
         } else if inserted < density && !inserter.sites().is_empty() {
-            let (largest, widest) = (greatest_rank(inserter, size_rank), contacts.widest(inserter));
+            let (largest, widest) = (greatest_rank(inserter, &size_rank), contacts.widest(inserter));
             let is_wider = widest.first().is_some_and(|point| CONTACT * point.distance.sqrt() > largest);
-            if is_wider { spread_out(inserter, widest) } else { tied_farthest_points(inserter, size_rank, largest) }
+            if is_wider { spread_out(inserter, widest) } else { tied_farthest_points(inserter, &size_rank, largest) }
         } else {
             Vec::new()
         };
@@ -103,8 +109,9 @@ pub(crate) fn score(radius: f64, limit: f64) -> f64 {
     if radius > 0.0 { 1.0 - limit / radius } else { f64::NEG_INFINITY }
 }
 
-/// Ranks a cell by its radius and its site. The cell with the greatest rank is divided next.
-type Rank = fn(f64, &Site) -> f64;
+/// Ranks a cell by its radius and its site, and ascends with the radius. The cell with the greatest rank is divided
+/// next.
+type Rank<'a> = &'a dyn Fn(f64, &Site) -> f64;
 
 /// Ranks cells by Algorithm 1's score.
 fn score_rank(radius: f64, site: &Site) -> f64 {
@@ -115,14 +122,17 @@ fn score_rank(radius: f64, site: &Site) -> f64 {
 /// handle.
 ///
 /// Around a displaced handle the picture bends roughly in inverse proportion to that distance. Radii in proportion to
-/// the distance itself would crowd sites around handles.
-fn size_rank(radius: f64, site: &Site) -> f64 {
-    let from_handle = if site.kind.is_real() { radius } else { site.clearance };
-    if from_handle > 0.0 && from_handle.is_finite() { radius / from_handle.sqrt() } else { radius }
+/// the distance itself would crowd sites around handles. Cells with a radius below `closest` come last.
+fn size_rank(closest: f64) -> impl Fn(f64, &Site) -> f64 {
+    move |radius, site| {
+        let from_handle = if site.kind.is_real() { radius } else { site.clearance };
+        let rank = if from_handle > 0.0 && from_handle.is_finite() { radius / from_handle.sqrt() } else { radius };
+        if radius < closest { -1.0 / rank } else { rank }
+    }
 }
 
 /// The greatest rank of all cells. Computes farthest points only for cells that may have it.
-fn greatest_rank(inserter: &mut SiteInserter, rank: Rank) -> f64 {
+fn greatest_rank(inserter: &mut SiteInserter, rank: Rank<'_>) -> f64 {
     // Keyed by an upper bound of the rank, with whether it is exact.
     let ranked = |inserter: &SiteInserter, site: usize| {
         let known = inserter.farthest.known(site).map(|points| points[0].distance);
@@ -142,7 +152,7 @@ fn greatest_rank(inserter: &mut SiteInserter, rank: Rank) -> f64 {
 
 /// The farthest points of all cells whose rank is tied with the greatest. Their order does not depend on that of the
 /// sites.
-fn tied_farthest_points(inserter: &mut SiteInserter, rank: Rank, greatest: f64) -> Vec<FarPoint> {
+fn tied_farthest_points(inserter: &mut SiteInserter, rank: Rank<'_>, greatest: f64) -> Vec<FarPoint> {
     let is_tied = |inserter: &SiteInserter, site: usize, radius: f64| {
         rank(radius, &inserter.sites()[site]) >= greatest - TIE * greatest.abs()
     };
