@@ -4,14 +4,15 @@
 //! would jump between two frames. So the clip is followed from its beginning in steps of 1/60 s. A step usually has the
 //! plain pose of its handles. Where that is farther from the step before than the handles account for, the pose of the
 //! step before is continued to the nearest minimum, and taken if that is no jump. The same rule leads from the last
-//! step before a time to that time. A pose depends on the clip and the time alone, not on the times asked for before.
+//! step before a time to that time. Only coarse poses are followed: a pose is refined when it is shown. A pose depends
+//! on the clip and the time alone, not on the times asked for before.
 //!
-//! A clip that repeats is followed once before, and its beginning continues that end. So it does not jump at its seam
-//! if two rounds end in the same minimum.
+//! A clip that repeats is followed for two seconds before, and its beginning continues that end. So it does not jump at
+//! its seam if rounds end in the same minimum.
 //!
 //! Cost: a plain pose for each step that is passed for the first time, twice to ten times as much for a step that is
-//! continued. The first pose of a clip that repeats takes a round, but at most two seconds of steps. Later a pose near
-//! any step takes one or two poses. Memory: a byte a step, and up to 64 MiB of motions.
+//! continued. The first pose of a clip that repeats takes two seconds of steps. Later a pose near any step takes one or
+//! two poses. Memory: a byte a step, and up to 64 MiB of motions.
 //!
 //! Known limits: a minimum that vanishes makes the picture jump. So does a seam where no two rounds end alike.
 
@@ -26,9 +27,10 @@ use crate::{
 /// Steps a second: the frames of most screens, and a multiple of the rates of most films.
 const STEPS_PER_SECOND: f64 = 60.0;
 
-/// Steps before the seam that lead to the beginning of a clip that repeats: two seconds. With more, the first look at a
-/// clip takes longer after each edit.
-const MOST_LEADING_STEPS: usize = 120;
+/// Steps before the seam that lead to the beginning of a clip that repeats: two seconds, over several rounds if it is
+/// shorter. With more, the first look at a clip takes longer after each edit. With one round, a strip whose end turns
+/// in a second and a half jumps at its seam.
+const LEADING_STEPS: usize = 120;
 
 /// A pose is no jump if no site is farther from where it was, or from where the handles carry it, than they move times
 /// this factor, plus the tolerance.
@@ -118,14 +120,15 @@ impl Playback {
         let handles = self.handles(time);
         let motions = if self.poser.is_rigid() {
             let step = (time * STEPS_PER_SECOND) as usize;
-            let motions = self.step(step);
-            if step_time(step) == time
-                && let Some(motions) = motions
+            let before = self.step(step);
+            let motions = if step_time(step) == time
+                && let Some(motions) = &before
             {
-                motions
+                motions.clone()
             } else {
-                follow(&self.poser, &handles, motions.as_deref())?.motions
-            }
+                follow(&self.poser, &handles, before.as_deref())?.motions
+            };
+            self.poser.refined(&handles, motions)
         } else {
             self.poser.motions(&handles)?
         };
@@ -155,7 +158,8 @@ impl Playback {
         }
         // The last step is before the end, which is the beginning.
         let end = (self.clip.duration * STEPS_PER_SECOND).ceil() as usize;
-        (end.saturating_sub(MOST_LEADING_STEPS)..end).fold(None, |before: Option<Vec<Motion>>, step| {
+        let steps = (0..LEADING_STEPS).rev().map(|more| end - 1 - more % end);
+        steps.fold(None, |before: Option<Vec<Motion>>, step| {
             let followed = follow(&self.poser, &self.handles(step_time(step)), before.as_deref()).ok()?;
             Some(followed.motions)
         })
@@ -172,7 +176,7 @@ impl Playback {
         let from = (0..=step).rev().find(|&at| !matches!(self.steps[at], Step::Continued(None)))?;
         let mut motions = match &self.steps[from] {
             Step::Continued(motions) => motions.clone(),
-            Step::Plain => self.poser.motions(&self.handles(step_time(from))).ok(),
+            Step::Plain => self.poser.coarse_motions(&self.handles(step_time(from))).ok(),
         };
         for next in from + 1..=step {
             let handles = self.handles(step_time(next));
@@ -189,7 +193,7 @@ fn step_time(step: usize) -> f64 {
 
 /// The plain motions of handles; where these jump from the ones `before`, those that continue them.
 fn follow(poser: &Poser, handles: &[Handle], before: Option<&[Motion]>) -> Result<Followed, Error> {
-    let plain = poser.motions(handles)?;
+    let plain = poser.coarse_motions(handles)?;
     if let Some(before) = before {
         let carried = poser.carried(handles, before);
         // Handles that others follow by long levers carry these far, with or without a turn of the whole picture.

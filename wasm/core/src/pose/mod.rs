@@ -9,7 +9,7 @@
 //!
 //! - `motion`, `strain`: T_i as logarithms, blended as sums (eq. 4): handles × virtual sites, microseconds.
 //! - `automatic`: the rotations that no person set (section VI).
-//! - `rigid`: the rigid mode in place of eq. 4: half a millisecond to one for 100 virtual sites.
+//! - `rigid`: the rigid mode in place of eq. 4: one to four milliseconds for 150 virtual sites.
 //! - `unwrap`: whole turns.
 //!
 //! `numeric` has the factorisations and the descent that `harmonic` and `rigid` are computed with.

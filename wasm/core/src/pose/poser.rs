@@ -38,8 +38,8 @@ use crate::{
 /// ```
 ///
 /// Cost of a pose: a visit of every harmonic weight, and of every pair of handles with an edge if rotations are
-/// automatic. Microseconds for tens of handles, some milliseconds for 1,000. The rigid mode adds some hundreds of
-/// microseconds for 100 virtual sites, and some ten milliseconds for 500 handles. The first pose factorises matrices,
+/// automatic. Microseconds for tens of handles, some milliseconds for 1,000. The rigid mode adds one to four
+/// milliseconds for 150 virtual sites, and some ten milliseconds for 500 handles. The first pose factorises matrices,
 /// which takes 10 to 20 times as long.
 #[derive(Debug, Clone)]
 pub struct Poser {
@@ -126,16 +126,38 @@ impl Poser {
     /// # Errors
     /// Those of [`Poser::pose`].
     pub(crate) fn motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
+        Ok(self.refined(handles, self.coarse_motions(handles)?))
+    }
+
+    /// Motions without the last step of the rigid mode, [`refined`](Self::refined).
+    ///
+    /// # Errors
+    /// Those of [`Poser::pose`].
+    pub(crate) fn coarse_motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
         self.motions_from(handles, None)
     }
 
-    /// The motions at the local minimum of the rigid mode near motions that were [carried](Self::carried) to these
-    /// handles. In the harmonic mode, those of [`motions`](Self::motions).
+    /// The coarse motions at the local minimum of the rigid mode near motions that were [carried](Self::carried) to
+    /// these handles. In the harmonic mode, those of [`motions`](Self::motions).
     ///
     /// # Errors
     /// Those of [`Poser::pose`].
     pub(crate) fn settled(&self, handles: &[Handle], carried: &[Motion]) -> Result<Vec<Motion>, Error> {
         self.motions_from(handles, Some(carried))
+    }
+
+    /// The last step of the rigid mode: coarse motions of these handles, with less distortion.
+    ///
+    /// # Panics
+    /// If the handles have no pose.
+    pub(crate) fn refined(&self, handles: &[Handle], mut motions: Vec<Motion>) -> Vec<Motion> {
+        if let Some(rigid) = &self.rigid {
+            let handles = &*self.as_solved(handles).expect("handles with a pose");
+            let is_free = self.are_free(handles);
+            rigid.refine(&self.rest, &mut motions, &is_free, &self.scales(handles));
+            unwrap(rigid, &is_free, &mut motions);
+        }
+        motions
     }
 
     /// The motions of a pose, carried along by handles that moved a little since: each site goes as the handles around
@@ -185,12 +207,7 @@ impl Poser {
         self.automatic.turn(&self.rest, &self.kinds, handles, &mut motions);
         self.blend_virtual(&self.rest, &mut motions);
         if let Some(rigid) = &self.rigid {
-            let is_free = |kind: &SiteKind| match kind {
-                SiteKind::Virtual => true,
-                SiteKind::Point { handle } => handles[*handle as usize].rotation == Rotation::Auto,
-                SiteKind::Bone { .. } | SiteKind::Boundary => false,
-            };
-            let is_free: Vec<bool> = self.kinds.iter().map(is_free).collect();
+            let is_free = self.are_free(handles);
             let scales = self.scales(handles);
             match carried {
                 None => rigid.minimize(&self.rest, &mut motions, &is_free, &scales),
@@ -205,11 +222,19 @@ impl Poser {
                     rigid.minimize_nearby(&self.rest, &mut motions, &is_free, &scales);
                 }
             }
-            let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
-            unwrap_angles(&mut angles, &is_free, rigid.links().map(|(i, j, _)| (i, j)));
-            motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
+            unwrap(rigid, &is_free, &mut motions);
         }
         Ok(motions)
+    }
+
+    /// Whether the rotation of each site is free.
+    fn are_free(&self, handles: &[Handle]) -> Vec<bool> {
+        let is_free = |kind: &SiteKind| match kind {
+            SiteKind::Virtual => true,
+            SiteKind::Point { handle } => handles[*handle as usize].rotation == Rotation::Auto,
+            SiteKind::Bone { .. } | SiteKind::Boundary => false,
+        };
+        self.kinds.iter().map(is_free).collect()
     }
 
     /// Makes the picture stiff elsewhere: only the energy of the rigid mode is made anew.
@@ -370,4 +395,11 @@ fn of_point(rest: DVec2, handle: &Handle) -> Motion {
 fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
     let motion = Motion::of_bone(bone.angle, bone.along, bone.stretch, bone.across, DVec2::ZERO, depth);
     Motion { translation: bone.posed + motion.linear() * (rest - bone.rest) - rest, ..motion }
+}
+
+/// Counts the turns of free sites, so that neighbours differ by less than half a turn.
+fn unwrap(rigid: &Rigid, is_free: &[bool], motions: &mut [Motion]) {
+    let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
+    unwrap_angles(&mut angles, is_free, rigid.links().map(|(i, j, _)| (i, j)));
+    motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
 }

@@ -1,21 +1,22 @@
 //! The rigid pose mode: virtual sites move so that the picture distorts as little as it can.
 //!
 //! First the cell graph [bends](bending) as rigidly as possible, on the sites alone. From there the picture itself is
-//! [relaxed](relaxation): its [distortion] is measured at the nodes of a [quadrature], and lowered over everything
-//! that the handles leave free. So it needs no rotations from the person, bends as a limb bends, and seldom folds. A
-//! point cloud has no picture between its sites, so a cloud keeps the result of the graph.
+//! [relaxed](relaxation): its [distortion] is measured at the nodes of a [quadrature], first coarse and then fine, and
+//! lowered over everything that the handles leave free. So it needs no rotations from the person, bends as a limb
+//! bends, and seldom folds. A point cloud has no picture between its sites, so a cloud keeps the result of the graph.
 //!
 //! Everything begins at the harmonic pose, so a pose depends on the handles alone, not on the drag. Two iterations
 //! from the last frame's pose would take six tenths of the time, but depend on the drag. A twisted cross ends six
 //! pixels elsewhere, and a spiral that is unrolled in 60 frames keeps windings, at 400 times the energy. Clips alone
 //! continue poses, and only where poses jump: see [`Playback`](crate::clip::Playback).
 //!
-//! Cost: half a millisecond to one for a pose of 100 virtual sites. Limits: both energies have several local minima,
-//! and the descent from the harmonic pose leads to one of them. A pose without folds ends within a few thousandths of
-//! the picture's size from it. Where handles are taken past one another the descent ends earlier, with folds that
-//! more iterations would undo, a fourth to a seventh of those in the harmonic pose. The quadrature is one of samples,
-//! so poses differ by some thousandths of that size with their number, and by up to two hundredths where the picture
-//! is turned.
+//! Cost: one to four milliseconds for a pose of 150 virtual sites.
+//!
+//! Limits: both energies have several local minima, and the descent from the harmonic pose leads to one of them. Where
+//! two of them are as near, a drag jumps from one to the other. Where handles are taken past one another the descent
+//! ends earlier, with folds. Between nodes, close to handles, single triangles fold that a denser mesh of sites would
+//! save. The quadrature is one of samples, so poses differ by some thousandths of the picture's size with their number,
+//! and by up to two hundredths where the picture is turned.
 
 mod bending;
 mod distortion;
@@ -133,6 +134,13 @@ impl Rigid {
         }
     }
 
+    /// Refines motions that [`minimize`](Self::minimize) or [`minimize_nearby`](Self::minimize_nearby) found.
+    pub(super) fn refine(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
+        if let Some(relaxation) = self.relaxation(rest).filter(|_| !rest.is_empty()) {
+            relaxation.refine(motions, is_free, scales, RELAXATION_TOLERANCE * extent(rest));
+        }
+    }
+
     fn relaxation(&self, rest: &[DVec2]) -> Option<&Relaxation> {
         let quadrature = self.quadrature.as_ref()?;
         Some(self.relaxation.get_or_init(|| Relaxation::new(quadrature, &self.stiffness, rest, &self.freedom)))
@@ -146,7 +154,7 @@ impl Rigid {
         };
         self.stiff_links.get_or_init(|| {
             let sites = self.freedom.len();
-            let mut nodes: Vec<_> = quadrature.nodes().collect();
+            let mut nodes: Vec<_> = quadrature.coarse().collect();
             let around = areas_around(&nodes, sites);
             let factors = self.stiffness.factors(&nodes);
             nodes.iter_mut().zip(factors).for_each(|(node, factor)| node.area *= factor);

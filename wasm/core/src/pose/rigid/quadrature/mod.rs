@@ -1,13 +1,17 @@
 //! The nodes all over the picture at which the rigid mode measures distortion, with their weights.
 //!
-//! A cell is divided by its next two dominant sites, and every part has a node at its centroid. In a triangle of
-//! neighbouring sites these are three nodes, each nearer to another corner, like Gauss's rule of degree 2. A part
-//! that is long compared with its supports has two nodes with its second moment along it. Nodes are dense where many
-//! sites meet in a narrow space. A site whose cell has no node is one. A symmetric scene has symmetric nodes.
+//! There are two levels. A cell is divided by its next two dominant sites. On the coarse level every part has a node at
+//! its centroid. In a triangle of neighbouring sites these are three nodes, each nearer to another corner, like Gauss's
+//! rule of degree 2. A part that is long compared with its supports has two nodes with its second moment along it. On
+//! the fine level, a part that is large beside its supports has four nodes with its second moments; other parts keep
+//! theirs.
+//!
+//! Nodes are dense where many sites meet in a narrow space. A site whose cell has no node is one. A symmetric scene has
+//! symmetric nodes.
 //!
 //! A held outline counts as one site, as all of its sites stay.
 //!
-//! Numbers are stored as f32, some 70 kB for 200 sites. Sums that must be 1 and 0 are corrected for rounding.
+//! Numbers are stored as f32, some 200 kB for 200 sites. Sums that must be 1 and 0 are corrected for rounding.
 
 mod moments;
 mod parts;
@@ -30,6 +34,9 @@ use crate::{
 /// reaches it. With one node for each part, a small support between two bars goes unnoticed, and folds. With 0.15 a
 /// twisted cross distorts by 2 % more; with 0.1 poses take 10 % longer.
 const LONG: f64 = 0.12;
+/// A part has four nodes on the fine level if the root of its area is above this fraction of the smallest support that
+/// reaches it. With 0.2 as many folds go unnoticed.
+const LARGE: f64 = 0.3;
 /// A node is dropped if weights change by more than this within the width of its part: it is next to a joint of
 /// bones, where gradients have no bound.
 const STEEP: f64 = 10.0;
@@ -39,7 +46,7 @@ const TAIL: f64 = 0.004;
 
 /// For a node between triangles of the outline, each of which sees the paths on its own side, gradients are
 /// differences over this fraction of the width of its part.
-const STEP: f64 = 1e-5;
+const STEP: f64 = 1e-4;
 
 /// A node of the quadrature.
 #[derive(Debug, Clone)]
@@ -50,10 +57,14 @@ pub(super) struct Node {
     pub(super) influences: Vec<Influence>,
 }
 
-/// All nodes, as they are stored.
+/// All nodes, as they are stored: those of the coarse level alone, those of both levels, those of the fine level alone.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Quadrature {
     nodes: Vec<PackedNode>,
+    /// Number of nodes that the fine level does not have.
+    coarse_alone: u32,
+    /// Number of nodes of the coarse level.
+    coarse: u32,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -82,32 +93,51 @@ impl Quadrature {
         let held = HeldOutline::of(sites);
         let areas = areas(samples);
         let placing = Placing { navigation, sites, functions, held };
-        let mut nodes = Vec::new();
+        let (mut coarse, mut both, mut fine) = (Vec::new(), Vec::new(), Vec::new());
         let mut has_node = vec![false; sites.len()];
         for part in parts(sites, samples, &areas, weights, held) {
-            let of_part = placing.nodes_of(&part);
-            if let Some(site) = part.site().filter(|_| !of_part.is_empty()) {
+            let Some(at_centroid) = placing.centroid_node(&part) else { continue };
+            if let Some(site) = part.site() {
                 has_node[site] = true;
             }
-            nodes.extend(of_part);
+            let support = placing.smallest_support(&at_centroid);
+            let quarters = placing.quarters(&part, support);
+            let of_part = placing.halves(&part, support).unwrap_or_else(|| vec![at_centroid]);
+            match quarters {
+                Some(quarters) => {
+                    coarse.extend(of_part);
+                    fine.extend(quarters);
+                }
+                None => both.extend(of_part),
+            }
         }
         let is_alone = |&site: &usize| !has_node[site] && sites[site].kind != SiteKind::Boundary;
         let around = areas_around(sites.len(), &areas, weights);
         let alone = (0..sites.len()).filter(is_alone);
-        nodes.extend(
+        both.extend(
             alone.filter_map(|site| placing.node(sites[site].rest, functions.fields()[site].triangle, around[site])),
         );
-        Self { nodes }
+        let coarse_alone = coarse.len();
+        let of_coarse = coarse_alone + both.len();
+        let nodes = [coarse, both, fine].concat();
+        Self { nodes, coarse_alone: coarse_alone as u32, coarse: of_coarse as u32 }
     }
 
     /// Whether data that were read from bytes are consistent for this number of sites.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
-        self.nodes.iter().all(|node| node.is_whole(sites))
+        self.coarse_alone <= self.coarse
+            && self.coarse as usize <= self.nodes.len()
+            && self.nodes.iter().all(|node| node.is_whole(sites))
     }
 
-    /// The nodes, with the influences there.
-    pub(super) fn nodes(&self) -> impl Iterator<Item = Node> + '_ {
-        self.nodes.iter().map(PackedNode::unpacked)
+    /// The nodes of the coarse level, with the influences there.
+    pub(super) fn coarse(&self) -> impl Iterator<Item = Node> + '_ {
+        self.nodes[..self.coarse as usize].iter().map(PackedNode::unpacked)
+    }
+
+    /// The nodes of the fine level, with the influences there.
+    pub(super) fn fine(&self) -> impl Iterator<Item = Node> + '_ {
+        self.nodes[self.coarse_alone as usize..].iter().map(PackedNode::unpacked)
     }
 }
 
@@ -148,17 +178,30 @@ struct Placing<'a> {
 }
 
 impl Placing<'_> {
-    /// The one or two nodes of a part. None if its centroid lies in a gap of the domain: the parts around it suffice.
-    fn nodes_of(&self, part: &Part) -> Vec<PackedNode> {
-        let moments = &part.moments;
-        let Some(one) = self.node_at(moments.centroid(), moments.area) else { return Vec::new() };
-        let reaching = one.influences.iter().map(|one| &self.sites[one.site as usize]);
+    /// The node at the centroid of a part. `None` if that lies in a gap of the domain: the parts around it suffice.
+    fn centroid_node(&self, part: &Part) -> Option<PackedNode> {
+        self.node_at(part.moments.centroid(), part.moments.area)
+    }
+
+    /// The smallest support that reaches a node.
+    fn smallest_support(&self, node: &PackedNode) -> f64 {
+        let reaching = node.influences.iter().map(|one| &self.sites[one.site as usize]);
         let supports = reaching.filter(|site| site.kind != SiteKind::Boundary).map(|site| site.support_radius);
-        let two = moments.halves(LONG * supports.fold(f64::INFINITY, f64::min));
-        match two.map(|halves| halves.map(|at| self.node_at(at, moments.area / 2.0))) {
-            Some([Some(one), Some(other)]) => vec![one, other],
-            _ => vec![one],
-        }
+        supports.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The two nodes of a part that is long.
+    fn halves(&self, part: &Part, support: f64) -> Option<Vec<PackedNode>> {
+        let halves = part.moments.halves(LONG * support)?;
+        halves.map(|at| self.node_at(at, part.moments.area / 2.0)).into_iter().collect()
+    }
+
+    /// The four nodes of a part that is large. `None` if it is flat, or if one of them would lie outside the domain.
+    fn quarters(&self, part: &Part, support: f64) -> Option<Vec<PackedNode>> {
+        let moments = &part.moments;
+        let is_large = moments.area.sqrt() > LARGE * support;
+        let quarters = is_large.then(|| moments.quarters()).flatten()?;
+        quarters.map(|at| self.node_at(at, moments.area / 4.0)).into_iter().collect()
     }
 
     fn node_at(&self, at: DVec2, area: f64) -> Option<PackedNode> {

@@ -6,6 +6,10 @@ use glam::{DMat2, DVec2};
 
 use crate::pose::motion::turn;
 
+/// A part is one of too few samples if the root of its covariance's determinant is below this fraction of its area. For
+/// a rectangle of any length, of many samples, the fraction is a twelfth.
+const FEW: f64 = 0.02;
+
 /// Area of a part, and its first and second moments about a place near it. About the picture's corner, moments of a
 /// distant part would lose digits.
 #[derive(Debug, Clone, Copy)]
@@ -28,19 +32,39 @@ impl Moments {
         self.about + self.first / self.area
     }
 
+    /// The matrix of second moments about the centroid, for an area of 1.
+    fn covariance(&self) -> DMat2 {
+        let mean = self.first / self.area;
+        1.0 / self.area * self.second - DMat2::from_cols(mean.x * mean, mean.y * mean)
+    }
+
     /// Two places that, with half the area each, have the second moment along the longer axis. `None` if the standard
     /// deviations along both axes differ by less than `least`: equal ones define no axis.
     pub(super) fn halves(&self, least: f64) -> Option<[DVec2; 2]> {
         let at = self.centroid();
-        let mean = self.first / self.area;
-        let [xx, xy, _, yy] = (1.0 / self.area * self.second).to_cols_array();
-        let (xx, xy, yy) = (xx - mean.x * mean.x, xy - mean.x * mean.y, yy - mean.y * mean.y);
+        let [xx, xy, _, yy] = self.covariance().to_cols_array();
         let half = (xx - yy) / 2.0;
         let excess = libm::hypot(half, xy);
         (2.0 * excess > least * least).then(|| {
             let along = (f64::midpoint(xx, yy) + excess).sqrt() * turn(libm::atan2(xy, half) / 2.0);
             [at - along, at + along]
         })
+    }
+
+    /// Four places that, with a quarter of the area each, have all second moments: the corners of a square by the root
+    /// of the covariance. Along the axes they would lie anywhere if these are as long. `None` for a single sample, or
+    /// samples on one line: rounding would decide where the places lie.
+    pub(super) fn quarters(&self) -> Option<[DVec2; 4]> {
+        let covariance = self.covariance();
+        let trace = covariance.x_axis.x + covariance.y_axis.y;
+        let det = covariance.determinant().max(0.0).sqrt();
+        if det < FEW * self.area {
+            return None;
+        }
+        // Cayley and Hamilton: the root of C is (C + √det C I) / √(tr C + 2 √det C).
+        let root = 1.0 / (trace + 2.0 * det).sqrt() * (covariance + DMat2::from_diagonal(DVec2::splat(det)));
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
+        Some(corners.map(|corner| self.centroid() + root * DVec2::from(corner)))
     }
 }
 
@@ -83,6 +107,26 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn quarters_have_the_second_moments() {
+        for (turned, middle) in [(0.4, DVec2::new(900.0, -70.0)), (2.0, DVec2::new(1e4, -1e4))] {
+            let moments = rectangle(40, 10, 1.0, turned, middle);
+            let about = middle + DVec2::new(3.0, 5.0);
+            let mut sum = Moments::of(about, 0.0, about);
+            for at in moments.quarters().expect("not flat") {
+                sum += Moments::of(at, moments.area / 4.0, about);
+            }
+            assert!(sum.centroid().distance(moments.centroid()) < 1e-9);
+            assert!(sum.covariance().abs_diff_eq(moments.covariance(), 1e-6));
+        }
+    }
+
+    #[test]
+    fn samples_on_one_line_have_no_quarters() {
+        assert_eq!(rectangle(40, 1, 1.0, 0.4, DVec2::new(900.0, -70.0)).quarters(), None);
+        assert_eq!(rectangle(1, 1, 1.0, 0.4, DVec2::new(900.0, -70.0)).quarters(), None);
     }
 
     #[test]

@@ -8,14 +8,16 @@
 //!
 //! A [descent](descend) minimises it, preconditioned by the factorised matrix of Σ area |J|². Along a line J is
 //! linear in the length, so det J and |J|² are polynomials in it, and a line search does not visit the sites: see
-//! `relaxing`. The initial motions are those of the cell graph alone: see [`bending`](super::bending). Cost: some 0.1
-//! ms an iteration for 200 sites.
+//! `relaxing`. The initial motions are those of the cell graph alone: see [`bending`](super::bending).
+//!
+//! The coarse nodes lead to the right minimum, with a large regularisation that undoes folds. The fine ones refine it,
+//! with a small one: more coarse nodes fold, more fine ones take longer. Cost: some 0.1 ms an iteration for 200 sites.
 
 mod nodes;
 mod relaxing;
 mod unknowns;
 
-use std::{collections::BTreeMap, f64::consts::TAU};
+use std::{collections::BTreeMap, f64::consts::TAU, iter::zip};
 
 use glam::{DMat2, DVec2};
 
@@ -44,10 +46,15 @@ const FIRST_ITERATIONS: usize = 2;
 /// Regularisation ε of the iterations that follow. With half of it descents get stuck; with twice as much folds cost
 /// too little.
 const REGULARISATION: f64 = 0.2;
-/// Stiffness of the spring that anchors a motion at its initial value, as a fraction of the area around its site: it
-/// decides where the quadrature does not. A fifth of it distorts more of the picture between bars that turn against
+/// Regularisation ε at the fine nodes: smaller, as no coarse node is turned over then. With a third of it rounding
+/// grows to pixels in twenty iterations.
+const FINE_REGULARISATION: f64 = 0.15;
+/// Stiffness of the springs that anchor motions at their initial values, as a fraction of the area around the site.
+/// They decide where the quadrature does not. A fifth of it distorts more of the picture between bars that turn against
 /// each other. Five times as much bends everything stiffly.
 const ANCHOR_STIFFNESS: f64 = 0.1;
+/// The same for the fine nodes, which decide more. With three times as much poses distort by 1 % more.
+const FINE_ANCHOR_STIFFNESS: f64 = 0.03;
 /// Least area for [`ANCHOR_STIFFNESS`], as a fraction of the mean cell: a site of little influence stays with its
 /// surroundings. With a hundredth of it, a site between two bars may go anywhere, and folds the picture between the
 /// nodes of the quadrature.
@@ -59,16 +66,20 @@ const GAIN: f64 = 2e-3;
 /// its minimum. With twice as much, a twisted cross jumps by five times as much as its handles move; the samples of a
 /// line hardly cost more, as each is much closer than the last.
 const CURVATURE_CONDITION: f64 = 0.015;
-/// Iterations at most. With six, a twisted cross of 200 sites stays folded in places. With 40, folds between handles
-/// that were moved past one another at random drop to a half or a fifth. That takes twice as long, and drags jump
-/// half as often again.
-const MAX_ITERATIONS: usize = 8;
+/// Iterations at the coarse nodes at most. With six, a twisted cross of 200 sites stays folded in places. With 40,
+/// folds between handles that were moved past one another at random drop to a half or a fifth. That takes twice as
+/// long, and drags jump half as often again.
+const COARSE_ITERATIONS: usize = 8;
 /// The same if some of the picture is stiffer than the rest: its turns converge slowly. With eight, the picture around
 /// it folds.
 const STIFF_ITERATIONS: usize = 30;
 /// A picture is as stiff everywhere if no factor is farther from 1: above rounding.
 const EVEN: f64 = 1e-9;
-
+/// Iterations at the fine nodes: always as many, or drags would jump. With twelve rounding grows to pixels.
+const FINE_ITERATIONS: usize = 5;
+/// A pose is refined in full if det J is at least this at every coarse node, and not at all if the picture is turned
+/// over at one.
+const REFINED: f64 = 0.2;
 /// Iterations at most from the minimum of a pose nearby, and the fraction as [`GAIN`]. Where that minimum vanishes, the
 /// picture then takes some frames to the next one, instead of a jump.
 const NEARBY_ITERATIONS: usize = 12;
@@ -80,45 +91,57 @@ pub(super) struct Relaxation {
     unknowns: Unknowns,
     /// Rest place of each site.
     rest: Vec<DVec2>,
-    nodes: Nodes,
+    coarse: Level,
+    fine: Level,
     /// Unit of length, in pixels: the square root of the mean cell's area.
     unit: f64,
+    /// Of the coarse level. The fine one's would take as many iterations.
+    inverse: Cholesky,
+    /// Whether some of the picture is stiffer than the rest.
+    is_uneven: bool,
+}
+
+/// What is minimised: the distortion at nodes, and the energy of springs.
+#[derive(Debug, Clone)]
+struct Level {
+    nodes: Nodes,
     /// Stiffness of the spring that anchors each unknown.
     anchor_stiffness: Vec<f64>,
-    inverse: Cholesky,
-    max_iterations: usize,
 }
 
 impl Relaxation {
     pub(super) fn new(quadrature: &Quadrature, stiff: &StiffnessField, rest: &[DVec2], freedom: &[Freedom]) -> Self {
-        let all: Vec<Node> = quadrature.nodes().collect();
-        let mean = (all.iter().map(|node| node.area).sum::<f64>() / rest.len() as f64).max(f64::MIN_POSITIVE);
+        let coarse: Vec<Node> = quadrature.coarse().collect();
+        let mean = (coarse.iter().map(|node| node.area).sum::<f64>() / rest.len() as f64).max(f64::MIN_POSITIVE);
         let unit = mean.sqrt();
         let rest: Vec<DVec2> = rest.iter().map(|&rest| rest / unit).collect();
         let unknowns = Unknowns::new(freedom);
-        // A place that is off by one cell counts as much as a linear part that is off by one.
-        let stiffness = |(around, freedom): (f64, &Freedom)| {
-            freedom.factors().map(move |_| ANCHOR_STIFFNESS * f64::max(around, LEAST * mean))
+        let around = areas_around(&coarse, rest.len());
+        let level = |nodes: Vec<Node>, stiffness: f64| {
+            // A place that is off by one cell counts as much as a linear part that is off by one.
+            let stiffness = |(&around, freedom): (&f64, &Freedom)| {
+                freedom.factors().map(move |_| stiffness * f64::max(around, LEAST * mean))
+            };
+            let anchor_stiffness = around.iter().zip(freedom).flat_map(stiffness).collect();
+            let factors = stiff.factors(&nodes);
+            Level { nodes: Nodes::new(nodes, &factors, freedom, unit), anchor_stiffness }
         };
-        let anchor_stiffness: Vec<f64> =
-            areas_around(&all, rest.len()).into_iter().zip(freedom).flat_map(stiffness).collect();
-        let factors = stiff.factors(&all);
-        let nodes = Nodes::new(all, &factors, freedom, unit);
-        let inverse = Cholesky::new(&unknowns.groups(), &preconditioner(&nodes, &unknowns, &rest, &anchor_stiffness));
-        let is_even = factors.iter().all(|factor| (factor - 1.0).abs() < EVEN);
-        let max_iterations = if is_even { MAX_ITERATIONS } else { STIFF_ITERATIONS };
-        Self { unknowns, rest, nodes, unit, anchor_stiffness, inverse, max_iterations }
+        let is_uneven = stiff.factors(&coarse).iter().any(|factor| (factor - 1.0).abs() >= EVEN);
+        let coarse = level(coarse, ANCHOR_STIFFNESS);
+        let fine = level(quadrature.fine().collect(), FINE_ANCHOR_STIFFNESS);
+        let inverse = Cholesky::new(&unknowns.groups(), &preconditioner(&coarse, &unknowns, &rest));
+        Self { unknowns, rest, coarse, fine, unit, inverse, is_uneven }
     }
 
-    /// Lowers the distortion of motions. `is_free` says for each site whether its rotation is free, `scales` are those
-    /// requested at the sites; the descent ends with an iteration that moves no site by more than `tolerance` pixels.
-    ///
-    /// First with a large regularisation, then with the final one.
+    /// Lowers the distortion of motions at the coarse nodes. `is_free` says for each site whether its rotation is free,
+    /// `scales` are those requested at the sites; a descent ends with an iteration that moves no site by more than
+    /// `tolerance` pixels.
     pub(super) fn minimize(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
+        let iterations = if self.is_uneven { STIFF_ITERATIONS } else { COARSE_ITERATIONS };
         self.relax(motions, is_free, scales, FIRST_REGULARISATION, |relaxing, descend| {
             descend(relaxing, self.limits(FIRST_ITERATIONS, GAIN, tolerance));
             relaxing.set_regularisation(REGULARISATION);
-            descend(relaxing, self.limits(self.max_iterations - FIRST_ITERATIONS, GAIN, tolerance));
+            descend(relaxing, self.limits(iterations - FIRST_ITERATIONS, GAIN, tolerance));
         });
     }
 
@@ -129,12 +152,32 @@ impl Relaxation {
         });
     }
 
+    /// Lowers the distortion of a coarse minimum at the fine nodes: the less, the closer the picture is to being turned
+    /// over.
+    pub(super) fn refine(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
+        let coarse = self.parts(motions);
+        let least = Relaxing::new(self, &self.coarse, &coarse, is_free, scales, REGULARISATION).least_determinant();
+        let share = smooth_step(least / REFINED);
+        if share == 0.0 {
+            return;
+        }
+        let iterations = if self.is_uneven { STIFF_ITERATIONS } else { FINE_ITERATIONS };
+        let limits = self.limits(iterations, 0.0, tolerance);
+        let fine = self.relaxed(&self.fine, &coarse, is_free, scales, FINE_REGULARISATION, |relaxing, descend| {
+            descend(relaxing, limits);
+        });
+        let Some(fine) = fine else { return };
+        let between = |(coarse, fine): (&Parts, &Parts)| std::array::from_fn(|k| coarse[k].lerp(fine[k], share));
+        let parts: Vec<Parts> = zip(&coarse, &fine).map(between).collect();
+        self.set_motions(motions, &parts, is_free);
+    }
+
     fn limits(&self, max_iterations: usize, gain: f64, tolerance: f64) -> Limits {
         let tolerance = tolerance / self.unit;
         Limits { max_iterations, tolerance, gain, curvature_condition: CURVATURE_CONDITION }
     }
 
-    /// Relaxes motions by `run`, which gets the pose and the descent.
+    /// Relaxes motions at the coarse nodes by `run`, which gets the pose and the descent.
     fn relax(
         &self,
         motions: &mut [Motion],
@@ -143,26 +186,41 @@ impl Relaxation {
         regularisation: f64,
         run: impl FnOnce(&mut Relaxing<'_>, &dyn Fn(&mut Relaxing<'_>, Limits)),
     ) {
-        if self.anchor_stiffness.is_empty() {
-            return;
+        if let Some(parts) = self.relaxed(&self.coarse, &self.parts(motions), is_free, scales, regularisation, run) {
+            self.set_motions(motions, &parts, is_free);
         }
-        let mut parts = self.parts(motions);
-        let mut relaxing = Relaxing::new(self, &parts, is_free, scales, regularisation);
+    }
+
+    /// The parts of motions, relaxed on a level by `run`. `None` if nothing is free, or if handles are posed so far out
+    /// that numbers overflow.
+    fn relaxed(
+        &self,
+        level: &Level,
+        parts: &[Parts],
+        is_free: &[bool],
+        scales: &[f64],
+        regularisation: f64,
+        run: impl FnOnce(&mut Relaxing<'_>, &dyn Fn(&mut Relaxing<'_>, Limits)),
+    ) -> Option<Vec<Parts>> {
+        if level.anchor_stiffness.is_empty() {
+            return None;
+        }
+        let mut relaxing = Relaxing::new(self, level, parts, is_free, scales, regularisation);
         let solve = |values: &mut [DVec2]| {
             self.inverse.solve(values);
             self.unknowns.keep(is_free, values);
         };
         run(&mut relaxing, &|relaxing, limits| descend(relaxing, self.unknowns.len(), solve, limits));
-        // If handles are posed so far out that numbers overflow, keep the initial motions.
         if !relaxing.unknown().iter().all(|by| by.is_finite()) {
-            return;
+            return None;
         }
+        let mut parts = parts.to_vec();
         self.unknowns.expand(relaxing.unknown(), |site, by| {
             for (part, by) in parts[site].iter_mut().zip(by) {
                 *part += by;
             }
         });
-        self.set_motions(motions, &parts, is_free);
+        Some(parts)
     }
 
     /// The parts of motions.
@@ -192,6 +250,12 @@ impl Relaxation {
     }
 }
 
+/// 0 up to 0, 1 from 1, and smooth between.
+fn smooth_step(at: f64) -> f64 {
+    let at = at.clamp(0.0, 1.0);
+    at * at * (3.0 - 2.0 * at)
+}
+
 /// The area that each site moves, in square pixels: the sum of its weights.
 pub(super) fn areas_around(nodes: &[Node], sites: usize) -> Vec<f64> {
     let mut around = vec![0.0; sites];
@@ -202,16 +266,11 @@ pub(super) fn areas_around(nodes: &[Node], sites: usize) -> Vec<f64> {
 }
 
 /// The lower entries of the matrix of Σ area |J|² and of the springs.
-fn preconditioner(
-    nodes: &Nodes,
-    unknowns: &Unknowns,
-    rest: &[DVec2],
-    anchor_stiffness: &[f64],
-) -> BTreeMap<(u32, u32), f64> {
+fn preconditioner(level: &Level, unknowns: &Unknowns, rest: &[DVec2]) -> BTreeMap<(u32, u32), f64> {
     let mut lower: BTreeMap<(u32, u32), f64> =
-        anchor_stiffness.iter().zip(0..).map(|(&stiffness, at)| ((at, at), stiffness)).collect();
+        level.anchor_stiffness.iter().zip(0..).map(|(&stiffness, at)| ((at, at), stiffness)).collect();
     let mut columns: Vec<(u32, DVec2)> = Vec::new();
-    for (node, terms) in nodes.iter() {
+    for (node, terms) in level.nodes.iter() {
         columns.clear();
         for term in &terms[node.fixed as usize..] {
             let of_parts = term.of_parts(node.at - rest[term.site as usize]);

@@ -11,13 +11,14 @@ use super::{
         distortion::{Distortion, gradient},
         jacobians::Jacobians,
     },
-    Parts, Relaxation,
+    Level, Parts, Relaxation,
     nodes::{Node, Term},
 };
 
 /// A pose under relaxation.
 pub(super) struct Relaxing<'a> {
     relaxation: &'a Relaxation,
+    level: &'a Level,
     distortion: Distortion,
     is_free: &'a [bool],
     /// The unknowns, relative to their initial values.
@@ -64,6 +65,7 @@ impl<'a> Relaxing<'a> {
     /// at the sites, `regularisation` is ε of the distortion.
     pub(super) fn new(
         relaxation: &'a Relaxation,
+        level: &'a Level,
         parts: &[Parts],
         is_free: &'a [bool],
         scales: &[f64],
@@ -76,7 +78,7 @@ impl<'a> Relaxing<'a> {
             true => terms.iter().map(|term| term.weight * scales[term.site as usize]).sum(),
             false => 1.0,
         };
-        let mut nodes = relaxation.nodes.iter();
+        let mut nodes = level.nodes.iter();
         let groups = nodes.len().div_ceil(LANES);
         let (mut maps, mut lines) = (Vec::with_capacity(groups), Vec::with_capacity(groups));
         while nodes.len() > 0 {
@@ -94,6 +96,7 @@ impl<'a> Relaxing<'a> {
         let unknowns = relaxation.unknowns.len();
         let mut relaxing = Self {
             relaxation,
+            level,
             distortion: Distortion::new(regularisation),
             is_free,
             unknown: vec![DVec2::ZERO; unknowns],
@@ -106,6 +109,11 @@ impl<'a> Relaxing<'a> {
         };
         relaxing.evaluate(0.0);
         relaxing
+    }
+
+    /// The least det J of all nodes.
+    pub(super) fn least_determinant(&self) -> f64 {
+        self.lines.iter().flat_map(|lines| lines.det[0].to_array()).fold(f64::INFINITY, f64::min)
     }
 
     /// Sets ε of the distortion.
@@ -133,9 +141,9 @@ impl<'a> Relaxing<'a> {
 
 impl Objective for Relaxing<'_> {
     fn gradient(&mut self, forces: &mut [DVec2]) {
-        let relaxation = self.relaxation;
+        let (relaxation, level) = (self.relaxation, self.level);
         self.parts.fill([DVec2::ZERO; 3]);
-        let mut nodes = relaxation.nodes.iter();
+        let mut nodes = level.nodes.iter();
         for (lines, maps) in self.lines.iter().zip(&self.maps) {
             for (gradient, (node, terms)) in lines.gradients(maps).to_array().into_iter().zip(&mut nodes) {
                 for term in &terms[node.fixed as usize..] {
@@ -148,26 +156,26 @@ impl Objective for Relaxing<'_> {
             [place, x - rest.x * place, y - rest.y * place]
         };
         relaxation.unknowns.gather(force, forces);
-        for ((force, &stiffness), &unknown) in forces.iter_mut().zip(&relaxation.anchor_stiffness).zip(&self.unknown) {
+        for ((force, &stiffness), &unknown) in forces.iter_mut().zip(&level.anchor_stiffness).zip(&self.unknown) {
             *force += stiffness * unknown;
         }
         relaxation.unknowns.keep(self.is_free, forces);
     }
 
     fn set_direction(&mut self, direction: &[DVec2]) -> Jet {
-        let relaxation = self.relaxation;
+        let (relaxation, level) = (self.relaxation, self.level);
         self.direction.copy_from_slice(direction);
         relaxation.unknowns.expand(direction, |site, [place, x, y]| {
             self.parts[site] = at_origin([place, x, y], relaxation.rest[site]);
         });
         self.anchored = [0.0; 3];
-        for ((&stiffness, unknown), by) in relaxation.anchor_stiffness.iter().zip(&self.unknown).zip(direction) {
+        for ((&stiffness, unknown), by) in level.anchor_stiffness.iter().zip(&self.unknown).zip(direction) {
             self.anchored[0] += stiffness / 2.0 * unknown.length_squared();
             self.anchored[1] += stiffness * unknown.dot(*by);
             self.anchored[2] += stiffness / 2.0 * by.length_squared();
         }
         let mut sum = Jet::default();
-        let mut nodes = relaxation.nodes.iter();
+        let mut nodes = level.nodes.iter();
         for (lines, maps) in self.lines.iter_mut().zip(&mut self.maps) {
             let mut along = [DMat2::ZERO; LANES];
             for (along, (node, terms)) in along.iter_mut().zip(&mut nodes) {
