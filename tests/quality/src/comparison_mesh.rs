@@ -42,6 +42,15 @@ impl ComparisonMesh {
         self.edges().into_iter().filter_map(|(edge, sides)| Some((edge, sides.try_into().ok()?))).collect()
     }
 
+    /// Returns the edges of the outline, in the direction of their triangles.
+    #[must_use]
+    pub fn outline(&self) -> Vec<[u32; 2]> {
+        let edges = self.edges();
+        let of_triangle = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
+        let all = self.triangles.iter().flat_map(of_triangle);
+        all.filter(|&[a, b]| edges[&[a.min(b), a.max(b)]].len() == 1).collect()
+    }
+
     /// Returns whether each vertex is on the outline.
     #[must_use]
     pub fn on_outline(&self) -> Vec<bool> {

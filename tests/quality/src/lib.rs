@@ -15,6 +15,7 @@ pub mod constraints;
 pub mod continuity;
 pub mod dense_arap;
 pub mod distances;
+pub mod drag;
 pub mod fills;
 pub mod least_squares;
 pub mod maxima;

@@ -31,6 +31,8 @@ pub struct Distortion {
     /// It is the sum of (length ÷ distance of the centroids across the edge) · |J₁ − J₂|² over the edges. It has no
     /// unit and does not depend on the size of the picture.
     pub bending: f64,
+    /// Total turning of the posed outline: the sum of the angles between successive edges, in radians.
+    pub turning: f64,
     /// Fraction of the area that moved by more than half a pixel.
     pub moved: f64,
 }
@@ -93,13 +95,32 @@ impl Distortion {
             min_stretch: stretches.iter().map(|s| s[1]).fold(f64::INFINITY, f64::min),
             folds: stretches.iter().filter(|s| s[1] < 0.0).count(),
             bending: bends.sum(),
+            turning: turning(mesh, posed),
             moved: mean(&|t| f64::from(u8::from(centroid(t, posed).distance(centroid(t, &mesh.vertices)) > MOVED))),
         }
     }
 }
 
+/// Returns the sum of the angles between successive edges of the outline. Vertices at which parts touch are left out.
+fn turning(mesh: &ComparisonMesh, posed: &[DVec2]) -> f64 {
+    let mut next = vec![Vec::new(); posed.len()];
+    let outline = mesh.outline();
+    outline.iter().for_each(|&[a, b]| next[a as usize].push(b));
+    let at = |v: u32| posed[v as usize];
+    let angle = |&[a, b]: &[u32; 2]| match next[b as usize][..] {
+        [c] => {
+            let (before, after) = (at(b) - at(a), at(c) - at(b));
+            before.perp_dot(after).atan2(before.dot(after)).abs()
+        }
+        _ => 0.0,
+    };
+    outline.iter().map(angle).sum()
+}
+
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::*;
 
     #[test]
@@ -135,5 +156,7 @@ mod tests {
         let bent = Distortion::of(&mesh, &bent).bending;
         // Diagonals of the squares change the result by up to a half, depending on their direction.
         assert!((3.0..=7.0).contains(&bent), "{bent}");
+        // A square turns once. Its image has four right angles, too.
+        assert!((still.turning - TAU).abs() < 1e-9 && (wide.turning - TAU).abs() < 1e-9);
     }
 }

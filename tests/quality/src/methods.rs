@@ -17,6 +17,7 @@ use crate::{
     comparison_mesh::ComparisonMesh,
     constraints::Constraints,
     dense_arap::{DenseArap, pins},
+    drag::largest_move,
     least_squares,
     measure::{Distortion, jacobians},
     optimum::Optimizer,
@@ -49,7 +50,7 @@ pub enum Method {
 }
 
 /// The number of virtual sites that the editor asks for.
-pub const EDITOR_DENSITY: u32 = 100;
+pub const EDITOR_DENSITY: u32 = 150;
 /// The editor's method.
 pub const EDITOR: Method = Method::Rigid { density: EDITOR_DENSITY, blend: Blend::Linear };
 
@@ -132,6 +133,8 @@ pub struct Comparison {
     pub failed: Vec<(Method, String)>,
     /// Distortions by [`EDITOR`] with other numbers of samples.
     pub with_other_samples: Vec<Distortion>,
+    /// [`largest_move`] of the editor's method, for poses beside the optimum.
+    pub largest_move: Option<f64>,
 }
 
 impl Comparison {
@@ -144,8 +147,15 @@ impl Comparison {
         meshed.samples = scene.mesh_samples;
         let mesh = ComparisonMesh::of(&solve(&meshed, &scene.solver_picture())?);
         let constraints = Constraints::of(&scene.project);
-        let mut comparison =
-            Self { scene, constraints, mesh, outcomes: Vec::new(), failed: Vec::new(), with_other_samples: Vec::new() };
+        let mut comparison = Self {
+            scene,
+            constraints,
+            mesh,
+            outcomes: Vec::new(),
+            failed: Vec::new(),
+            with_other_samples: Vec::new(),
+            largest_move: None,
+        };
         for &method in methods {
             let outcome = match method {
                 Method::Paper => comparison.by_solver(method, PoseMode::Harmonic, Support::Paper, Blend::Linear, 0),
@@ -169,6 +179,11 @@ impl Comparison {
         }
         comparison.with_other_samples =
             other_samples.iter().map(|&count| comparison.with_samples(count)).collect::<Result<_, _>>()?;
+        if comparison.is_beside_optimum() {
+            let Method::Rigid { density, blend } = EDITOR else { unreachable!("the editor is rigid") };
+            let project = comparison.with_settings(PoseMode::Rigid, Support::Smooth, blend, density);
+            comparison.largest_move = Some(largest_move(&project, &comparison.scene.solver_picture())?);
+        }
         Ok(comparison)
     }
 

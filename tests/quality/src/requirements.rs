@@ -6,6 +6,7 @@ use crate::{
     continuity::SceneContinuity,
     distances::{Distances, greatest},
     maxima::{SceneMaxima, Weighting},
+    measure::Distortion,
     methods::{Comparison, EDITOR, Method, Outcome},
     suggestions::Suggested,
 };
@@ -86,7 +87,7 @@ pub fn continuity_requirements(all: &[SceneContinuity]) -> Vec<Requirement> {
     all.chunk_by(|a, b| a.scene == b.scene).flat_map(of).collect()
 }
 
-/// Returns the requirements on a pose by `rigid 100`, the editor's method.
+/// Returns the requirements on a pose by the editor's method.
 #[must_use]
 pub fn pose_requirements(comparison: &Comparison) -> Vec<Requirement> {
     let (Some(rigid), Some(dense)) = (comparison.outcome_of(EDITOR), comparison.outcome_of(Method::Dense)) else {
@@ -97,10 +98,10 @@ pub fn pose_requirements(comparison: &Comparison) -> Vec<Requirement> {
     // pins.
     let folds = if comparison.folds_away_from_handles(dense) == 0 { 0.0 } else { f64::INFINITY };
     vec![
-        requirement("rigid 100: mean energy ÷ that of dense", rigid.distortion.energy / dense.distortion.energy, 1.25),
-        requirement("rigid 100: frame time ÷ that of dense", rigid.frame_ms / dense.frame_ms, 0.02),
-        requirement("rigid 100: folds, if dense has none", rigid.distortion.folds as f64, folds),
-        requirement("rigid 100: largest error at a handle, px", rigid.handle_error, 1e-6),
+        requirement("editor: mean energy ÷ that of dense", rigid.distortion.energy / dense.distortion.energy, 1.25),
+        requirement("editor: frame time ÷ that of dense", rigid.frame_ms / dense.frame_ms, 0.02),
+        requirement("editor: folds, if dense has none", rigid.distortion.folds as f64, folds),
+        requirement("editor: largest error at a handle, px", rigid.handle_error, 1e-6),
     ]
 }
 
@@ -122,15 +123,23 @@ pub fn optimum_requirements(comparisons: &[&Comparison]) -> Vec<Requirement> {
         let method = Method::Rigid { density, blend: Blend::Linear };
         greatest(with(method, &energy, EDITOR).into_iter())
     };
+    let over_dense = |of: fn(&Distortion) -> f64| {
+        let ratio = |editor: &Outcome, dense: &Outcome| of(&editor.distortion) / of(&dense.distortion);
+        greatest(with(EDITOR, &ratio, Method::Dense).into_iter())
+    };
+    let moves = greatest(comparisons.iter().filter_map(|comparison| comparison.largest_move));
     let requirement =
         |name, value, limit| Requirement { subject: "poses beside the optimum".to_owned(), name, value, limit };
     vec![
-        requirement("rigid 100: median energy ÷ optimum", median, 1.25),
-        requirement("rigid 100: largest energy ÷ optimum", greatest(energies.iter().copied()), 1.8),
-        requirement("rigid 100: folds where the optimum has none", folds, 0.0),
-        requirement("rigid 100: largest time of a pose, ms", greatest(pose_ms.into_iter()), 2.0),
-        requirement("rigid 100: largest time ÷ that of the optimum", greatest(times.into_iter()), 0.02),
-        requirement("rigid 200: largest energy ÷ that of rigid 100", denser(200), 1.02),
-        requirement("rigid 400: largest energy ÷ that of rigid 100", denser(400), 1.02),
+        requirement("editor: median energy ÷ optimum", median, 1.25),
+        requirement("editor: largest energy ÷ optimum", greatest(energies.iter().copied()), 1.8),
+        requirement("editor: folds where the optimum has none", folds, 0.0),
+        requirement("editor: largest time of a pose, ms", greatest(pose_ms.into_iter()), 2.0),
+        requirement("editor: largest time ÷ that of the optimum", greatest(times.into_iter()), 0.02),
+        requirement("rigid 200: largest energy ÷ the editor's", denser(200), 1.02),
+        requirement("rigid 400: largest energy ÷ the editor's", denser(400), 1.02),
+        requirement("editor: largest turning of the outline ÷ that of dense", over_dense(|d| d.turning), 1.1),
+        requirement("editor: largest bending ÷ that of dense", over_dense(|d| d.bending), 1.1),
+        requirement("editor: largest move in a drag ÷ that of the handles", moves, 8.0),
     ]
 }

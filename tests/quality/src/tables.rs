@@ -10,7 +10,7 @@ use crate::{
     distances::{Distances, greatest},
     fills::{Filled, METHODS as FILL_METHODS},
     maxima::SceneMaxima,
-    measure::MAX_ENERGY,
+    measure::{Distortion, MAX_ENERGY},
     methods::{Comparison, EDITOR, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES, Outcome},
     poses::SAMPLES,
     requirements::{
@@ -264,8 +264,12 @@ const OPTIMUM_NOTES: &str = "
 E of the optimum, and the other energies over it. The optimum is the least E on a mesh of about 3,000 samples, with the
 vertices on handles pinned: the lowest minimum near the results of the other methods and at the end of a path that moves
 the pins from rest. On the way no triangle turns over. Without a row's optimum, no such path was found. Folds: triangles
-turned over, of `rigid 100`. The optimum has none. Times are for the motions of the sites, and for all minima of the
-optimum together.
+turned over, of the editor's method, the first one. The optimum has none. Times are for the motions of the sites, and
+for all minima of the optimum together.
+
+Turning: the angles between successive edges of the posed outline, over those of dense. Bending: over that of dense.
+Drag: the largest move of a sample between two of 200 frames from rest to the pose, over the largest move of a handle.
+All three are of the editor's method.
 ";
 
 fn optimum_table(comparisons: &[&Comparison]) -> String {
@@ -274,7 +278,7 @@ fn optimum_table(comparisons: &[&Comparison]) -> String {
         .map(str::to_owned)
         .into_iter()
         .chain(others.iter().map(|method| method.name()))
-        .chain(["folds", "pose ms", "optimum s"].map(str::to_owned));
+        .chain(["folds", "turning", "bending", "drag", "pose ms", "optimum s"].map(str::to_owned));
     let header: Vec<String> = header.collect();
     let row = |comparison: &&Comparison| {
         let optimum = comparison.outcome_of(Method::Optimum);
@@ -288,8 +292,17 @@ fn optimum_table(comparisons: &[&Comparison]) -> String {
             comparison.mesh.vertices.len().to_string(),
             optimum.map_or(NONE.into(), |best| digits(best.distortion.energy)),
         ];
+        let over_dense = |of: fn(&Distortion) -> f64| {
+            let dense = comparison.outcome_of(Method::Dense);
+            editor
+                .zip(dense)
+                .map_or(NONE.into(), |(editor, dense)| digits(of(&editor.distortion) / of(&dense.distortion)))
+        };
         let end = [
             editor.map_or(NONE.into(), |editor| editor.distortion.folds.to_string()),
+            over_dense(|d| d.turning),
+            over_dense(|d| d.bending),
+            comparison.largest_move.map_or(NONE.into(), digits),
             editor.and_then(|editor| editor.pose_ms).map_or(NONE.into(), digits),
             optimum.map_or(NONE.into(), |best| digits(best.frame_ms / 1e3)),
         ];
