@@ -16,8 +16,8 @@ const rotations = ({ handles }: Project) => handles.map(({ rotation }) => rotati
 const fresh = newProject({ src: 'a.png', width: 8, height: 8 }, null);
 
 describe('the mode of bending', () => {
-  it('of a new project is rigid, with smooth supports and 100 virtual sites', () => {
-    expect(fresh.pose).toEqual({ mode: 'rigid', blend: 'linear', density: 100 });
+  it('of a new project is rigid, with smooth supports and 150 virtual sites', () => {
+    expect(fresh.pose).toEqual({ mode: 'rigid', blend: 'linear', density: 150 });
     expect(fresh.weighting?.support).toBe('smooth');
     expect(withMode(withMode(fresh, 'harmonic'), 'rigid')).toEqual(fresh);
   });

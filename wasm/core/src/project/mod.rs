@@ -164,7 +164,7 @@ impl Project {
 
     /// The same project with the editor's settings for new projects.
     ///
-    /// They are rigid mode, at least 100 virtual sites, smooth supports, edges where parts cross, and automatic
+    /// They are rigid mode, at least 150 virtual sites, smooth supports, edges where parts cross, and automatic
     /// rotations for points without rotation. Dragged parts then keep their shape, and distant parts stay.
     ///
     /// Add handles first: later ones keep their own rotation. Or add them as [`turned`](Handle::turned) by
@@ -172,7 +172,7 @@ impl Project {
     #[must_use]
     pub fn with_editor_settings(mut self) -> Self {
         self.weighting.support = Support::Smooth;
-        self.pose = PoseSpec { mode: PoseMode::Rigid, density: 100, ..self.pose };
+        self.pose = PoseSpec { mode: PoseMode::Rigid, density: 150, ..self.pose };
         self.edges = true;
         for handle in &mut self.handles {
             if matches!(handle.shape, Shape::Point { .. }) && handle.rotation == Rotation::default() {

@@ -33,6 +33,6 @@ export const EDITOR_SETTINGS = {
   support: 'smooth',
   mode: 'rigid',
   blend: 'linear',
-  density: 100,
+  density: 150,
   rotation: 'auto',
 } as const;
