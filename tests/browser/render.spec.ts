@@ -32,6 +32,39 @@ test('a large picture is drawn from its preview until its last part is uploaded'
   expect(colours).toEqual([[255, 0, 0, 255], [3], [0, 255, 0, 255]]);
 });
 
+test('a large picture that moves is drawn from the level that fits', async ({ page }) => {
+  const { softened, lightened, left } = await page.evaluate(async () => {
+    // Squares of 8 pixels: a quarter of the size shows them, with soft edges from a coarser level.
+    const size = 2048;
+    const canvas = new OffscreenCanvas(size, size);
+    const context = canvas.getContext('2d');
+    if (!context) throw new Error('no 2D canvas');
+    context.fillRect(0, 0, size, size);
+    context.fillStyle = '#fff';
+    for (let y = 0; y < size; y += 8)
+      for (let x = (y / 8) % 2 ? 8 : 0; x < size; x += 16) context.fillRect(x, y, 8, 8);
+    const renderer = new harness.Renderer(document.createElement('canvas'));
+    const bitmap = await createImageBitmap(canvas);
+    renderer.setPicture({ width: size, height: size, bitmap, preview: null });
+    // Not a power of 2, so that rest blends two levels.
+    const view = { scale: 0.18, x: 0, y: 0, width: 368, height: 368 };
+    const drawn = (moving: boolean) => renderer.readPixels({ ...view, moving });
+    const mean = (values: Uint8Array) => values.reduce((sum, value) => sum + value, 0) / values.length;
+    const apart = (a: Uint8Array, b: Uint8Array) =>
+      mean(a.map((value, at) => Math.abs(value - (b[at] ?? 0))));
+    const [resting, moving, again] = [drawn(false), drawn(true), drawn(false)];
+    return {
+      softened: apart(moving, resting),
+      lightened: mean(moving) - mean(resting),
+      left: apart(again, resting),
+    };
+  });
+  expect(softened).toBeGreaterThan(0);
+  // Only the sharpness changes, not how light the picture is.
+  expect(Math.abs(lightened)).toBeLessThan(1);
+  expect(left).toBe(0);
+});
+
 test('draws the unwarped picture without a solution', async ({ page }) => {
   const differing = await page.evaluate(async () => {
     const picture = await harness.decodePicture(await harness.drawnPicture(64));

@@ -15,6 +15,8 @@ export interface View {
   readonly overlays?: Overlays;
   /** Draws enlarged image pixels as squares. Above 400 % they always are squares. */
   readonly pixelated?: boolean;
+  /** The picture moves: each pixel of a shrunk picture is one read of the nearest mip level. */
+  readonly moving?: boolean;
   /** Pixels of an export per image pixel, by default 1: enlarged pixel art is drawn on their grid. */
   readonly exportScale?: number;
 }

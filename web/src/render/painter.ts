@@ -24,7 +24,7 @@ import {
   type WarpMesh,
   weightRows,
 } from './mesh';
-import { PictureTexture, setMagnification, type TexturePatch, type TextureSource } from './picture';
+import { PictureTexture, setFilters, type TexturePatch, type TextureSource } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import { PixelLayer, type PixelMesh, showsPixels } from './pixel_layer';
 import { drawWith, program } from './program';
@@ -211,7 +211,7 @@ export class Painter {
 
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    setMagnification(gl, picture.texture, view);
+    setFilters(gl, picture.texture, view);
     const uniforms = {
       u_weights: loaded.weights.texture,
       u_motions: loaded.motions.texture,
@@ -222,13 +222,14 @@ export class Painter {
       u_at_rest: view.compare === true || !this.#posed,
       u_rigid: this.#blend === 'rigid',
       u_shade: 0,
+      u_moving: view.moving === true,
     };
     const filled = this.#filled?.isLoading ? undefined : this.#filled;
     const fills = filled !== undefined && this.#background !== undefined;
     const behind = view.compare ? undefined : fills ? this.#whole : this.#background;
     const atRest = { ...uniforms, u_at_rest: true, u_shade: view.overlays?.selection ? SHADE : 0 };
     if (fills) {
-      setMagnification(gl, filled.texture, view);
+      setFilters(gl, filled.texture, view);
       atRest.u_picture = filled.texture;
     }
     const heat = view.compare || !this.#heat?.isSet ? undefined : this.#heat;

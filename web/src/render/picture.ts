@@ -121,15 +121,20 @@ function scaledPatch({ left, top, bitmap }: TexturePatch, copy: ImageBitmap, sca
   return { x, y, canvas };
 }
 
-/** Sets the magnification filter for a view: squares at high zoom and for pixel art, else linear. */
-export function setMagnification(
+/**
+ * Sets the filters for a view. Enlarged pixels are squares at high zoom and for pixel art, else linear. A picture that
+ * moves is read from one mip level, and at rest from two.
+ */
+export function setFilters(
   gl: WebGL2RenderingContext,
   texture: WebGLTexture,
-  { scale, pixelated = false }: View,
+  { scale, pixelated = false, moving = false }: View,
 ): void {
   gl.bindTexture(gl.TEXTURE_2D, texture);
   const crisp = pixelated || scale > CRISP_ABOVE;
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, crisp ? gl.NEAREST : gl.LINEAR);
+  const minified = moving ? gl.LINEAR_MIPMAP_NEAREST : gl.LINEAR_MIPMAP_LINEAR;
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, minified);
 }
 
 /** Returns an empty texture with all mip levels. */
@@ -137,7 +142,6 @@ function storage(gl: WebGL2RenderingContext, { width, height }: ImageBitmap): We
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texStorage2D(gl.TEXTURE_2D, 1 + Math.floor(Math.log2(Math.max(width, height))), gl.RGBA8, width, height);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   return texture;

@@ -23,6 +23,7 @@ import type { HeatMap } from '../geometry/heat';
 import type { MappedPoint } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 import { type DropReceiver, DropTarget } from '../input/drop';
+import { isPressing } from '../tools/machine';
 import { focusExport } from '../ui/export/menu';
 import type { ExportPages } from '../ui/export_pages';
 import type { LaterParts } from '../ui/shell';
@@ -307,6 +308,7 @@ export class EditorRuntime {
       solution: deformation?.data ?? null,
       pose: deformation?.pose(project) ?? null,
       heat: bare ? null : this.#heat(),
+      moves: isPressing(state.tools) || state.timeline.playing || state.playback.playing,
       view: {
         ...deviceView(view.camera, stage, devicePixelRatio),
         compare: display.preview === 'compare' || isLassoing(state),

@@ -20,6 +20,8 @@ export interface Frame {
   /** Null draws the picture at rest. */
   readonly pose: Pose | null;
   readonly heat: HeatMap | null;
+  /** A drag or a clip changes the pose from frame to frame. */
+  readonly moves: boolean;
   readonly view: View;
 }
 
@@ -37,6 +39,13 @@ export interface FramesListener {
 /** Margin around the viewport within which the canvas is drawn, so that it is ready when it comes into sight. */
 const MARGIN = '25%';
 
+/**
+ * What moved rests once it is unchanged for so long, or when a drag or a clip ends. Under a finger the wait is longer:
+ * full detail in each short pause would let the picture flicker.
+ */
+const REST_MS = 200;
+const HELD_REST_MS = 600;
+
 export class Frames {
   readonly #listener: FramesListener;
   readonly #renderer: Renderer;
@@ -44,6 +53,9 @@ export class Frames {
   #request = 0;
   #seen = true;
   #last: Frame | null = null;
+  /** The last drawing was one of something that moves. */
+  #moving = false;
+  #resting: ReturnType<typeof setTimeout> | undefined;
 
   /** @throws Error with the code `webgl` if WebGL2 is not available. */
   constructor(canvas: HTMLCanvasElement, listener: FramesListener) {
@@ -81,6 +93,7 @@ export class Frames {
 
   dispose(): void {
     cancelAnimationFrame(this.#request);
+    clearTimeout(this.#resting);
     this.#request = -1;
     this.#observer.disconnect();
     this.#renderer.dispose();
@@ -106,13 +119,36 @@ export class Frames {
     this.#request = 0;
     const frame = this.#listener.frame();
     try {
+      const moved = this.#isMoved(frame);
       const changed = this.#update(frame);
-      if (this.#renderer.load() || changed) this.#renderer.draw(frame.view);
+      const ended = this.#last?.moves === true && !frame.moves;
+      const rests = this.#moving && (ended || this.#resting === undefined);
+      if (this.#renderer.load() || changed || rests) this.#show(frame, changed && moved);
     } catch (error) {
       this.#listener.failed(error);
     }
     this.#last = frame;
     if (this.#renderer.isLoading) this.request();
+  }
+
+  /** Draws, and draws again in full detail when what moves has come to rest. */
+  #show({ moves, view }: Frame, moving: boolean): void {
+    clearTimeout(this.#resting);
+    this.#moving = moving;
+    this.#resting = moving ? setTimeout(() => this.#rest(), moves ? HELD_REST_MS : REST_MS) : undefined;
+    this.#renderer.draw(moving ? { ...view, moving } : view);
+  }
+
+  #rest(): void {
+    this.#resting = undefined;
+    this.request();
+  }
+
+  /** Whether a changed frame is one of many: of a drag, a clip, a pan or a zoom. */
+  #isMoved({ picture, solution, moves, view }: Frame): boolean {
+    const last = this.#last;
+    if (picture !== last?.picture || solution !== last?.solution) return false;
+    return moves || isMovedView(view, last.view);
   }
 
   /** Passes what has changed to the renderer. Returns whether anything has. */
@@ -126,18 +162,22 @@ export class Frames {
     if (pictured) this.#renderer.setPicture(picture);
     if (filled) this.#renderer.setFill(fill);
     if (solved) this.#renderer.setSolution(solution);
-    if (posed) this.#show(pose);
+    if (posed) this.#setPose(pose);
     if (heated) this.#renderer.setHeat(heat);
     return filled || posed || heated || !isSameView(view, last?.view);
   }
 
-  #show(pose: Pose | null): void {
+  #setPose(pose: Pose | null): void {
     if (pose) {
       const { motions, project, triangles } = pose;
       this.#renderer.setMotions(motions, blendOf(project), triangles, project.edges ? pose.crossed() : null);
     } else this.#renderer.setMotions(null);
   }
 }
+
+/** Panned or zoomed. A canvas of another size is another layout. */
+const isMovedView = (a: View, b: View): boolean =>
+  a.width === b.width && a.height === b.height && (a.scale !== b.scale || a.x !== b.x || a.y !== b.y);
 
 const isSameView = (a: View, b: View | undefined): boolean =>
   b !== undefined && JSON.stringify(a) === JSON.stringify(b);
