@@ -1,5 +1,7 @@
 /** The lasso: its inside bends, and the rest of the picture stays. */
+import { encode } from 'fast-png';
 import { Editor, meanDifference, type Position } from './editor';
+import { png } from './files';
 import { expect, test } from './fixtures';
 
 /** A ring around head and arms of the sample, image pixels. Only the head's handle lies inside. */
@@ -188,4 +190,33 @@ test('a lasso begun with Alt cuts a hole; a separate one adds a part', async ({ 
   expect((await domain(editor)).rings).toHaveLength(3);
   await expect.poll(() => editor.mapped(510, 430)).toBeNull();
   await expect.poll(() => editor.mapped(300, 1050)).not.toBeNull();
+});
+
+test('a part of a photograph turns by a polygon in place of its lasso', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const data = new Uint8Array(300 * 300 * 3).map((_, at) => (at * 7) % 256);
+  const photograph = Buffer.from(encode({ width: 300, height: 300, data, channels: 3 }));
+  await editor.chooseFile(png('photograph.png', photograph));
+  await expect(editor.solved).toContainText('300 × 300 px');
+  await page.locator('c2-warp').press('l');
+  const stage = await page.locator('c2-warp .stage').boundingBox();
+  if (!stage) throw new Error('The stage is not visible.');
+  const { x, y, width, height } = stage;
+  const circle = Array.from({ length: 24 }, (_, k): Position => {
+    const turn = (2 * Math.PI * k) / 24;
+    return { x: x + width * 0.4 + 70 * Math.cos(turn), y: y + height * 0.45 + 70 * Math.sin(turn) };
+  });
+  await draw(editor, [...circle, ...circle.slice(0, 1)]);
+  await editor.button('Turn this part, keep the rest').click();
+  await expect(editor.handle('polygon 1')).toBeVisible();
+  expect(await domain(editor)).toEqual({ kind: 'image' });
+  // Its ring turns it.
+  await expect.poll(() => editor.mapped(150, 150)).not.toBeNull();
+  const centre = await editor.position('polygon 1');
+  await editor.drag({ x: centre.x, y: centre.y - 40 }, { x: 11, y: 2 });
+  await expect.poll(async () => (await editor.shownPose('polygon 1')).rotation).toBeGreaterThan(8);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await expect.poll(async () => (await domain(editor)).kind).toBe('polygon');
+  expect(await ids(editor)).toEqual([]);
 });

@@ -1,11 +1,13 @@
 /** Whether a command can run now, and why not: one answer for buttons, menus, keys and the element. */
 import { handleById, selectedHandles } from '../document/document';
+import { ringsOf } from '../document/domain';
 import { CORNERS_NEEDED, DEPTHS, depthOf, isAtRest, isLine } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
 import type { Handle } from '../document/project';
 import { draftOf, hasTakenCorners } from '../tools/machine';
 import type { CommandName } from './commands';
 import { openClip } from './open_clip';
+import { isOpaque } from './picture';
 import {
   AT_BACK,
   AT_REST,
@@ -13,10 +15,12 @@ import {
   DISABLED,
   IN_FRONT,
   NO_HANDLES,
+  NO_LASSO,
   NO_LINE,
   NO_PICTURE,
   NO_SINGLE,
   NONE_SELECTED,
+  NOT_OPAQUE,
   NOTHING_FOLDED,
   NOTHING_TO_REDO,
   NOTHING_TO_UNDO,
@@ -129,6 +133,10 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   forward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.most, IN_FRONT),
   backward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.least, AT_BACK),
   'add-point': ({ menu }) => (menu?.bends ? null : STILL_HERE),
+  'turn-part': either(unlessOpen, unlessChangeable, (state) => {
+    if (!isOpaque(state.picture)) return NOT_OPAQUE;
+    return ringsOf(projectOf(state)).length > 0 ? null : NO_LASSO;
+  }),
   'add-corner': ofRing(either(unlessChangeable, (state) => (lineInHand(state) ? null : NO_LINE))),
   'remove-corner': ofRing(
     either(unlessChangeable, (state) => {

@@ -41,6 +41,7 @@ export const COMMANDS = {
   'without-folds': { label: 'Nearest pose without folds', keys: ['U'] },
   remove: { label: 'Delete', keys: ['Delete', 'Backspace'] },
   'add-point': { label: 'Add a point here', keys: [] },
+  'turn-part': { label: 'Turn this part, keep the rest', keys: [] },
   'add-corner': { label: 'Add a corner', keys: ['C'] },
   'remove-corner': { label: 'Delete the corner', keys: ['X'] },
   forward: { label: 'Bring forward', keys: [']'] },

@@ -13,6 +13,8 @@ export const AT_REST = 'At rest already';
 export const IN_FRONT = 'In front already';
 export const AT_BACK = 'At the back already';
 export const NOTHING_FOLDED = 'Nothing is folded';
+export const NO_LASSO = 'Draw a lasso around a part first';
+export const NOT_OPAQUE = 'Only pictures without transparency have a frame to hold';
 export const STILL_HERE = 'Nothing bends here';
 
 export const cornersNeededText = (kind: string, count: number): string => `A ${kind} needs ${count} corners`;

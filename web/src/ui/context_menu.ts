@@ -12,7 +12,12 @@ import { icon, iconOf } from './icons';
 
 type Groups = readonly (readonly CommandName[])[];
 
-const OF_PICTURE: Groups = [['add-point', 'paste'], ['select-all', 'reset-all', 'suggest'], ['fit']];
+const ofPicture = (lasso: readonly CommandName[]): Groups => [
+  ['add-point', 'paste'],
+  lasso,
+  ['select-all', 'reset-all', 'suggest'],
+  ['fit'],
+];
 const OF_POSABLE: Groups = [
   ['reset', 'reset-all'],
   ['undo', 'redo'],
@@ -47,9 +52,9 @@ export function contextMenu(model: EditorModel, dispatch: Dispatch): TemplateRes
   </div>`;
 }
 
-function groupsOf({ about, corner }: MenuState, { posable, document }: EditorModel): Groups {
+function groupsOf({ about, corner }: MenuState, { posable, document, reasonAgainst }: EditorModel): Groups {
   if (posable) return OF_POSABLE;
-  if (about === 'picture') return OF_PICTURE;
+  if (about === 'picture') return ofPicture(reasonAgainst('turn-part') === null ? ['turn-part'] : []);
   if (corner) return ofHandles(['add-corner', 'remove-corner']);
   const selected = selectedHandles(document);
   return ofHandles(selected.length === 1 && selected.some(isLine) ? ['add-corner'] : []);

@@ -78,6 +78,7 @@ const COMMAND_ICONS = {
   'export-as': 'export',
   'reset-all': 'reset',
   'add-point': 'point',
+  'turn-part': 'polygon',
   'select-all': 'select',
   'zoom-in': 'plus',
   'zoom-out': 'minus',

@@ -35,6 +35,7 @@ import { openSettings, togglePreview } from './display';
 import { mirror, paste, raise, removeSelected, reset } from './edits';
 import { cancelExport, exportChosen, exportPicture, projectForFile } from './exporting';
 import type { Handlers } from './handlers';
+import { turnPart } from './lasso';
 import { addRingCorner, removeRingCorner } from './lasso_corners';
 import { announce, dismiss, notify, shownNotice } from './notices';
 import { openTimeline, play } from './playhead';
@@ -128,6 +129,7 @@ const RUN: Readonly<Record<CommandName, Run>> = {
     focus(emit, selectionOf(up)[0]);
     return up;
   }),
+  'turn-part': edit(turnPart),
   'add-corner': edit((state, emit, menu) =>
     ringCornerInHand(state) ? addRingCorner(state, emit) : addCornerToSelected(state, menu?.at ?? null, emit),
   ),

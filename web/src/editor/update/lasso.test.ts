@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { ringsOf } from '../../document/domain';
 import type { Vec } from '../../geometry/vec';
+import { reasonAgainst } from '../can_run';
 import { snapsToEdges, traceOf } from '../edge_snapping';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { toolContext } from '../hit_areas';
-import { projectOf } from '../state';
+import { projectOf, selectionOf } from '../state';
 import { snapshotOf } from './autosave';
 import { shownNotice } from './notices';
 
@@ -58,6 +59,30 @@ describe('a place outside of the selection', () => {
       runtime.dispatch({ type: 'placement-missed', at });
       expect(shownNotice(runtime.state)?.action).toBeUndefined();
     }
+  });
+});
+
+describe('the part in a lasso that shall turn', () => {
+  it('gets a polygon by the notice, as one step', () => {
+    const runtime = lassoed();
+    expect(shownNotice(runtime.state)?.other?.label).toBe('Turn this part, keep the rest');
+    runtime.dispatch({ type: 'notice-answered', other: true });
+    const { handles, ...project } = projectOf(runtime.state);
+    expect(handles.map(({ kind }) => kind)).toEqual(['polygon']);
+    expect(project).toMatchObject({ fix_boundary: true, domain: { kind: 'image' } });
+    expect(selectionOf(runtime.state)).toEqual([handles[0]?.id]);
+    expect(runtime.state.tools.tool).toBe('select');
+    run(runtime, 'undo');
+    expect(ring(runtime)).toEqual(SQUARE);
+    expect(projectOf(runtime.state).handles).toEqual([]);
+  });
+  it('needs a lasso, in a picture without transparency', () => {
+    expect(reasonAgainst(lassoed().state, 'turn-part')).toBeNull();
+    expect(reasonAgainst(opened().state, 'turn-part')).toBe('Draw a lasso around a part first');
+    const clear = opened({ ...testPicture(), alphaThreshold: 0.5 });
+    clear.dispatch({ type: 'lasso-drawn', ring: SQUARE, hole: false });
+    expect(reasonAgainst(clear.state, 'turn-part')).toContain('without transparency');
+    expect(shownNotice(clear.state)?.other).toBeUndefined();
   });
 });
 

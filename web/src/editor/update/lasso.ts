@@ -2,7 +2,9 @@
 import { domainOf, isFilled, ringsOf, withFill, withLasso } from '../../document/domain';
 import { selectHandles } from '../../document/edits';
 import { withPlaceAdded } from '../../document/lasso_growth';
+import { withPartPolygon } from '../../document/part_polygon';
 import type { Vec } from '../../geometry/vec';
+import { COMMANDS } from '../commands';
 import type { Emit } from '../effects';
 import {
   LASSO_EMPTY,
@@ -35,8 +37,13 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
   if (removed > 0) return informOfStep(next, leftOutText(removed), emit);
   if (project.fix_boundary) return next;
   const action = { label: 'Hold its boundary', event: { type: 'boundary-switched', held: true } } as const;
+  const other = {
+    label: COMMANDS['turn-part'].label,
+    event: { type: 'command-run', command: 'turn-part' },
+  } as const;
+  const actions = isOpaque(state.picture) ? { action, other } : { action };
   const text = isFilled(project) ? LASSO_FILLED : LASSO_LOOSE;
-  return notify(next, { kind: 'info', text, action, passes: true, ofStep: true }, emit);
+  return notify(next, { kind: 'info', text, ...actions, passes: true, ofStep: true }, emit);
 }
 
 /** Lets all of the picture bend. An opaque picture holds its boundary again. */
@@ -45,6 +52,12 @@ export function removeLasso(state: EditorState, emit: Emit): EditorState {
   const whole = { ...withFill(projectOf(state), false), domain: domainOf(state.picture.alphaThreshold) };
   const project = isOpaque(state.picture) ? { ...whole, fix_boundary: true } : whole;
   return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
+}
+
+/** A polygon takes the place of the lasso: it turns its part, and the rest bends along up to the held frame. */
+export function turnPart(state: EditorState, emit: Emit): EditorState {
+  const document = withPartPolygon(documentOf(state));
+  return document ? choose(step(state, COMMANDS['turn-part'].label, document, emit), 'select', emit) : state;
 }
 
 /** Says that a place does not bend. A place of the picture outside of the lasso can be added. */
