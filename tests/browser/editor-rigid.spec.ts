@@ -21,7 +21,9 @@ test('a dragged hand turns automatically, and its field shows the turn', async (
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
   await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
   const shown = await editor.settled(() => turn(editor));
-  await expect.poll(async () => (await editor.shownPose('right hand')).rotation).toBe(Math.round(shown));
+  // The name of the handle has whole degrees, the field tenths.
+  const apart = async () => Math.abs((await editor.shownPose('right hand')).rotation - shown);
+  await expect.poll(apart).toBeLessThan(0.6);
 
   await editor.button('Reset to rest').click();
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
@@ -76,7 +78,7 @@ test('the bending mode changes with one click and one undo step', async ({ page 
   await page.keyboard.press('Control+z');
   await expect(rigid).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.button('Undo')).toBeDisabled();
-  await expect.poll(() => settings()).toEqual(['rigid', 100, 'smooth']);
+  await expect.poll(() => settings()).toEqual(['rigid', 150, 'smooth']);
 
   await editor.waitForSolve(() => page.getByRole('button', { name: 'Fine', exact: true }).click());
   await expect.poll(() => settings()).toEqual(['rigid', 200, 'smooth']);

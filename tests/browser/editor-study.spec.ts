@@ -249,12 +249,12 @@ test.describe('cells and rounds', () => {
     const editor = await Editor.open(page);
     await openPage(editor, 'Cells');
     await expect(
-      card(editor).getByRole('heading', { name: '5 cells of handles, 100 of virtual handles' }),
+      card(editor).getByRole('heading', { name: '5 cells of handles, 150 of virtual handles' }),
     ).toBeVisible();
     const farthest = page.locator('.marks .radii .of-farthest');
     await expect(farthest).toBeAttached();
     const lines = ((await farthest.getAttribute('d')) ?? '').split('M').length - 1;
-    expect(lines).toBe(105);
+    expect(lines).toBe(155);
     await expect(card(editor).locator('.times')).toContainText(/Weights\s*\d/);
     await expect(card(editor).locator('.map .border')).toBeAttached();
     expectOnItsOwn(await savedFigure(editor));
@@ -267,7 +267,7 @@ test.describe('cells and rounds', () => {
     const count = card(editor).locator('output.number');
     const dots = card(editor).locator('.map .dot');
     await expect(count).toHaveText(/^(\d+) \/ \1$/);
-    await expect(dots).toHaveCount(105);
+    await expect(dots).toHaveCount(155);
     const slider = card(editor).getByRole('slider', { name: 'Round' });
     await slider.focus();
     await slider.press('Home');
