@@ -29,6 +29,12 @@ export function withFill({ fill, ...project }: Project, on: boolean): Project {
 export const domainOf = (threshold: number | null): Domain =>
   threshold === null ? { kind: 'image' } : { kind: 'alpha', threshold };
 
+/** Lets all of a picture with this alpha threshold bend. An opaque one holds its boundary. */
+export function withoutLasso(project: Project, threshold: number | null): Project {
+  const whole = { ...withFill(project, false), domain: domainOf(threshold) };
+  return threshold === null ? { ...whole, fix_boundary: true } : whole;
+}
+
 /** The drawn rings; empty if the picture determines the domain. */
 export const ringsOf = ({ domain }: Project): readonly Ring[] =>
   domain?.kind === 'polygon' ? domain.rings : [];

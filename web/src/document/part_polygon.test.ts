@@ -54,6 +54,17 @@ describe('a polygon in place of a lasso', () => {
     for (const [x] of outline) expect(x).toBeGreaterThan(160);
   });
 
+  it('cannot lie along the frame', () => {
+    const along: readonly Vec[] = [
+      [0, 0],
+      [400, 0],
+      [400, 6],
+      [0, 6],
+    ];
+    const found = withLasso(newProject(IMAGE, null), along, false);
+    expect(found && withPartPolygon(openDocument(found.project))).toBeNull();
+  });
+
   it('needs a lasso', () => {
     const document = openDocument(newProject(IMAGE, null));
     expect(ringsOf(document.project)).toEqual([]);

@@ -1,10 +1,10 @@
 /** A part of a picture that turns while the rest bends along: a polygon around it takes the place of a lasso. */
 import { simplified } from '../geometry/polyline_simplified';
-import { areaOf, type Ring, simpleRing } from '../geometry/ring';
+import { areaOf, clipped, type Ring, simpleRing } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import type { Document } from './document';
-import { ringsOf, withFill } from './domain';
-import { freeId, selectHandles } from './edits';
+import { LEAST_AREA, ringsOf, withoutLasso } from './domain';
+import { addHandle, freeId } from './edits';
 import { CORNERS_NEEDED, roundedVec } from './handle';
 import type { Handle, Project } from './project';
 
@@ -17,35 +17,32 @@ const FROM_FRAME = 0.02;
 
 /**
  * Replaces the lasso by a selected polygon along its largest ring. All of the picture bends, and its frame is held.
- * Handles stay. Returns null without a lasso.
+ * Handles stay. Returns null without a lasso, or if it lies along the frame.
  */
 export function withPartPolygon(document: Document): Document | null {
   const { project } = document;
   const [largest] = [...ringsOf(project)].sort((a, b) => areaOf(b) - areaOf(a));
-  if (!largest) return null;
-  const outline = cornersOf(largest, project);
-  const id = freeId(project, 'polygon');
-  const polygon: Handle = { id, kind: 'polygon', rest: outline, posed: outline };
-  const whole: Project = {
-    ...withFill(project, false),
-    domain: { kind: 'image' },
-    fix_boundary: true,
-    handles: [...project.handles, polygon],
+  const outline = largest && cornersOf(largest, project);
+  if (!outline) return null;
+  const polygon: Handle = {
+    id: freeId(project, 'polygon'),
+    kind: 'polygon',
+    rest: outline,
+    posed: outline,
   };
-  return selectHandles({ ...document, project: whole }, [id]);
+  return addHandle({ ...document, project: withoutLasso(project, null) }, polygon);
 }
 
-/** Few corners within the picture. What lies on the held frame could not turn. */
-function cornersOf(ring: Ring, { image: { width, height } }: Project): readonly Vec[] {
+/** Few corners within the picture. What lies on the held frame could not turn: null if all of the ring does. */
+function cornersOf(ring: Ring, { image: { width, height } }: Project): readonly Vec[] | null {
   const size = Math.max(width, height);
   const room = Math.min(FROM_FRAME * size, width / 4, height / 4);
-  const within = ring.map(
-    ([x, y]): Vec => [Math.min(Math.max(x, room), width - room), Math.min(Math.max(y, room), height - room)],
-  );
-  const closed = within[0] ? [...within, within[0]] : within;
-  let corners: readonly Vec[] = within;
+  const within = clipped(ring, { min: [room, room], max: [width - room, height - room] });
+  const [first] = within;
+  if (!first || areaOf(within) < LEAST_AREA) return null;
+  let corners = within;
   for (let tolerance = TOLERANCE * size; tolerance < size; tolerance *= 1.5) {
-    const fewer = simpleRing(simplified(closed, tolerance).slice(0, -1));
+    const fewer = simpleRing(simplified([...within, first], tolerance).slice(0, -1));
     if (fewer.length < CORNERS_NEEDED.polygon) break;
     corners = fewer;
     if (corners.length <= MOST_CORNERS) break;

@@ -7,6 +7,7 @@ export const NOTHING_TO_HOLD = 'There is nothing to hold here: place the handle 
 export const LASSO_OUTSIDE = 'Outside of the selection, the picture stays still.';
 export const CORNER_CROSSES = 'The outline would cross itself there';
 export const CORNER_STAYS = 'The outline needs this corner';
+export const PART_ON_FRAME = 'The part lies along the frame of the picture, which is held: it cannot turn.';
 export const LASSO_EMPTY = 'The lasso is empty: draw it around a part of the picture.';
 export const LASSO_FILLED = 'Only this part bends now, over a filled background.';
 export const LASSO_LOOSE = 'Only this part bends now. It leaves a gap where it moves away.';

@@ -1,5 +1,5 @@
 /** The lasso: which part of the picture bends, and what a press beside that part says. */
-import { domainOf, isFilled, ringsOf, withFill, withLasso } from '../../document/domain';
+import { isFilled, ringsOf, withFill, withLasso, withoutLasso } from '../../document/domain';
 import { selectHandles } from '../../document/edits';
 import { withPlaceAdded } from '../../document/lasso_growth';
 import { withPartPolygon } from '../../document/part_polygon';
@@ -13,6 +13,7 @@ import {
   LASSO_OUTSIDE,
   leftOutText,
   NOTHING_TO_HOLD,
+  PART_ON_FRAME,
 } from '../notice_texts';
 import { mayEdit } from '../permissions';
 import { isOpaque } from '../picture';
@@ -49,15 +50,15 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
 /** Lets all of the picture bend. An opaque picture holds its boundary again. */
 export function removeLasso(state: EditorState, emit: Emit): EditorState {
   if (!state.picture) return state;
-  const whole = { ...withFill(projectOf(state), false), domain: domainOf(state.picture.alphaThreshold) };
-  const project = isOpaque(state.picture) ? { ...whole, fix_boundary: true } : whole;
+  const project = withoutLasso(projectOf(state), state.picture.alphaThreshold);
   return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
 }
 
 /** A polygon takes the place of the lasso: it turns its part, and the rest bends along up to the held frame. */
 export function turnPart(state: EditorState, emit: Emit): EditorState {
   const document = withPartPolygon(documentOf(state));
-  return document ? choose(step(state, COMMANDS['turn-part'].label, document, emit), 'select', emit) : state;
+  if (!document) return inform(state, PART_ON_FRAME, emit);
+  return choose(step(state, COMMANDS['turn-part'].label, document, emit), 'select', emit);
 }
 
 /** Says that a place does not bend. A place of the picture outside of the lasso can be added. */
