@@ -122,9 +122,9 @@ impl Playback {
             let step = (time * STEPS_PER_SECOND) as usize;
             let before = self.step(step);
             let motions = if step_time(step) == time
-                && let Some(motions) = &before
+                && let Some(motions) = before
             {
-                motions.clone()
+                motions
             } else {
                 follow(&self.poser, &handles, before.as_deref())?.motions
             };
@@ -157,7 +157,7 @@ impl Playback {
             return None;
         }
         // The last step is before the end, which is the beginning.
-        let end = (self.clip.duration * STEPS_PER_SECOND).ceil() as usize;
+        let end = ((self.clip.duration * STEPS_PER_SECOND).ceil() as usize).max(1);
         let steps = (0..LEADING_STEPS).rev().map(|more| end - 1 - more % end);
         steps.fold(None, |before: Option<Vec<Motion>>, step| {
             let followed = follow(&self.poser, &self.handles(step_time(step)), before.as_deref()).ok()?;
@@ -221,6 +221,18 @@ mod tests {
         project::{Blend, Clip, Ease, Handle, Key, Looping, PoseMode, Project, Rotation, Track},
         solve,
     };
+
+    #[test]
+    fn a_clip_without_a_length_has_its_first_pose() {
+        let handles = [30.0, 100.0, 170.0].map(|x| Handle::point(format!("{x}"), [x, 20.0]).turned(Rotation::Auto));
+        let mut project = Project::for_picture(200, 40).with_handles(handles);
+        (project.pose.mode, project.samples) = (PoseMode::Rigid, 500);
+        let solution = solve(&project, &Picture::new(200, 40, &[255; 32_000]).unwrap()).unwrap();
+        let clip = Clip::new("none", 0.0, Looping::Repeat);
+        let mut playback = Playback::new(solution.poser().clone(), clip, project.handles.clone());
+        let plain = solution.poser().pose(&project.handles, Blend::Linear).unwrap();
+        assert_eq!(playback.pose(0.0, Blend::Linear).unwrap().motions(), plain.motions());
+    }
 
     #[test]
     fn poses_do_not_depend_on_the_steps_that_are_kept() {
