@@ -18,7 +18,7 @@ const FULL: &str = r#"{
   "loose_parts": "follow",
   "handles": [
     { "id": "head", "kind": "point", "rest": [128, 40.5], "posed": [140, 0.1], "rotation": 15, "scale": 1, "depth": 0 },
-    { "id": "tail", "kind": "bar", "rest": [[60, 200], [120, 220]], "posed": [[60, 200], [150, 240]], "rotation": "auto", "scale": 2, "depth": -1 },
+    { "id": "tail", "kind": "bar", "rest": [[60, 200], [120, 220]], "posed": [[60, 200], [130, 240]], "rotation": "auto", "scale": 2, "depth": -1 },
     { "id": "eye", "kind": "polygon", "rest": [[1, 2], [3, 4], [5, 0]], "posed": [[1, 2], [3, 4], [5, 0]], "rotation": 0, "scale": 1, "depth": 0 }
   ]
 }
@@ -184,8 +184,8 @@ fn errors_name_the_key() {
         (r#""rest": [128, 40.5], "#, "", "handles[0].rest: missing"),
         ("[[60, 200], [120, 220]]", "[[60, 200]]", "handles[1].rest: expected at least 2 points, found 1"),
         (
-            "[[60, 200], [150, 240]]",
-            "[[60, 200], [150, 240], [1, 1]]",
+            "[[60, 200], [130, 240]]",
+            "[[60, 200], [130, 240], [1, 1]]",
             "handles[1].posed: expected as many points as in rest (2), found 3",
         ),
         (
