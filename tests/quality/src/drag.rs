@@ -1,10 +1,6 @@
 //! How far the picture jumps while handles are dragged.
 
-use c2warp::{
-    Error, Picture,
-    project::{Project, Shape},
-    solve,
-};
+use c2warp::{Error, Picture, project::Project, solve};
 use glam::DVec2;
 
 /// The number of frames of a drag.
@@ -21,10 +17,7 @@ pub fn largest_move(project: &Project, picture: &Picture<'_>) -> Result<f64, Err
         let mut handles = project.handles.clone();
         let mut places = Vec::new();
         for handle in &mut handles {
-            let rest = match &handle.shape {
-                Shape::Point { rest, .. } => vec![*rest],
-                Shape::Bar { rest, .. } | Shape::Polygon { rest, .. } => rest.clone(),
-            };
+            let rest = handle.shape.rest().to_vec();
             for (posed, rest) in handle.shape.posed_mut().iter_mut().zip(rest) {
                 *posed = rest.lerp(*posed, f64::from(number) / f64::from(FRAMES));
                 places.push(*posed);

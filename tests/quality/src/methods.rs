@@ -65,7 +65,7 @@ pub const METHODS: [Method; 9] = [
     Method::Rigid { density: 60, blend: Blend::Linear },
     EDITOR,
     Method::Rigid { density: 200, blend: Blend::Linear },
-    Method::Rigid { density: 100, blend: Blend::Rigid },
+    Method::Rigid { density: EDITOR_DENSITY, blend: Blend::Rigid },
     Method::Dense,
     Method::LeastSquares,
 ];
@@ -180,9 +180,8 @@ impl Comparison {
         comparison.with_other_samples =
             other_samples.iter().map(|&count| comparison.with_samples(count)).collect::<Result<_, _>>()?;
         if comparison.is_beside_optimum() {
-            let Method::Rigid { density, blend } = EDITOR else { unreachable!("the editor is rigid") };
-            let project = comparison.with_settings(PoseMode::Rigid, Support::Smooth, blend, density);
-            comparison.largest_move = Some(largest_move(&project, &comparison.scene.solver_picture())?);
+            let picture = comparison.scene.solver_picture();
+            comparison.largest_move = Some(largest_move(&comparison.with_editor_settings(), &picture)?);
         }
         Ok(comparison)
     }
@@ -198,6 +197,13 @@ impl Comparison {
     #[must_use]
     pub fn outcome_of(&self, method: Method) -> Option<&Outcome> {
         self.outcomes.iter().find(|outcome| outcome.method == method)
+    }
+
+    /// Returns a measure of the editor's result over that of dense, or `None` if one of them failed.
+    #[must_use]
+    pub fn over_dense(&self, of: fn(&Distortion) -> f64) -> Option<f64> {
+        let [editor, dense] = [self.outcome_of(EDITOR)?, self.outcome_of(Method::Dense)?];
+        Some(of(&editor.distortion) / of(&dense.distortion))
     }
 
     fn by_solver(
@@ -237,13 +243,18 @@ impl Comparison {
 
     /// Measures the editor's method with `count` samples, on the mesh over them.
     fn with_samples(&self, count: u32) -> Result<Distortion, Error> {
-        let Method::Rigid { density, blend } = EDITOR else { unreachable!("the editor is rigid") };
-        let mut project = self.with_settings(PoseMode::Rigid, Support::Smooth, blend, density);
+        let mut project = self.with_editor_settings();
         project.samples = count;
         let solution = solve(&project, &self.scene.solver_picture())?;
-        let pose = solution.poser().pose(&project.handles, blend)?;
+        let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
         let mesh = ComparisonMesh::of(&solution);
         Ok(Distortion::of(&mesh, &solution.posed_vertices(&pose)[..mesh.vertices.len()]))
+    }
+
+    /// Returns the project with the settings of [`EDITOR`].
+    fn with_editor_settings(&self) -> Project {
+        let Method::Rigid { density, blend } = EDITOR else { unreachable!("the editor is rigid") };
+        self.with_settings(PoseMode::Rigid, Support::Smooth, blend, density)
     }
 
     /// Returns the project with other settings.

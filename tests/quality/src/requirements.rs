@@ -123,10 +123,8 @@ pub fn optimum_requirements(comparisons: &[&Comparison]) -> Vec<Requirement> {
         let method = Method::Rigid { density, blend: Blend::Linear };
         greatest(with(method, &energy, EDITOR).into_iter())
     };
-    let over_dense = |of: fn(&Distortion) -> f64| {
-        let ratio = |editor: &Outcome, dense: &Outcome| of(&editor.distortion) / of(&dense.distortion);
-        greatest(with(EDITOR, &ratio, Method::Dense).into_iter())
-    };
+    let over_dense =
+        |of: fn(&Distortion) -> f64| greatest(comparisons.iter().filter_map(|comparison| comparison.over_dense(of)));
     let moves = greatest(comparisons.iter().filter_map(|comparison| comparison.largest_move));
     let requirement =
         |name, value, limit| Requirement { subject: "poses beside the optimum".to_owned(), name, value, limit };

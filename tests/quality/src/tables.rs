@@ -10,7 +10,7 @@ use crate::{
     distances::{Distances, greatest},
     fills::{Filled, METHODS as FILL_METHODS},
     maxima::SceneMaxima,
-    measure::{Distortion, MAX_ENERGY},
+    measure::MAX_ENERGY,
     methods::{Comparison, EDITOR, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES, Outcome},
     poses::SAMPLES,
     requirements::{
@@ -292,16 +292,10 @@ fn optimum_table(comparisons: &[&Comparison]) -> String {
             comparison.mesh.vertices.len().to_string(),
             optimum.map_or(NONE.into(), |best| digits(best.distortion.energy)),
         ];
-        let over_dense = |of: fn(&Distortion) -> f64| {
-            let dense = comparison.outcome_of(Method::Dense);
-            editor
-                .zip(dense)
-                .map_or(NONE.into(), |(editor, dense)| digits(of(&editor.distortion) / of(&dense.distortion)))
-        };
         let end = [
             editor.map_or(NONE.into(), |editor| editor.distortion.folds.to_string()),
-            over_dense(|d| d.turning),
-            over_dense(|d| d.bending),
+            comparison.over_dense(|d| d.turning).map_or(NONE.into(), digits),
+            comparison.over_dense(|d| d.bending).map_or(NONE.into(), digits),
             comparison.largest_move.map_or(NONE.into(), digits),
             editor.and_then(|editor| editor.pose_ms).map_or(NONE.into(), digits),
             optimum.map_or(NONE.into(), |best| digits(best.frame_ms / 1e3)),
