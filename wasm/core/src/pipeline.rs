@@ -18,7 +18,7 @@ use crate::{
     solve_input::{LocatedHandles, SolveInput},
     solved_sites::SolvedSites,
     static_background::StaticBackground,
-    weight::{Basis, SampleWeights, WeightFunctions, support_radii},
+    weight::{Basis, SampleWeights, WeightFunctions, precedence_radii, support_radii},
 };
 
 /// The samples of a domain with handles: the vertices of the drawn mesh (section V-B).
@@ -81,7 +81,7 @@ pub(crate) fn compute_weights(
     let LocatedHandles { skeleton, outside, .. } = located;
     let Partition { mut sites, mut fields, rounds } = partition;
     let navigation = &prepared.navigation;
-    set_support_radii(&mut sites, &input.weighting);
+    set_radii(&mut sites, &input.weighting);
     extend_fields(propagation, navigation, &sites, &mut fields);
     let graph = SiteGraph::new(&sites, &fields, &skeleton);
     let harmonic = HarmonicFields::new(&sites, &graph);
@@ -132,10 +132,12 @@ pub(crate) fn compute_weights(
     }
 }
 
-/// Sets r_i (eq. 3).
-fn set_support_radii(sites: &mut [Site], weighting: &Weighting) {
-    for (radius, site) in support_radii(weighting, sites).into_iter().zip(sites) {
-        site.support_radius = radius;
+/// Sets r_i (eq. 3), and how far point handles precede others.
+fn set_radii(sites: &mut [Site], weighting: &Weighting) {
+    let supports = support_radii(weighting, sites);
+    let precedence: Vec<f64> = precedence_radii(weighting, sites).collect();
+    for (site, (support, precedence)) in sites.iter_mut().zip(supports.into_iter().zip(precedence)) {
+        (site.support_radius, site.precedence_radius) = (support, precedence);
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod errors;
 mod held_boundary;
+mod held_falloff;
 mod interpolation;
 mod joints;
 mod outline;

@@ -71,6 +71,7 @@ impl<'a> CloudPartition<'a> {
             cell_radius: 0.0,
             farthest: self.cloud.points[at],
             support_radius: 0.0,
+            precedence_radius: 0.0,
             in_acute_joint: false,
         });
     }

@@ -99,7 +99,7 @@ impl<'a> SiteInserter<'a> {
         }
         let Room { separation, clearance, in_acute_joint } =
             make_room(&mut self.voronoi, self.obstacles, self.propagation, (rest, kind, &field));
-        let (cell_radius, support_radius) = (0.0, 0.0);
+        let (cell_radius, support_radius, precedence_radius) = (0.0, 0.0, 0.0);
         let farthest = rest;
         let unique_reach = self.unique_reach(&field.distances);
         let site = Site {
@@ -111,6 +111,7 @@ impl<'a> SiteInserter<'a> {
             cell_radius,
             farthest,
             support_radius,
+            precedence_radius,
             in_acute_joint,
         };
         let coarse_triangle = coarse.triangle_at(rest);

@@ -133,6 +133,9 @@ pub struct Site {
     pub farthest: DVec2,
     /// r_i: the distance at which φ reaches zero.
     pub support_radius: f64,
+    /// Within this distance a point handle takes a share of the weight of others, if the outline is held. 0 for other
+    /// sites.
+    pub(crate) precedence_radius: f64,
     /// Whether the site has no body and lies close to two bones that meet at an acute angle, between them.
     ///
     /// Its support must not reach either bone. Towards the joint the cell ends at the bones' sites. However many these

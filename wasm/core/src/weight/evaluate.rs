@@ -16,6 +16,7 @@ use glam::DVec2;
 use super::{
     Basis, Influence,
     bodies::BodyWeights,
+    precedence::{kept, kept_slope},
     sweep::{ReachingSite, SampleWeights, sweep},
 };
 use crate::{
@@ -47,6 +48,8 @@ pub(crate) struct WeightFunctions {
 struct SupportDisc {
     centre: DVec2,
     radius: f64,
+    /// See [`Site::precedence_radius`].
+    precedence: f64,
 }
 
 /// A support that reaches into a triangle.
@@ -80,7 +83,11 @@ impl WeightFunctions {
             })
         };
         let reaching = Rows::from_pairs(navigation.mesh.triangles.len(), reaching);
-        let disc = |site: &Site| SupportDisc { centre: site.rest, radius: site.support_radius };
+        let disc = |site: &Site| SupportDisc {
+            centre: site.rest,
+            radius: site.support_radius,
+            precedence: site.precedence_radius,
+        };
         let supports = sites.iter().map(disc).collect();
         Self { basis, bodies: BodyWeights::new(sites, skeleton), supports, fields, penumbrae, reaching }
     }
@@ -107,10 +114,11 @@ impl WeightFunctions {
     /// hole, weights have a crease and several gradients: returns their mean.
     pub(crate) fn at(&self, triangle: NavTriangle, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
-        let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
+        let mut preceding: Vec<(usize, f64, DVec2)> = Vec::new();
         for Reaching { site, windows, penumbrae } in self.reaching_in(triangle) {
             let site = *site as usize;
-            let (&SupportDisc { centre, radius }, field) = (&self.supports[site], &self.fields[site].distances);
+            let (&SupportDisc { centre, radius, precedence }, field) =
+                (&self.supports[site], &self.fields[site].distances);
             if centre.distance_squared(p) >= radius * radius {
                 continue;
             }
@@ -126,10 +134,22 @@ impl WeightFunctions {
             }
             let t = distance / radius;
             let (phi, slope) = (self.basis.value(t), self.basis.derivative(t) / radius);
-            let gradient = slope * direction;
-            sum += phi;
-            sum_gradient += gradient;
-            influences.push(Influence { site, weight: phi, gradient });
+            influences.push(Influence { site, weight: phi, gradient: slope * direction });
+            if distance < precedence {
+                let slope = kept_slope(&self.basis, distance, precedence);
+                preceding.push((site, kept(&self.basis, distance, precedence), slope * direction));
+            }
+        }
+        for (site, kept, slope) in preceding {
+            for other in influences.iter_mut().filter(|other| other.site != site) {
+                other.gradient = kept * other.gradient + other.weight * slope;
+                other.weight *= kept;
+            }
+        }
+        let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
+        for influence in &influences {
+            sum += influence.weight;
+            sum_gradient += influence.gradient;
         }
         self.bodies.redistribute(p, &mut influences, &mut Vec::new());
         for influence in &mut influences {
@@ -170,6 +190,7 @@ impl WeightFunctions {
             self.reaching_in(triangle).iter().map(|Reaching { site, windows, penumbrae }| ReachingSite {
                 site: *site,
                 support_radius: self.supports[*site as usize].radius,
+                precedence_radius: self.supports[*site as usize].precedence,
                 windows: self.fields[*site as usize].distances.windows(windows.clone()),
                 penumbrae: (!penumbrae.is_empty()).then(|| (&self.penumbrae[*site as usize], penumbrae.clone())),
             })

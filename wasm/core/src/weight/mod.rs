@@ -1,6 +1,7 @@
 //! The weights w_i of linear blending (section III-B, eq. 2), in closed form at any point.
 //!
 //! - `basis`: φ (section V-A, eq. 5).
+//! - `precedence`: the share that point handles take from others, where the outline is held.
 //! - `support`: r_i (eq. 3).
 //! - `evaluate`: w_i and its gradient at one point, as an `influence`.
 //! - `sweep`: w_i at all samples, stored in `sparse`.
@@ -24,6 +25,7 @@ mod basis;
 mod bodies;
 mod evaluate;
 mod influence;
+mod precedence;
 mod sparse;
 mod support;
 mod sweep;
@@ -31,6 +33,7 @@ mod sweep;
 pub(crate) use basis::Basis;
 pub(crate) use evaluate::WeightFunctions;
 pub use influence::Influence;
+pub(crate) use precedence::precedence_radii;
 pub use sparse::SparseWeights;
 pub(crate) use support::support_radii;
 pub(crate) use sweep::SampleWeights;

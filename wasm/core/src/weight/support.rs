@@ -2,6 +2,7 @@
 //!
 //! Cost: O(1) for each site.
 
+use super::precedence::precedence_radii;
 use crate::{
     project::{Support, Weighting},
     site::Site,
@@ -22,6 +23,8 @@ const OVERLAP: f64 = 1.75;
 /// - The paper's rule: r_i = (1 − α) r_d + α r_h. Here r_d has some room added, and r_h is no less than that.
 /// - The smooth rule: a multiple of r_d replaces r_h, as far as no real site is nearer.
 ///
+/// A support reaches at least as far as the precedence of its site.
+///
 /// If an island has no site outside a site's body, the radius is infinite. No support reaches another real site.
 pub(crate) fn support_radii(weighting: &Weighting, sites: &[Site]) -> Vec<f64> {
     let radius = |site: &Site| {
@@ -37,5 +40,6 @@ pub(crate) fn support_radii(weighting: &Weighting, sites: &[Site]) -> Vec<f64> {
         let alpha = weighting.shape_factor;
         ((1.0 - alpha) * least + alpha * greatest.max(least)) * (1.0 - ROUNDING_MARGIN)
     };
-    sites.iter().map(radius).collect()
+    let radii = sites.iter().zip(precedence_radii(weighting, sites));
+    radii.map(|(site, precedence)| radius(site).max(precedence)).collect()
 }

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::{Basis, SparseWeights};
+use super::{Basis, SparseWeights, precedence::kept};
 use crate::{
     distance::{NavTriangle, Penumbrae, WINDOW_SLACK, Window},
     sample::Samples,
@@ -35,6 +35,8 @@ pub(crate) struct SampleWeights {
 pub(super) struct ReachingSite<'a> {
     pub(super) site: u32,
     pub(super) support_radius: f64,
+    /// See [`Site::precedence_radius`](crate::site::Site).
+    pub(super) precedence_radius: f64,
     /// The windows of the site's field in the triangle.
     pub(super) windows: &'a [Window],
     /// The penumbrae of the site's field in the triangle, if there are any.
@@ -54,6 +56,7 @@ struct Batch {
 /// A site with its distance, and first φ, then the weight, at each sample of a batch.
 struct Column {
     site: u32,
+    precedence_radius: f64,
     distance: [f64; BATCH],
     phi: [f64; BATCH],
 }
@@ -83,10 +86,11 @@ pub(super) fn sweep<'a, R: Iterator<Item = ReachingSite<'a>>>(
             let mut used = 0;
             for reaching in reaching(same[0]) {
                 if used == columns.len() {
-                    columns.push(Column { site: reaching.site, distance: [0.0; BATCH], phi: [0.0; BATCH] });
+                    columns.push(Column::default());
                 }
                 used += usize::from(columns[used].fill(&reaching, &batch, basis));
             }
+            give_precedence(&mut columns[..used], batch.count, basis);
             swept.push_rows(&mut columns[..used], batch.count);
         }
     }
@@ -104,12 +108,18 @@ impl Batch {
     }
 }
 
+impl Default for Column {
+    fn default() -> Self {
+        Self { site: NONE, precedence_radius: 0.0, distance: [0.0; BATCH], phi: [0.0; BATCH] }
+    }
+}
+
 impl Column {
     /// Evaluates the distances of a site and φ at a batch. Returns false if its support covers none of it.
     fn fill(&mut self, reaching: &ReachingSite, batch: &Batch, basis: &Basis) -> bool {
         let Self { distance, phi, .. } = self;
-        let &ReachingSite { site, support_radius: radius, windows, ref penumbrae } = reaching;
-        self.site = site;
+        let &ReachingSite { site, support_radius: radius, precedence_radius, windows, ref penumbrae } = reaching;
+        (self.site, self.precedence_radius) = (site, precedence_radius);
         let n = batch.count;
         let (distance, phi, x, y) = (&mut distance[..n], &mut phi[..n], &batch.x[..n], &batch.y[..n]);
         distance.fill(f64::INFINITY);
@@ -143,6 +153,20 @@ impl Column {
         }
         basis.values(phi);
         true
+    }
+}
+
+/// Reduces φ of all other columns around each site with precedence.
+fn give_precedence(columns: &mut [Column], count: usize, basis: &Basis) {
+    for preceding in 0..columns.len() {
+        let Column { precedence_radius: radius, distance, .. } = columns[preceding];
+        if radius <= 0.0 {
+            continue;
+        }
+        let kept = distance.map(|d| kept(basis, d, radius));
+        for (_, other) in columns.iter_mut().enumerate().filter(|(at, _)| *at != preceding) {
+            other.phi[..count].iter_mut().zip(&kept).for_each(|(phi, kept)| *phi *= kept);
+        }
     }
 }
 
