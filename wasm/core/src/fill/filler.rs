@@ -7,6 +7,7 @@ use super::level::{Level, NONE, RADIUS};
 use super::mask::Mask;
 use super::matches::Matches;
 use super::membrane::Membrane;
+use super::peeling::Peeling;
 use super::random::Random;
 use super::region::Region;
 use super::votes::{choose, vote};
@@ -29,7 +30,7 @@ const SWEEPS_AT_ONCE: usize = 40;
 /// A step of a fill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Step {
-    /// Fills the coarsest level from its rim inwards.
+    /// Fills the next layer of the coarsest level.
     Peel,
     /// Goes to the next finer level.
     Refine,
@@ -48,6 +49,9 @@ pub(crate) struct Filler {
     region: Region,
     /// From the present one to the finest.
     levels: VecDeque<Level>,
+    /// The coarsest level while it is filled.
+    peeling: Peeling,
+    /// Found by peeling.
     matches: Option<Matches>,
     /// Texels of the finest level: the one that it is copied from, or [`NONE`].
     from: Vec<u32>,
@@ -81,7 +85,11 @@ impl Filler {
             let last = levels.len() - 1;
             for (index, level) in levels.iter().enumerate() {
                 let targets = level.targets.len() as u64;
-                steps.push_back(if index == 0 { (Step::Peel, 60 * targets) } else { (Step::Refine, 2 * targets) });
+                if index == 0 {
+                    steps.extend(Peeling::work(level).into_iter().map(|near| (Step::Peel, 10 * near)));
+                } else {
+                    steps.push_back((Step::Refine, 2 * targets));
+                }
                 let votes = COARSEST_VOTES - (COARSEST_VOTES - FINEST_VOTES) * index / last.max(1);
                 let passes = if index == 0 { 5 } else { PASSES };
                 for _ in 0..votes {
@@ -99,7 +107,8 @@ impl Filler {
         steps.push_back((Step::Carry, unknown));
         let work = steps.iter().map(|(_, work)| work).sum();
         let random = Random::new(u64::from(spec.seed));
-        Ok(Self { mask, region, levels, matches: None, from, membrane: None, random, steps, work })
+        let peeling = Peeling::new(&levels[0]);
+        Ok(Self { mask, region, levels, peeling, matches: None, from, membrane: None, random, steps, work })
     }
 
     /// The part of the work that is done, from 0 to 1.
@@ -112,7 +121,7 @@ impl Filler {
     pub(crate) fn advance(&mut self, picture: &Picture<'_>) -> Option<Fill> {
         let (step, _) = self.steps.pop_front()?;
         match step {
-            Step::Peel => self.peel(),
+            Step::Peel => self.matches = self.peeling.advance(&mut self.levels[0], &mut self.random),
             Step::Refine => self.refine(),
             Step::Improve(pass) => {
                 let matches = self.matches.as_mut().expect("peeling has found matches");
@@ -135,21 +144,6 @@ impl Filler {
             Step::Carry => return Some(self.carry(picture)),
         }
         None
-    }
-
-    fn peel(&mut self) {
-        let Self { levels, random, .. } = self;
-        let level = &mut levels[0];
-        let mut matches = Matches::random(level, random);
-        let mut known: Vec<bool> = level.hole.iter().map(|hole| !hole).collect();
-        for layer in level.layers() {
-            for pass in 0..6 {
-                matches.improve_known(level, &known, pass % 2 == 0, random);
-            }
-            vote(level, &matches, &layer);
-            layer.iter().for_each(|&at| known[at as usize] = true);
-        }
-        self.matches = Some(matches);
     }
 
     fn refine(&mut self) {

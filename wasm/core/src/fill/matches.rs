@@ -53,22 +53,39 @@ impl Matches {
     /// One pass: measures the matches anew, and looks for better ones. `forwards` from the first target to the last.
     pub(super) fn improve(&mut self, level: &Level, forwards: bool, random: &mut Random) {
         let costs = |target: u32, source: u32, most: u32| cost(level, target, source, most);
-        self.improve_by(level, forwards, random, costs);
+        self.improve_by(level, forwards, random, |_| true, costs);
     }
 
-    /// The same, with the known texels of the target alone. `known` texels of each patch must not be 0.
-    pub(super) fn improve_known(&mut self, level: &Level, known: &[bool], forwards: bool, random: &mut Random) {
+    /// The same for `wanted` targets, by their known texels alone.
+    pub(super) fn improve_known(
+        &mut self,
+        level: &Level,
+        known: &[bool],
+        forwards: bool,
+        random: &mut Random,
+        wanted: impl Fn(u32) -> bool,
+    ) {
         let costs = |target: u32, source: u32, _: u32| known_cost(level, known, target, source);
-        self.improve_by(level, forwards, random, costs);
+        self.improve_by(level, forwards, random, wanted, costs);
     }
 
-    fn improve_by(&mut self, level: &Level, forwards: bool, random: &mut Random, cost: impl Fn(u32, u32, u32) -> u32) {
+    fn improve_by(
+        &mut self,
+        level: &Level,
+        forwards: bool,
+        random: &mut Random,
+        wanted: impl Fn(u32) -> bool,
+        cost: impl Fn(u32, u32, u32) -> u32,
+    ) {
         let count = level.targets.len();
         let (width, height) = (level.width as i32, level.height as i32);
         let step = if forwards { -1 } else { 1 };
         for turn in 0..count {
             let slot = if forwards { turn } else { count - 1 - turn };
             let target = level.targets[slot];
+            if !wanted(target) {
+                continue;
+            }
             let mut best = self.sources[slot];
             let mut least = cost(target, best, u32::MAX);
             // The neighbours that this pass has visited.

@@ -19,6 +19,7 @@ mod level;
 mod mask;
 mod matches;
 mod membrane;
+mod peeling;
 mod random;
 mod region;
 mod spread;
