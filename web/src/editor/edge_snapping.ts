@@ -1,5 +1,6 @@
 /** The lasso along edges of the picture. */
 import { edgeNear, edgePath, finePath } from '../geometry/scissors';
+import type { Vec } from '../geometry/vec';
 import type { ToolContext } from '../tools/state';
 import { isOpaque } from './picture';
 import type { EditorState } from './state';
@@ -14,10 +15,21 @@ export const snapsToEdges = ({ display, picture }: EditorState): boolean =>
 /** Null while the lasso does not snap, or the luminance of the picture is not there yet. */
 export function traceOf(state: EditorState): ToolContext['trace'] {
   const { luminance, picture, pointer, view } = state;
-  if (!snapsToEdges(state) || !luminance || luminance.of !== picture) return null;
+  if (!snapsToEdges(state) || !picture || !luminance || luminance.of !== picture) return null;
+  const { values } = luminance;
+  // Paths go through the middle of pixels, half a pixel beside the frame.
+  const onFrame = ([x, y]: Vec): Vec => [
+    onEnd(x, picture.width, values.step),
+    onEnd(y, picture.height, values.step),
+  ];
   const reach = (pointer.coarse ? REACH.coarse : REACH.fine) / view.camera.scale;
   return (from, to, precise = false) => {
-    const end = edgeNear(luminance.values, to, reach);
-    return from ? (precise ? finePath : edgePath)(luminance.values, from, end) : [end];
+    const end = edgeNear(values, to, reach);
+    const way = from ? (precise ? finePath : edgePath)(values, from, end) : [end];
+    return way.map(onFrame);
   };
 }
+
+/** A coordinate, at 0 or the side of a picture if it lies within a distance of these. */
+const onEnd = (value: number, side: number, within: number): number =>
+  Math.abs(value) <= within ? 0 : Math.abs(value - side) <= within ? side : value;

@@ -19,6 +19,8 @@ const SENTENCES: Readonly<Record<string, string>> = {
   'too-much-memory': 'This needs more memory than a browser has: use fewer handles, or less detail.',
   'too-many-sites':
     'The handles are too close to one another, or too many: move some apart, or use less detail.',
+  'nothing-to-fill-from':
+    'Nothing is left around the selection to fill its background from: draw a smaller one, or leave it empty.',
   'held-too-fine': 'This outline has too many corners to be held: draw a simpler one, or let it move.',
 };
 

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { isFilled, ringsOf } from '../../document/domain';
 import { undoLabel } from '../../document/history';
+import { WarpError } from '../../error';
 import type { EditorEffect } from '../effects';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf } from '../state';
@@ -91,9 +92,16 @@ describe('the fill of a lasso', () => {
 
   it('is switched off with a message if there is nothing to fill from', () => {
     const runtime = lassoed();
-    runtime.dispatch({ type: 'fill-failed', key: keyOf(runtime), error: new Error('nothing is left') });
+    runtime.dispatch({
+      type: 'fill-failed',
+      key: keyOf(runtime),
+      error: new WarpError('nothing-to-fill-from', 'no pixel'),
+    });
     expect(isOn(runtime)).toBe(false);
-    expect(shownNotice(runtime.state)?.text).toContain('nothing is left');
+    expect(shownNotice(runtime.state)?.text).toContain('Nothing is left around the selection');
+    // Undo takes the lasso back, and not the switch.
+    runtime.dispatch({ type: 'command-run', command: 'undo' });
+    expect(ringsOf(projectOf(runtime.state))).toEqual([]);
   });
 
   it('goes with the lasso', () => {
