@@ -2,10 +2,13 @@
 //! with the truth.
 //!
 //! Beside it stand two classic methods: harmonic diffusion, and the fast marching method of Telea (2004). They go on
-//! smoothly, so their colours are close to the truth on average, but texture ends at the rim.
+//! smoothly, so their colours are close to the truth on average, but texture ends at the rim. Photographs are compared
+//! with the two methods of OpenCV, and drawn on blind sheets too.
 
+mod blind;
 mod harmonic;
 mod measure;
+mod opencv;
 mod telea;
 
 use std::{error::Error, path::Path, time::Instant};
@@ -28,9 +31,39 @@ const PLACES: [[f64; 2]; 4] = [[0.2, 0.25], [0.75, 0.3], [0.3, 0.75], [0.7, 0.72
 /// The rim of a thing waves by this fraction of its radius, so many times around.
 const WAVES: (f64, f64) = (0.25, 5.0);
 const CORNERS: u32 = 60;
+/// Half the side of a hole on a blind sheet, in radii of the hole.
+const SHOWN: f64 = 2.0;
 
-/// The ways to fill a hole.
-pub const METHODS: [&str; 3] = ["patches", "harmonic", "Telea"];
+/// The source of the other two methods.
+#[derive(Debug, Clone, Copy)]
+pub enum Others<'a> {
+    /// Harmonic diffusion, and Telea's method without its gradients.
+    Own,
+    /// Telea's method and that of Navier and Stokes, by a Python with OpenCV.
+    OpenCv {
+        /// The program that runs scripts.
+        python: &'a Path,
+        /// Where pictures for it are written.
+        folder: &'a Path,
+    },
+}
+
+impl Others<'_> {
+    const fn methods(self) -> [&'static str; 3] {
+        match self {
+            Self::Own => ["patches", "harmonic", "Telea"],
+            Self::OpenCv { .. } => ["patches", "Telea", "Navier-Stokes"],
+        }
+    }
+
+    /// The results of both methods.
+    fn filled(self, name: &str, truth: &RgbaImage, hole: &[bool]) -> Result<[RgbaImage; 2], Box<dyn Error>> {
+        match self {
+            Self::Own => Ok([harmonic::filled(truth, hole), telea::filled(truth, hole)]),
+            Self::OpenCv { python, folder } => opencv::filled(python, folder, name, truth, hole),
+        }
+    }
+}
 
 /// One picture without its pasted things, by each method.
 #[derive(Debug)]
@@ -39,7 +72,9 @@ pub struct Filled {
     pub name: String,
     /// Time of the fill by patches, in milliseconds.
     pub ms: f64,
-    /// In the order of [`METHODS`].
+    /// The methods.
+    pub methods: [&'static str; 3],
+    /// In the order of the methods.
     pub measured: Vec<Measured>,
     pasted: RgbaImage,
     results: Vec<RgbaImage>,
@@ -52,11 +87,11 @@ pub struct Filled {
 pub fn fills() -> Result<Vec<Filled>, Box<dyn Error>> {
     let mut all = Vec::new();
     for name in DRAWN {
-        all.push(Filled::new(name, &Scene::named(name).picture)?);
+        all.push(Filled::new(name, &Scene::named(name).picture, Others::Own)?);
     }
     for name in SAMPLES {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/public/samples");
-        all.push(Filled::new(name, &image::open(root.join(name).with_extension("png"))?.into_rgba8())?);
+        all.push(Filled::new(name, &image::open(root.join(name).with_extension("png"))?.into_rgba8(), Others::Own)?);
     }
     Ok(all)
 }
@@ -65,16 +100,16 @@ pub fn fills() -> Result<Vec<Filled>, Box<dyn Error>> {
 ///
 /// # Errors
 /// If a picture cannot be read or filled.
-pub fn fills_of(files: &[&str]) -> Result<Vec<Filled>, Box<dyn Error>> {
+pub fn fills_of(files: &[&str], others: Others<'_>) -> Result<Vec<Filled>, Box<dyn Error>> {
     let filled = |file: &&str| {
         let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy();
-        Filled::new(&name, &image::open(file)?.into_rgba8())
+        Filled::new(&name, &image::open(file)?.into_rgba8(), others)
     };
     files.iter().map(filled).collect()
 }
 
 impl Filled {
-    fn new(name: &str, truth: &RgbaImage) -> Result<Self, Box<dyn Error>> {
+    fn new(name: &str, truth: &RgbaImage, others: Others<'_>) -> Result<Self, Box<dyn Error>> {
         eprintln!("  fill: {name}");
         let (width, height) = truth.dimensions();
         let size = DVec2::new(width.into(), height.into());
@@ -100,9 +135,17 @@ impl Filled {
                 }
             }
         }
-        let results = vec![result, harmonic::filled(truth, &hole), telea::filled(truth, &hole)];
+        let [first, second] = others.filled(name, truth, &hole)?;
+        let results = vec![result, first, second];
         let measured = results.iter().map(|result| Measured::new(truth, result, &hole)).collect();
-        Ok(Self { name: name.to_owned(), ms: ms / PLACES.len() as f64, measured, pasted, results })
+        Ok(Self {
+            name: name.to_owned(),
+            ms: ms / PLACES.len() as f64,
+            methods: others.methods(),
+            measured,
+            pasted,
+            results,
+        })
     }
 
     /// The picture with the pasted things, and the results side by side.
@@ -110,13 +153,19 @@ impl Filled {
     pub fn sheet(&self) -> RgbaImage {
         let (width, height) = self.pasted.dimensions();
         let mut sheet = RgbaImage::from_pixel(4 * width, height + LABEL, Rgba([255; 4]));
-        let named = std::iter::once(("pasted", &self.pasted)).chain(METHODS.into_iter().zip(&self.results));
+        let named = std::iter::once(("pasted", &self.pasted)).chain(self.methods.into_iter().zip(&self.results));
         for (column, (name, picture)) in (0..).zip(named) {
             write(&mut sheet, name, column * width, LABEL - 6);
             imageops::replace(&mut sheet, picture, i64::from(column * width), i64::from(LABEL));
         }
         sheet
     }
+}
+
+/// The middle of each hole, and half the side of a square around it.
+fn holes(width: u32, height: u32) -> impl Iterator<Item = (DVec2, f64)> {
+    let size = DVec2::new(width.into(), height.into());
+    PLACES.into_iter().map(move |place| (DVec2::from(place) * size, SHOWN * RADIUS * size.min_element()))
 }
 
 /// A wavy ring.

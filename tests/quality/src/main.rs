@@ -4,7 +4,8 @@
 //! It draws suggested handles, and compares methods on the standard poses. With NAME, it runs only the parts and poses
 //! whose name contains NAME.
 //!
-//! `c2warp-quality --fill FOLDER PICTURES` fills other pictures than those of the project.
+//! `c2warp-quality --fill FOLDER PYTHON PICTURES` fills photographs, beside OpenCV's methods. PYTHON is a Python with
+//! OpenCV. It also writes blind sheets, and their key to `blind-key.txt`.
 //!
 //! `c2warp-quality --overview FILE` draws one pose by the editor's method and the methods it is compared with.
 
@@ -19,7 +20,7 @@ use std::{
 use c2warp_quality::{
     continuity::continuity,
     distances::distances,
-    fills::{Filled, fills, fills_of},
+    fills::{Filled, Others, fills, fills_of},
     maxima::maxima,
     methods::{Comparison, EDITOR, METHODS, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES},
     poses::{PosedScene, standard_poses},
@@ -44,10 +45,10 @@ fn main() -> ExitCode {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let done = match words[..] {
         ["--overview", file] => overview(Path::new(file)),
-        ["--fill", folder, ref pictures @ ..] => fill_pictures(Path::new(folder), pictures),
+        ["--fill", folder, python, ref pictures @ ..] => fill_pictures(Path::new(folder), Path::new(python), pictures),
         [folder] if !folder.starts_with('-') => compare(Path::new(folder), ""),
         [folder, name] if !folder.starts_with('-') => compare(Path::new(folder), name),
-        _ => Err("usage: c2warp-quality FOLDER [NAME], --fill FOLDER PICTURES, or --overview FILE".into()),
+        _ => Err("usage: c2warp-quality FOLDER [NAME], --fill FOLDER PYTHON PICTURES, or --overview FILE".into()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -64,10 +65,16 @@ fn overview(file: &Path) -> Result<(), Box<dyn Error>> {
     Ok(sheet(&Comparison::of(waving, &METHODS, &[])?, &methods, &[Row::Grid, Row::Picture]).save(file)?)
 }
 
-fn fill_pictures(folder: &Path, pictures: &[&str]) -> Result<(), Box<dyn Error>> {
+fn fill_pictures(folder: &Path, python: &Path, pictures: &[&str]) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
-    let filled = fills_of(pictures)?;
+    let filled = fills_of(pictures, Others::OpenCv { python, folder })?;
     save_fills(folder, &filled)?;
+    let mut key = String::new();
+    for filled in &filled {
+        filled.blind_sheet().save(folder.join(format!("blind-{}.png", filled.name)))?;
+        key += &filled.blind_key();
+    }
+    fs::write(folder.join("blind-key.txt"), key)?;
     Ok(io::stdout().write_all(fill_table(&filled).as_bytes())?)
 }
 

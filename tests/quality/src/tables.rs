@@ -8,7 +8,7 @@ use c2warp_bench::aligned::aligned;
 use crate::{
     continuity::{STEPS_PX, SceneContinuity},
     distances::{Distances, greatest},
-    fills::{Filled, METHODS as FILL_METHODS},
+    fills::Filled,
     maxima::SceneMaxima,
     measure::MAX_ENERGY,
     methods::{Comparison, EDITOR, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES, Outcome},
@@ -31,7 +31,7 @@ levels per pixel. Texture: mean gradient, divided by that of the truth.
 pub fn fill_table(filled: &[Filled]) -> String {
     let mut rows = Vec::new();
     for filled in filled {
-        for (at, (method, measured)) in FILL_METHODS.into_iter().zip(&filled.measured).enumerate() {
+        for (at, (method, measured)) in filled.methods.into_iter().zip(&filled.measured).enumerate() {
             rows.push(vec![
                 if at == 0 { filled.name.clone() } else { String::new() },
                 method.to_owned(),
