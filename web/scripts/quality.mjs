@@ -4,11 +4,13 @@
  * optimum too.
  *
  * Prints tables and writes sheets of pictures. The crate `c2warp-quality` measures. `npm run quality -- NAME` runs the
- * parts with NAME in their name: poses, `optimum`, `distances`, `maxima`, `continuity`, `suggest` or `fill`. The run
- * fails if a part does not build or run, never because of a figure.
+ * parts with NAME in their name: poses, `optimum`, `distances`, `maxima`, `continuity`, `suggest` or `fill`. With
+ * `photographs`, photographs are edited in the browser, and fills are compared with OpenCV's. The run fails if a part
+ * does not build or run, never because of a figure.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
+import { photographs } from './photographs/photographs.mjs';
 import { prepare } from './prepare.mjs';
 import { main, ROOT, step } from './steps.mjs';
 
@@ -20,6 +22,11 @@ await main(async () => {
   await prepare();
   if (names.length === 0) rmSync(join(ROOT, OUTPUT), { recursive: true, force: true });
   await step('Build', 'cargo', ['build', ...CRATE], 'The comparison does not build. The reason is above.');
+  if (names.includes('photographs')) {
+    await photographs(OUTPUT);
+    console.log(`\nSheets of pictures are in ${OUTPUT}/photographs.`);
+    return;
+  }
   await step(
     'Distances, weights, suggestions and poses',
     'cargo',

@@ -1,0 +1,75 @@
+/**
+ * `npm run quality -- photographs`: ten photographs edited by a hand in the browser, and fills beside OpenCV's.
+ *
+ * Writes a sheet before and after each edit, an overview, and blind sheets of fills with their key. Prints the seam
+ * at rest and the times.
+ */
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { launchChromium, prepareChromium } from '../chromium.mjs';
+import { heading, ROOT, step } from '../steps.mjs';
+import { EDITS } from './edits.mjs';
+import { Hand } from './hand.mjs';
+import { large } from './large.mjs';
+import { movingFrame, restingFrame, seam } from './measure.mjs';
+import { opencvPython } from './opencv.mjs';
+import { sheet } from './sheets.mjs';
+
+const PICTURES = join(ROOT, 'tests/quality/photographs/pictures');
+
+/** @param {string} output A folder, relative to the root. */
+export async function photographs(output) {
+  const folder = join(ROOT, output, 'photographs');
+  mkdirSync(folder, { recursive: true });
+  await prepareChromium();
+  heading('Photographs');
+  // Imported only here: it may have just been installed.
+  const { createServer } = await import('vite');
+  const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
+  await server.listen();
+  const browser = await launchChromium();
+  try {
+    await edits(browser, server.resolvedUrls?.local[0] ?? '', folder);
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+  const files = readdirSync(PICTURES).map((name) => join(PICTURES, name));
+  const args = [
+    '--release',
+    '--package',
+    'c2warp-quality',
+    '--',
+    '--fill',
+    folder,
+    await opencvPython(),
+    ...files,
+  ];
+  await step('Fills', 'cargo', ['run', '--quiet', ...args], 'The fills failed. The reason is above.');
+}
+
+/**
+ * @param {import('@playwright/test').Browser} browser
+ * @param {string} address
+ * @param {string} folder
+ */
+async function edits(browser, address, folder) {
+  console.log('| edit | seam, levels | frame at rest, ms | frame moving, ms |\n|---|---:|---:|---:|');
+  for (const { name, picture, grip, choose, edit } of EDITS) {
+    const file = join(PICTURES, `${picture}.jpg`);
+    const hand = await Hand.open(browser, address, file);
+    await choose(hand);
+    const [before, rest] = [readFileSync(file), await hand.export()];
+    const resting = await restingFrame(hand.page);
+    const moving = await movingFrame(hand, grip);
+    await hand.idle();
+    await edit(hand);
+    const after = await hand.export();
+    const numbers = [await seam(hand.page, before, rest), resting.toFixed(0), moving.toFixed(0)];
+    console.log(`| ${name} | ${numbers.join(' | ')} |`);
+    writeFileSync(join(folder, `${picture}.jpg`), await sheet(hand.page, [before, after]));
+    writeFileSync(join(folder, `${picture}-after.png`), after);
+    await hand.close();
+  }
+  console.log(`\nA lasso with fill at 12 megapixels: ${await large(browser, address, PICTURES)}`);
+}
