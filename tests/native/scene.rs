@@ -50,8 +50,9 @@ impl Scene {
                 }
             }
         }
-        if let Some(DomainSpec::Polygon { rings }) = &mut project.domain {
+        if let Some(DomainSpec::Polygon { rings, feather }) = &mut project.domain {
             rings.iter_mut().flatten().for_each(enlarge);
+            *feather *= f64::from(times);
         }
         Self { project, picture }
     }

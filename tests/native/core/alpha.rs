@@ -145,7 +145,7 @@ fn invalid_rings_are_rejected_by_key() {
     let rgba = [255; 100 * 100 * 4];
     let picture = Picture::new(100, 100, &rgba).expect("a valid picture");
     let rejected = |rings: &[Vec<DVec2>]| {
-        let spec = DomainSpec::Polygon { rings: rings.to_vec() };
+        let spec = DomainSpec::polygon(rings.to_vec());
         Domain::new(Some(&spec), &picture).expect_err("not a domain").to_string()
     };
     let with = |other: &[(f64, f64)]| rejected(&[square.clone(), ring(other)]);

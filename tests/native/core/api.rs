@@ -53,10 +53,7 @@ fn invalid_projects_are_rejected_by_key_before_solving() {
             "weighting.shape_factor: expected a number from 0 to 1, found NaN",
         ),
         (|project| project.handles[1].id = "h0".into(), "handles[1].id: \"h0\" is already the id of another handle"),
-        (
-            |project| project.domain = Some(DomainSpec::Polygon { rings: Vec::new() }),
-            "domain.rings: expected at least one ring",
-        ),
+        (|project| project.domain = Some(DomainSpec::polygon(Vec::new())), "domain.rings: expected at least one ring"),
     ];
     for (edit, message) in edits {
         let mut project = two_handles();

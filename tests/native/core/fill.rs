@@ -34,7 +34,7 @@ fn noise() -> Vec<u8> {
 
 fn project(rings: Vec<Vec<DVec2>>, [rest, posed]: [[f64; 2]; 2]) -> Project {
     let mut project = Project::for_picture(WIDTH, HEIGHT).with_editor_settings();
-    project.domain = Some(DomainSpec::Polygon { rings });
+    project.domain = Some(DomainSpec::polygon(rings));
     project.fill = Some(FillSpec::default());
     project.handles = vec![Handle::point("nose", rest).posed_at([posed])];
     project

@@ -131,7 +131,7 @@ fn rings_with_many_sharp_corners_are_not_held() {
         DVec2::splat(200.0) + radius * DVec2::from_angle(f64::from(k) * std::f64::consts::TAU / 1200.0)
     };
     let mut project = Project::for_picture(400, 400).with_handles([Handle::point("a", [200.0, 200.0])]);
-    project.domain = Some(DomainSpec::Polygon { rings: vec![(0..1200).map(zigzag).collect()] });
+    project.domain = Some(DomainSpec::polygon(vec![(0..1200).map(zigzag).collect()]));
     project.fix_boundary = true;
     let rgba = vec![255; 400 * 400 * 4];
     let error = solve(&project, &Picture::new(400, 400, &rgba).expect("a picture")).expect_err("too many corners");

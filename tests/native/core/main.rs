@@ -11,6 +11,7 @@ mod cloud;
 mod continuity;
 mod depth;
 mod energy;
+mod feather;
 mod fill;
 mod fine_outlines;
 mod geodesic;

@@ -77,7 +77,7 @@ pub(crate) fn positions() -> impl Strategy<Value = Vec<DVec2>> {
 /// Returns a project with point handles at rest. Without rings it has no domain of its own.
 pub(crate) fn project(rings: &[Vec<DVec2>], positions: &[DVec2], support: Support) -> Project {
     let mut project = Project::new(ImageRef::new("white.png", SIZE, SIZE));
-    project.domain = (!rings.is_empty()).then(|| DomainSpec::Polygon { rings: rings.to_vec() });
+    project.domain = (!rings.is_empty()).then(|| DomainSpec::polygon(rings.to_vec()));
     project.samples = 1500;
     project.weighting.support = support;
     project.handles = positions.iter().enumerate().map(|(id, &p)| point_handle(id, p, p, 0.0)).collect();

@@ -26,7 +26,7 @@ fn pixels() -> Vec<u8> {
 
 fn project(rings: Vec<Vec<DVec2>>, posed: [f64; 2]) -> Project {
     let mut project = Project::for_picture(WIDTH, HEIGHT).with_editor_settings();
-    project.domain = Some(DomainSpec::Polygon { rings });
+    project.domain = Some(DomainSpec::polygon(rings));
     project.handles = vec![Handle::point("nose", [80.0, 70.0]).posed_at([posed])];
     project
 }

@@ -249,9 +249,9 @@ proptest! {
         prop_assume!(found.is_some());
         let (solution, pose) = found.expect("as assumed");
         let mut other = project.clone();
-        other.domain = Some(DomainSpec::Polygon {
-            rings: solution.domain().rings().iter().map(|ring| ring.iter().rev().map(|&p| flipped(p)).collect()).collect(),
-        });
+        other.domain = Some(DomainSpec::polygon(
+            solution.domain().rings().iter().map(|ring| ring.iter().rev().map(|&p| flipped(p)).collect()).collect(),
+        ));
         for handle in &mut other.handles {
             handle.shape = transformed(&handle.shape, flipped);
         }

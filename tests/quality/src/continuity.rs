@@ -93,7 +93,7 @@ fn measured_scenes() -> Result<Vec<NamedScene>, Box<dyn std::error::Error>> {
     ];
     let on_rings = |(name, rings, handles): DrawnScene| {
         let mut project = Project::new(ImageRef::new("drawn.png", outlines::SIZE, outlines::SIZE));
-        project.domain = Some(DomainSpec::Polygon { rings });
+        project.domain = Some(DomainSpec::polygon(rings));
         project.handles = handles.iter().enumerate().map(|(id, &at)| Handle::point(id.to_string(), at)).collect();
         (name.to_owned(), project, vec![255; 4 * outlines::SIZE as usize * outlines::SIZE as usize])
     };

@@ -42,7 +42,7 @@ impl PosedScene {
     fn on_rings(name: &str, rings: Vec<Vec<DVec2>>, moves: &[(DVec2, DVec2)]) -> Self {
         let image = ImageRef::new("drawn.png", SIZE, SIZE);
         let mut project = Project::new(image);
-        project.domain = Some(DomainSpec::Polygon { rings });
+        project.domain = Some(DomainSpec::polygon(rings));
         project.handles = handles(moves);
         Self::new(name, project, tiles())
     }

@@ -86,7 +86,7 @@ fn lattice() -> Figure {
         vec![at(255.0, 495.0), at(545.0, 495.0), at(575.0, 690.0), at(225.0, 690.0)],
     ];
     let mut project = Project::new(ImageRef::new("drawn.png", SIDE as u32, SIDE as u32));
-    project.domain = Some(DomainSpec::Polygon { rings });
+    project.domain = Some(DomainSpec::polygon(rings));
     Figure { name: "lattice", project, picture: tiles(), bars: 0 }
 }
 
@@ -97,7 +97,7 @@ fn face() -> image::ImageResult<Figure> {
         let turn = DVec2::from_angle(TAU * f64::from(k) / 24.0);
         DVec2::new(320.0, 310.0) + DVec2::new(250.0 * turn.x, 300.0 * turn.y)
     });
-    project.domain = Some(DomainSpec::Polygon { rings: vec![ring.collect()] });
+    project.domain = Some(DomainSpec::polygon(vec![ring.collect()]));
     Ok(Figure { name: "face", project, picture, bars: 0 })
 }
 
@@ -126,7 +126,9 @@ fn handles(
             let on_picture = p.x >= 0.0 && p.y >= 0.0 && p.x < width && p.y < height;
             on_picture
                 && match &project.domain {
-                    Some(DomainSpec::Polygon { rings }) => rings.iter().filter(|ring| contains(ring, p)).count() == 1,
+                    Some(DomainSpec::Polygon { rings, .. }) => {
+                        rings.iter().filter(|ring| contains(ring, p)).count() == 1
+                    }
                     _ => picture.get_pixel(p.x as u32, p.y as u32).0[3] > 200,
                 }
         })

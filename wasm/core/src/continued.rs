@@ -115,7 +115,7 @@ mod tests {
         let mut project = Project::for_picture(100, 100);
         if !is_cut_out {
             let ring = [[20.0, 20.0], [80.0, 20.0], [80.0, 80.0], [20.0, 80.0]].map(DVec2::from).to_vec();
-            project.domain = Some(DomainSpec::Polygon { rings: vec![ring] });
+            project.domain = Some(DomainSpec::polygon(vec![ring]));
         }
         let handle = Handle::point("corner", [75.0, 25.0]).posed_at([[80.0, 25.0]]);
         project.handles = vec![handle, Handle::point("held", [25.0, 75.0])];

@@ -61,7 +61,8 @@ impl KeptFill {
 
     /// The fill behind a domain in a picture of a size, if it is done.
     pub(crate) fn finished_for(&self, domain: &DomainSpec, picture: (u32, u32)) -> Option<Arc<Fill>> {
-        let is_behind = self.key.as_ref().is_some_and(|key| key.domain == *domain && key.picture == picture);
+        let rings = domain.clone().feathered(0.0);
+        let is_behind = self.key.as_ref().is_some_and(|key| key.domain == rings && key.picture == picture);
         match &self.state {
             State::Done(fill) if is_behind => Some(Arc::clone(fill)),
             _ => None,

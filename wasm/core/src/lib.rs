@@ -105,6 +105,7 @@ pub use picture::Picture;
 pub use raster::options::{Canvas, Filter, ResampleOptions};
 pub use raster::{Drawing, extent::Extent, sources::Source, warped::Warped};
 pub use report::{Inspection, Report};
+pub use sample::Feather;
 pub use solution::Solution;
 pub use solve::{distances, solve, solve_cloud, solve_domain, solve_mesh};
 pub use solve_key::SolveKey;

@@ -117,6 +117,7 @@ pub(crate) fn compute_weights(
     Solution {
         background: prepared.background_size.map(|size| StaticBackground::new(&samples, size)).unwrap_or_default(),
         samples: samples.len(),
+        feather: samples.feather.clone(),
         mesh: RenderMesh::new(samples, &leading),
         weights,
         phi_sums,

@@ -24,6 +24,8 @@ pub(crate) struct PreparedDomain {
     pub(crate) around: Option<Opacity>,
     /// Size of the picture, if it continues beyond the outline as a background that stays.
     pub(crate) background_size: Option<DVec2>,
+    /// Width of the feather in pixels. 0 for a boundary that is held: nothing moves beyond it.
+    pub(crate) feather: f64,
 }
 
 impl PreparedDomain {
@@ -48,13 +50,17 @@ impl PreparedDomain {
             has_skirt.then(|| Opacity::new(picture))
         };
         let background_size = has_background.then_some(size);
-        Ok(Self { domain, navigation, picture: Some(picture.size()), around, background_size })
+        let feather = match spec {
+            Some(DomainSpec::Polygon { feather, .. }) if !project.fix_boundary => *feather,
+            _ => 0.0,
+        };
+        Ok(Self { domain, navigation, picture: Some(picture.size()), around, background_size, feather })
     }
 
     /// A domain without a picture: nothing is drawn beyond its outline.
     pub(crate) fn without_picture(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
-        Self { domain, navigation, picture: None, around: None, background_size: None }
+        Self { domain, navigation, picture: None, around: None, background_size: None, feather: 0.0 }
     }
 }
 

@@ -7,7 +7,7 @@ use glam::DVec2;
 use crate::{
     bone::OutsidePart,
     cell_borders::{BorderPiece, cell_borders},
-    deform::{Adjacency, Bounds, DepthOrder, DrawnPose, FoldingMesh, Mapped, Pose, PosedMesh, depths, rest_points},
+    deform::{Adjacency, DepthOrder, DrawnPose, FoldingMesh, Mapped, Pose, PosedMesh, depths, rest_points},
     distance::Navigation,
     domain::Domain,
     error::Error,
@@ -18,13 +18,14 @@ use crate::{
     prepared_domain::PreparedDomain,
     project::{Project, Weighting},
     raster::{
-        Drawing,
+        Drawing, MeshLayer,
         extent::Extent,
         options::{Filter, ResampleOptions},
         warped::Warped,
     },
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
+    sample::Feather,
     site::{Round, Site},
     solve_input::check_picture,
     solved_sites::SolvedSites,
@@ -56,6 +57,7 @@ use crate::{
 pub struct Solution {
     pub(crate) mesh: RenderMesh,
     pub(crate) background: StaticBackground,
+    pub(crate) feather: Feather,
     pub(crate) weights: SparseWeights,
     pub(crate) solved: SolvedSites,
     /// Number of samples: the first vertices of the mesh. The others belong to the skirt.
@@ -72,17 +74,6 @@ pub struct Solution {
     pub(crate) prepared: Arc<PreparedDomain>,
     /// The picture behind the mesh, once it is filled.
     pub(crate) fill: Option<Arc<Fill>>,
-}
-
-/// The meshes that a pose draws, in drawing order.
-struct Drawn {
-    rest: Vec<DVec2>,
-    posed: Vec<DVec2>,
-    triangles: Vec<[u32; 3]>,
-    /// The box around all crossings.
-    crossed: Option<Bounds>,
-    /// The whole picture behind them.
-    behind: Option<Vec<u8>>,
 }
 
 /// The mesh.
@@ -106,6 +97,13 @@ impl Solution {
     #[must_use]
     pub fn static_background(&self) -> &StaticBackground {
         &self.background
+    }
+
+    /// The soft rim around the mesh. It is drawn before the [`triangles`](Self::triangles). Empty for a domain without
+    /// a feather, and for a boundary that is held.
+    #[must_use]
+    pub fn feather(&self) -> &Feather {
+        &self.feather
     }
 
     /// The fill of the picture behind the mesh; `None` if the project has none, or a [`Solver`](crate::Solver) has not
@@ -373,7 +371,8 @@ impl Solution {
     }
 
     /// The warped picture: [`warp`](crate::raster::warp) of the [static background](Self::static_background) or the
-    /// [filled](Self::fill) picture, and the mesh. Without handles, the whole picture at rest.
+    /// [filled](Self::fill) picture, the [feather](Self::feather), and the mesh. Without handles, the whole picture at
+    /// rest.
     ///
     /// It has the size that [`warped_size`](crate::raster::warped_size) returns, unless the canvas grows.
     ///
@@ -392,12 +391,35 @@ impl Solution {
     /// # Errors
     /// Those of [`warped`](Self::warped).
     pub fn drawing(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Drawing, Error> {
-        let Drawn { rest, posed, triangles, crossed, behind } = self.drawn(picture, pose)?;
-        let drawing = Drawing::over(picture, behind, &rest, &posed, &triangles, options)?;
+        if let Some(size) = self.prepared.picture {
+            check_picture(size, picture)?;
+        }
+        self.solved.check_pose(pose)?;
+        let is_smooth = options.filter != Filter::Nearest;
+        if self.handle_counts == [0; 3] {
+            let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
+            let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
+            return Drawing::new(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], options);
+        }
+        let (background, feather, rest) = (&self.background, &self.feather, &self.mesh.vertices);
+        let posed = self.posed_vertices(pose);
+        let DrawnPose { triangles, crossed, .. } = self.drawn_pose(pose, &posed);
+        let layer = |rest, posed, triangles| MeshLayer { rest, posed, triangles, levels: None };
+        let mut layers = Vec::new();
+        if self.fill.is_none() {
+            layers.push(layer(background.vertices(), background.vertices(), background.triangles()));
+        }
+        let rim = pose.blend_all(feather.vertices(), &self.weights.copied(feather.owners()));
+        // Pixel art mixes no colours.
+        if is_smooth && !rim.is_empty() {
+            let levels = Some(feather.levels());
+            layers.push(MeshLayer { levels, ..layer(feather.vertices(), &rim, feather.triangles()) });
+        }
+        layers.push(layer(rest, &posed, &triangles));
+        let behind = self.fill.as_ref().map(|fill| fill.over(picture));
+        let drawing = Drawing::over(picture, behind, &layers, options)?;
         Ok(match crossed {
-            Some(around) if options.edges && options.filter != Filter::Nearest => {
-                drawing.with_edges(picture, options.scale, around)
-            }
+            Some(around) if options.edges && is_smooth => drawing.with_edges(picture, options.scale, around),
             _ => drawing,
         })
     }
@@ -409,41 +431,6 @@ impl Solution {
     /// Those of [`warped`](Self::warped).
     pub fn extent(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Extent, Error> {
         Ok(self.drawing(picture, pose, ResampleOptions { edges: false, ..options })?.extent())
-    }
-
-    /// The static background or the filled picture, and the mesh, or the whole picture at rest without handles.
-    fn drawn(&self, picture: &Picture<'_>, pose: &Pose) -> Result<Drawn, Error> {
-        if let Some(size) = self.prepared.picture {
-            check_picture(size, picture)?;
-        }
-        self.solved.check_pose(pose)?;
-        if self.handle_counts == [0; 3] {
-            let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-            let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
-            return Ok(Drawn {
-                rest: corners.into(),
-                posed: corners.into(),
-                triangles: vec![[0, 1, 2], [0, 2, 3]],
-                crossed: None,
-                behind: None,
-            });
-        }
-        let posed = self.posed_vertices(pose);
-        let DrawnPose { triangles, crossed, .. } = self.drawn_pose(pose, &posed);
-        if let Some(fill) = &self.fill {
-            let (rest, triangles) = (self.mesh.vertices.clone(), triangles.into_owned());
-            return Ok(Drawn { rest, posed, triangles, crossed, behind: Some(fill.over(picture)) });
-        }
-        let around = self.background.vertices();
-        let first = around.len() as u32;
-        let moved = triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex));
-        Ok(Drawn {
-            rest: [around, &self.mesh.vertices].concat(),
-            posed: [around, &posed].concat(),
-            triangles: self.background.triangles().iter().copied().chain(moved).collect(),
-            crossed,
-            behind: None,
-        })
     }
 
     /// Intrinsic distances from one point of the domain to others, in pixels; `None` where no path leads.

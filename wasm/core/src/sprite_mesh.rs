@@ -273,7 +273,7 @@ mod tests {
     fn a_background_covers_the_rest_of_the_picture_once() {
         let (mut project, rgba) = disc();
         let ring = [(10.0, 30.0), (90.0, 30.0), (90.0, 70.0), (10.0, 70.0)].map(DVec2::from).to_vec();
-        project.domain = Some(DomainSpec::Polygon { rings: vec![ring] });
+        project.domain = Some(DomainSpec::polygon(vec![ring]));
         let picture = Picture::new(100, 100, &rgba).unwrap();
         let solution = solve(&project, &picture).unwrap();
         let mesh = SpriteMesh::new(&solution, &picture, 60).unwrap();

@@ -66,7 +66,7 @@ impl Domain {
         match spec {
             Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width(), picture.height())),
             Some(DomainSpec::Alpha { threshold }) => Self::of_alpha(picture, *threshold, bounds),
-            Some(DomainSpec::Polygon { rings }) => Self::from_polygon(rings, picture.width(), picture.height()),
+            Some(DomainSpec::Polygon { rings, .. }) => Self::from_polygon(rings, picture.width(), picture.height()),
             None if picture.has_transparency() => Self::of_alpha(picture, DomainSpec::THRESHOLD, bounds),
             None => Ok(Self::rectangle(picture.width(), picture.height())),
         }

@@ -28,10 +28,15 @@ pub(crate) struct Mask {
 
 impl Mask {
     /// The pixels of rings by the even-odd rule, in a picture of a size.
-    pub(crate) fn new(rings: &[Ring], (width, height): (u32, u32)) -> Self {
+    pub(crate) fn new(rings: &[Ring], size: (u32, u32)) -> Self {
+        Self::with_band(rings, size, BAND)
+    }
+
+    /// The same with a wider band. Along slanted edges it is wider still, by up to √2.
+    pub(crate) fn with_band(rings: &[Ring], (width, height): (u32, u32), band: f64) -> Self {
         let points = || rings.iter().flatten();
-        let low = points().fold(DVec2::INFINITY, |low, p| low.min(*p)) - BAND - 1.0;
-        let high = points().fold(DVec2::NEG_INFINITY, |high, p| high.max(*p)) + BAND + 1.0;
+        let low = points().fold(DVec2::INFINITY, |low, p| low.min(*p)) - band - 1.0;
+        let high = points().fold(DVec2::NEG_INFINITY, |high, p| high.max(*p)) + band + 1.0;
         let size = DVec2::new(width.into(), height.into());
         let [left, top] = low.floor().clamp(DVec2::ZERO, size).to_array().map(|side| side as u32);
         let [right, bottom] = high.ceil().clamp(DVec2::ZERO, size).to_array().map(|side| side as u32);
@@ -40,7 +45,7 @@ impl Mask {
         let filled = cells_inside(rings, [width as usize, height as usize], |p| p - first);
         let mut mask = Self { origin: [left, top], width, height, filled };
         for ring in rings {
-            edges(ring).for_each(|(a, b)| mask.fill_band(a, b));
+            edges(ring).for_each(|(a, b)| mask.fill_band(a, b, band));
         }
         mask
     }
@@ -58,19 +63,19 @@ impl Mask {
     }
 
     /// Fills the pixels whose centres lie close to an edge.
-    fn fill_band(&mut self, a: DVec2, b: DVec2) {
+    fn fill_band(&mut self, a: DVec2, b: DVec2, band: f64) {
         let (top, bottom) = if a.y < b.y { (a, b) } else { (b, a) };
-        for row in self.rows(top.y - BAND - 0.5, bottom.y + BAND - 0.5) {
+        for row in self.rows(top.y - band - 0.5, bottom.y + band - 0.5) {
             let y = f64::from(self.origin[1] + row as u32) + 0.5;
-            if y + BAND < top.y || y - BAND > bottom.y {
+            if y + band < top.y || y - band > bottom.y {
                 continue;
             }
             let at = |height: f64| {
                 let down = if top.y < bottom.y { (height - top.y) / (bottom.y - top.y) } else { 0.0 };
                 top.x + down.clamp(0.0, 1.0) * (bottom.x - top.x)
             };
-            let ends = if top.y < bottom.y { [at(y - BAND), at(y + BAND)] } else { [top.x, bottom.x] };
-            let [from, to] = [ends[0].min(ends[1]) - BAND, ends[0].max(ends[1]) + BAND];
+            let ends = if top.y < bottom.y { [at(y - band), at(y + band)] } else { [top.x, bottom.x] };
+            let [from, to] = [ends[0].min(ends[1]) - band, ends[0].max(ends[1]) + band];
             self.fill_row(row, (from - 0.5).ceil(), (to - 0.5).floor());
         }
     }

@@ -128,7 +128,7 @@ fn silhouette(project: &Project, picture: &Picture<'_>) -> Result<Silhouette, Er
 /// Cuts drawn rings at the borders of the picture. Corners that coincide afterwards are one.
 fn cut_rings(project: &mut Project, (width, height): (u32, u32)) {
     let corner = DVec2::new(f64::from(width), f64::from(height));
-    if let Some(DomainSpec::Polygon { rings }) = &mut project.domain {
+    if let Some(DomainSpec::Polygon { rings, .. }) = &mut project.domain {
         for ring in rings {
             ring.iter_mut().for_each(|p| *p = p.clamp(DVec2::ZERO, corner));
             ring.dedup();

@@ -126,12 +126,12 @@ fn handles_outside_move_inside_with_their_poses_or_are_named() {
 fn drawn_domain_is_mapped_and_cut_at_the_borders() {
     let ring = [[0.0, 0.0], [80.0, 0.0], [80.0, 100.0], [0.0, 100.0]].map(DVec2::from).to_vec();
     let mut project = project();
-    project.domain = Some(DomainSpec::Polygon { rings: vec![ring] });
+    project.domain = Some(DomainSpec::polygon(vec![ring]));
     let opaque = vec![255; 37 * 53 * 4];
     let picture = Picture::new(37, 53, &opaque).unwrap();
     let fitted = Fitter::by_box(project).fit(&picture).unwrap();
     let corners = [[0.0, 0.0], [37.0, 0.0], [37.0, 53.0], [0.0, 53.0]].map(DVec2::from).to_vec();
-    assert_eq!(fitted.project.domain, Some(DomainSpec::Polygon { rings: vec![corners] }));
+    assert_eq!(fitted.project.domain, Some(DomainSpec::polygon(vec![corners])));
     solve(&fitted.project, &picture).unwrap();
 }
 

@@ -11,6 +11,9 @@ use super::points::{self, Point};
 use super::validate;
 use crate::display_number::DisplayNumber;
 
+/// The widest feather, in pixels.
+pub(crate) const MOST_FEATHER_PX: f64 = 64.0;
+
 /// The part of the picture to warp.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "lowercase")]
@@ -32,12 +35,31 @@ pub enum DomainSpec {
         #[serde(serialize_with = "points::rings")]
         #[schemars(with = "Vec<Vec<Point>>", length(min = 1), inner(length(min = 3)))]
         rings: Vec<Vec<DVec2>>,
+        /// Width of the soft rim around the rings, in pixels, from 0 to 64. What moves away goes on that far beyond its
+        /// outline, and fades out. At rest nothing changes.
+        #[schemars(default, range(min = 0, max = MOST_FEATHER_PX))]
+        feather: f64,
     },
 }
 
 impl DomainSpec {
     /// The default threshold.
     pub(crate) const THRESHOLD: f64 = 0.5;
+
+    /// The inside of rings, without a feather.
+    #[must_use]
+    pub fn polygon(rings: Vec<Vec<DVec2>>) -> Self {
+        Self::Polygon { rings, feather: 0.0 }
+    }
+
+    /// The same rings with a feather of a width in pixels. Other domains have none.
+    #[must_use]
+    pub fn feathered(self, feather: f64) -> Self {
+        match self {
+            Self::Polygon { rings, .. } => Self::Polygon { rings, feather },
+            other => other,
+        }
+    }
 
     pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
         #[derive(Clone, Copy)]
@@ -62,8 +84,11 @@ impl DomainSpec {
                 Ok(Self::Alpha { threshold: domain.value_or("threshold", Self::THRESHOLD, |value| value.number())? })
             }
             Kind::Polygon => {
-                domain.allow_only(&["kind", "rings"])?;
-                Ok(Self::Polygon { rings: domain.required("rings").and_then(rings)? })
+                domain.allow_only(&["kind", "rings", "feather"])?;
+                Ok(Self::Polygon {
+                    rings: domain.required("rings").and_then(rings)?,
+                    feather: domain.value_or("feather", 0.0, |value| value.number())?,
+                })
             }
         }
     }
@@ -74,7 +99,10 @@ impl DomainSpec {
         match self {
             Self::Image => Ok(()),
             Self::Alpha { threshold } => Self::check_threshold(*threshold),
-            Self::Polygon { rings } => Self::check_rings(rings),
+            Self::Polygon { rings, feather } => {
+                Self::check_rings(rings)?;
+                Self::check_feather(*feather)
+            }
         }
     }
 
@@ -88,6 +116,15 @@ impl DomainSpec {
         domain
             .key("threshold")
             .refuse(format_args!("expected a number above 0 and up to 1, found {}", DisplayNumber(threshold)))
+    }
+
+    fn check_feather(feather: f64) -> Result<(), ProjectError> {
+        if (0.0..=MOST_FEATHER_PX).contains(&feather) {
+            return Ok(());
+        }
+        let domain = Path::Top.key("domain");
+        let found = DisplayNumber(feather);
+        domain.key("feather").refuse(format_args!("expected a number from 0 to {MOST_FEATHER_PX}, found {found}"))
     }
 
     /// Checks the number of rings and points, and that points are finite.

@@ -4,7 +4,7 @@ use glam::{DAffine2, DVec2};
 
 use super::Project;
 use super::clip::{Clip, Key, Track};
-use super::domain::DomainSpec;
+use super::domain::{DomainSpec, MOST_FEATHER_PX};
 use super::handle::Handle;
 use super::image::ImageRef;
 use super::shape::Shape;
@@ -37,8 +37,9 @@ impl Project {
         let sizes = [image.size(), (width, height)].map(size);
         *stiffness = stiffness.as_ref().and_then(|mask| mask.mapped(map, sizes[0], sizes[1]));
         *image = ImageRef::new("", width, height);
-        if let Some(DomainSpec::Polygon { rings }) = domain {
+        if let Some(DomainSpec::Polygon { rings, feather }) = domain {
             rings.iter_mut().flatten().for_each(at);
+            *feather = (*feather * map.matrix2.determinant().abs().sqrt()).min(MOST_FEATHER_PX);
         }
         handles.iter_mut().for_each(|handle| handle.shape.each_position(at));
         clips.iter_mut().for_each(|clip| clip.each_posed(|_| true, at));

@@ -244,6 +244,33 @@ fn files_hold_continuity_only_if_it_is_not_the_default() {
 }
 
 #[test]
+fn feathers_are_read_with_a_default_and_written() {
+    let read = |domain: &str| {
+        let text = format!(
+            r#"{{"format":"c2warp/1","image":{{"src":"","width":9,"height":9}},"domain":{{{domain}}},"handles":[]}}"#
+        );
+        Project::from_json(&text).map_err(|error| error.to_string())
+    };
+    let ring = r#""kind":"polygon","rings":[[[0,0],[9,0],[0,9]]]"#;
+    let triangle = DomainSpec::polygon(vec![[[0.0, 0.0], [9.0, 0.0], [0.0, 9.0]].map(DVec2::from).to_vec()]);
+    assert_eq!(read(ring).unwrap().domain, Some(triangle.clone()));
+    let project = read(&format!(r#"{ring},"feather":7.5"#)).unwrap();
+    assert_eq!(project.domain, Some(triangle.feathered(7.5)));
+    assert!(project.to_json().contains(r#""feather": 7.5"#), "{}", project.to_json());
+    assert_eq!(Project::from_json(&project.to_json()), Ok(project));
+    let refused = [
+        (format!(r#"{ring},"feather":-1"#), "domain.feather: expected a number from 0 to 64, found -1"),
+        (format!(r#"{ring},"feather":64.5"#), "domain.feather: expected a number from 0 to 64, found 64.5"),
+        (format!(r#"{ring},"feather":"wide""#), "domain.feather: expected a number, found \"wide\""),
+        (r#""kind":"alpha","feather":8"#.into(), "domain.feather: unknown key; expected one of kind, threshold"),
+        (r#""kind":"image","feather":8"#.into(), "domain.feather: unknown key; expected one of kind"),
+    ];
+    for (domain, message) in refused {
+        assert!(read(&domain).unwrap_err().starts_with(message), "{:?}", read(&domain));
+    }
+}
+
+#[test]
 fn projects_from_code_and_text_follow_the_same_rules() {
     let good = Project::from_json(FULL).unwrap();
     assert_eq!(good.check(), Ok(()));
@@ -253,11 +280,12 @@ fn projects_from_code_and_text_follow_the_same_rules() {
         let refusal = project.check().unwrap_err().to_string();
         (Project::from_json(&project.to_json()).unwrap_err().to_string(), refusal)
     };
-    let changes: [fn(&mut Project); 13] = [
+    let changes: [fn(&mut Project); 14] = [
         |project| project.image.height = 0,
         |project| project.domain = Some(DomainSpec::Alpha { threshold: -1.0 }),
-        |project| project.domain = Some(DomainSpec::Polygon { rings: Vec::new() }),
-        |project| project.domain = Some(DomainSpec::Polygon { rings: vec![vec![DVec2::ZERO; 2]] }),
+        |project| project.domain = Some(DomainSpec::polygon(Vec::new())),
+        |project| project.domain = Some(DomainSpec::polygon(vec![vec![DVec2::ZERO; 2]])),
+        |project| project.domain = Some(DomainSpec::polygon(vec![vec![DVec2::ZERO; 3]]).feathered(64.5)),
         |project| project.samples = 0,
         |project| project.samples = u32::MAX,
         |project| project.weighting.shape_factor = 1.5,

@@ -7,6 +7,7 @@ use std::ops::Range;
 use glam::{DVec2, Vec4};
 
 use super::facet::{Facet, GRID, Mask};
+use super::fade::Fade;
 use super::options::Filter;
 use super::texture::{OPAQUE, Texture};
 
@@ -45,13 +46,19 @@ impl Band {
         self.splits.clear();
     }
 
-    /// Draws a facet over the current colours.
-    pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>) {
+    /// Draws a facet over the current colours. It may fade out; the number is that of pixels of the picture per pixel
+    /// of the result.
+    pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>, fade: Option<(&Fade, f64)>) {
         let (rows, width) = (facet.rows(self.rows.end), self.width);
         let rows = rows.start.max(self.rows.start)..rows.end;
         facet.for_each_covered(rows, width, texture.filter(), |x, row, mask| {
             let centre = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
-            let colour = texture.sample(facet.source(centre - self.origin), facet.footprint());
+            let source = facet.source(centre - self.origin);
+            let mut colour = texture.sample(source, facet.footprint());
+            if let Some((fade, step)) = fade {
+                let place = centre - self.origin;
+                colour *= fade.opacity(place, place * step - source);
+            }
             let pixel = (row - self.rows.start) * width + x;
             match texture.filter() {
                 Filter::Cubic => self.blend(pixel, mask, colour),

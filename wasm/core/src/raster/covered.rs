@@ -8,15 +8,23 @@ use std::ops::Range;
 use super::BAND_ROWS;
 use super::band::Band;
 use super::facet::Facet;
+use super::fade::Fades;
 use super::frame::{Area, Frame};
 use super::layers::Textures;
 
 /// Returns `known`, grown to hold every pixel with opacity.
 ///
 /// `facets` are relative to the frame, and `bins` holds those of each band.
-pub(super) fn covered(known: Area, frame: Frame, facets: &[Facet], bins: &[Vec<u32>], textures: &Textures<'_>) -> Area {
+pub(super) fn covered(
+    known: Area,
+    frame: Frame,
+    (facets, fades): (&[Facet], &Fades),
+    bins: &[Vec<u32>],
+    textures: &Textures<'_>,
+) -> Area {
     let [width, height] = frame.size;
-    let mut search = Search { area: known, facets, textures, band: Band::new(width, BAND_ROWS, frame.origin), frame };
+    let mut search =
+        Search { area: known, facets, fades, textures, band: Band::new(width, BAND_ROWS, frame.origin), frame };
     for (index, bin) in bins.iter().enumerate() {
         if !search.area.is_empty() && search.area.rows.start <= index * BAND_ROWS {
             break;
@@ -43,6 +51,7 @@ struct Search<'a> {
     area: Area,
     frame: Frame,
     facets: &'a [Facet],
+    fades: &'a Fades,
     textures: &'a Textures<'a>,
     band: Band,
 }
@@ -57,7 +66,9 @@ impl Search<'_> {
             return;
         }
         self.band.clear(index * BAND_ROWS);
-        drawn().for_each(|&facet| self.band.draw(&self.facets[facet as usize], self.textures.of(facet)));
+        for &facet in drawn() {
+            self.band.draw(&self.facets[facet as usize], self.textures.of(facet), self.fades.of(facet));
+        }
         for row in index * BAND_ROWS..height.min((index + 1) * BAND_ROWS) {
             let has_opacity = |x: &usize| self.band.has_opacity(*x, row);
             if let Some(first) = (0..width).find(has_opacity) {

@@ -9,13 +9,14 @@ use super::covered::covered;
 use super::edges::Edges;
 use super::extent::Extent;
 use super::facet::{Facet, mesh_facets};
+use super::fade::Fades;
 use super::frame::{Area, Frame};
 use super::layers::{Behind, Textures};
 use super::options::{Canvas, Filter, ResampleOptions};
 use super::sources::{Source, SourceRows};
 use super::texture::{MipLevel, Texture, mip_levels};
 use super::warped::Warped;
-use super::{BAND_ROWS, check_range, facets_by_band, warped_size};
+use super::{BAND_ROWS, MeshLayer, check_range, facets_by_band, warped_size};
 use crate::{deform::Bounds, error::Error, picture::Picture};
 
 /// A warped picture, ready to be drawn.
@@ -43,6 +44,8 @@ pub struct Drawing {
     filter: Filter,
     /// In drawing order, relative to the frame.
     facets: Vec<Facet>,
+    /// Those that fade out.
+    fades: Fades,
     /// Indices of the facets in each band of [`BAND_ROWS`].
     bins: Vec<Vec<u32>>,
     mip_levels: Vec<MipLevel>,
@@ -70,28 +73,37 @@ impl Drawing {
         triangles: &[[u32; 3]],
         options: ResampleOptions,
     ) -> Result<Self, Error> {
-        Self::over(picture, None, rest, posed, triangles, options)
+        Self::over(picture, None, &[MeshLayer { rest, posed, triangles, levels: None }], options)
     }
 
-    /// The same over another picture of the same size, which stays in place behind the mesh. Its pixels are `behind`.
+    /// The same for several meshes, over another picture of the same size, which stays in place behind them. Its pixels
+    /// are `behind`. One mesh at most may fade out.
     pub(crate) fn over(
         picture: &Picture<'_>,
         behind: Option<Vec<u8>>,
-        rest: &[DVec2],
-        posed: &[DVec2],
-        triangles: &[[u32; 3]],
+        layers: &[MeshLayer<'_>],
         ResampleOptions { scale, canvas, filter, edges: _ }: ResampleOptions,
     ) -> Result<Self, Error> {
         let picture_size = warped_size(picture.width(), picture.height(), scale)?;
-        let front = mesh_facets(rest, posed, triangles, scale);
-        let mip_levels = mip_levels(*picture, filter, &front);
         let (behind, mut facets) = match behind {
             Some(rgba) => {
                 let (behind, facets) = Behind::new(picture, rgba, filter, scale);
-                (Some(behind), [facets, front].concat())
+                (Some(behind), facets)
             }
-            None => (None, front),
+            None => (None, Vec::new()),
         };
+        let (first, mut fades) = (facets.len(), Fades::default());
+        for layer in layers {
+            facets.extend(match layer.levels {
+                Some(levels) => {
+                    let faded;
+                    (fades, faded) = Fades::new(layer, levels, scale, facets.len());
+                    faded
+                }
+                None => mesh_facets(layer.rest, layer.posed, layer.triangles, scale),
+            });
+        }
+        let mip_levels = mip_levels(*picture, filter, &facets[first..]);
         let own = Frame::of_picture(picture_size);
         let known = match canvas {
             Canvas::Picture => Some(own),
@@ -101,22 +113,22 @@ impl Drawing {
         if let Some(frame) = known {
             move_by(&mut facets, frame.origin);
             let bins = facets_by_band(&facets, frame.size[1]);
-            return Ok(Self { frame, scale, filter, facets, bins, mip_levels, behind, edges: None });
+            return Ok(Self { frame, scale, filter, facets, fades, bins, mip_levels, behind, edges: None });
         }
-        check_range(posed, triangles, scale)?;
+        layers.iter().try_for_each(|layer| check_range(layer.posed, layer.triangles, scale))?;
         let around = own.around(&facets)?;
         move_by(&mut facets, around.origin);
         let bins = facets_by_band(&facets, around.size[1]);
         let known = if canvas == Canvas::Grown { around.area_of_picture(picture_size) } else { Area::EMPTY };
         let textures = Textures::new(Texture::new(*picture, filter, &mip_levels), behind.as_ref(), picture, filter);
-        let area = covered(known, around, &facets, &bins, &textures);
+        let area = covered(known, around, (&facets, &fades), &bins, &textures);
         if area.is_empty() {
             return Err(Error::NothingDrawn);
         }
         let frame = around.of_area(&area);
         move_by(&mut facets, [0, 1].map(|axis| frame.origin[axis] - around.origin[axis]));
         let bins = facets_by_band(&facets, frame.size[1]);
-        Ok(Self { frame, scale, filter, facets, bins, mip_levels, behind, edges: None })
+        Ok(Self { frame, scale, filter, facets, fades, bins, mip_levels, behind, edges: None })
     }
 
     /// Prepares to draw all of a picture as it is, at a scale. The canvas is that of the picture.
@@ -130,10 +142,11 @@ impl Drawing {
         Self::new(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], options)
     }
 
-    /// The same drawing with edges where parts cross. `around` bounds all crossings, in pixels of the picture, and
+    /// The same drawing with edges where parts cross. What lies behind a soft rim gets none. `around` bounds all crossings, in pixels of the picture, and
     /// `scale` is that of [`new`](Self::new).
     pub(crate) fn with_edges(self, picture: &Picture<'_>, scale: f64, around: Bounds) -> Self {
-        let first = self.behind.as_ref().map_or(0, |behind| behind.facets as usize);
+        let behind = self.behind.as_ref().map_or(0, |behind| behind.facets);
+        let first = behind.max(self.fades.facets().end) as usize;
         let edges = Edges::new(picture, self.frame, &self.facets[first..], scale, around);
         Self { edges, ..self }
     }
@@ -180,7 +193,7 @@ impl Drawing {
             }
             band.clear(index * BAND_ROWS);
             for &facet in bin {
-                band.draw(&self.facets[facet as usize], textures.of(facet));
+                band.draw(&self.facets[facet as usize], textures.of(facet), self.fades.of(facet));
             }
             band.resolve(bytes);
         }
@@ -202,7 +215,7 @@ impl Drawing {
         start..end
     }
 
-    /// The source of each pixel of some rows. `picture` is the one of [`new`](Self::new).
+    /// The source of each pixel of some rows. Soft rims have none: a pixel there shows two places at once. `picture` is the one of [`new`](Self::new).
     ///
     /// # Panics
     /// As [`rows`](Self::rows).
@@ -222,7 +235,8 @@ impl Drawing {
                 scale: self.scale,
                 picture: DVec2::new(picture.width().into(), picture.height().into()),
             };
-            let drawn = bin.iter().map(|&facet| (&self.facets[facet as usize], textures.of(facet)));
+            let whole = bin.iter().filter(|facet| !self.fades.facets().contains(facet));
+            let drawn = whole.map(|&facet| (&self.facets[facet as usize], textures.of(facet)));
             band.fill(drawn, sources);
         }
         sources

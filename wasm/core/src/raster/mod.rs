@@ -29,6 +29,7 @@ mod drawing;
 mod edges;
 pub(crate) mod extent;
 mod facet;
+mod fade;
 mod footprint;
 mod frame;
 mod kernel;
@@ -110,6 +111,15 @@ pub fn warp(
     options: ResampleOptions,
 ) -> Result<Warped, Error> {
     Ok(Drawing::new(picture, rest, posed, triangles, options)?.warped(picture))
+}
+
+/// A mesh that a drawing shows, over those before it.
+pub(crate) struct MeshLayer<'a> {
+    pub(crate) rest: &'a [DVec2],
+    pub(crate) posed: &'a [DVec2],
+    pub(crate) triangles: &'a [[u32; 3]],
+    /// The levels of the vertices of a mesh that [fades out](fade).
+    pub(crate) levels: Option<&'a [f64]>,
 }
 
 /// Returns an error if a corner is too far out to be rasterised.

@@ -8,7 +8,10 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{bones, lattice, outline::OutlineSamples, refine, samples::Samples, shown::shows_all, skirt::Skirt};
+use super::{
+    bones, feather::Feather, fringe, lattice, outline::OutlineSamples, refine, samples::Samples, shown::shows_all,
+    skirt::Skirt,
+};
 use crate::{
     distance::Navigation,
     grid::Grid,
@@ -50,9 +53,10 @@ impl BaseSamples {
         Self { samples, locator, count, bones: bones.to_vec() }
     }
 
-    /// The same samples with a skirt, if the domain needs one.
+    /// The same samples with a skirt and a feather, if the domain needs them.
     pub(super) fn with_skirt(mut self, prepared: &PreparedDomain) -> Self {
         self.samples.skirt = skirt(&self.samples, prepared);
+        self.samples.feather = Feather::new(&self.samples, prepared);
         self
     }
 
@@ -68,12 +72,13 @@ impl BaseSamples {
     /// Cost: the copy, a walk from a nearby triangle for each inserted vertex, and the finer lattices (see [`refine`]).
     pub(crate) fn with_sites(&self, prepared: &PreparedDomain, sites: &[DVec2]) -> Samples {
         let PreparedDomain { domain, navigation, .. } = prepared;
-        let Samples { mesh, nav_triangles, outline, skirt, spacing, .. } = &self.samples;
+        let Samples { mesh, nav_triangles, outline, skirt, feather, spacing } = &self.samples;
         let mut samples = Samples {
             mesh: mesh.with_capacity_for(sites.len() + skirt.vertices.len()),
             nav_triangles: nav_triangles.clone(),
             outline: outline.clone(),
             skirt: Skirt::default(),
+            feather: Feather::default(),
             spacing: *spacing,
         };
         for &site in sites {
@@ -90,12 +95,14 @@ impl BaseSamples {
                 }
             }
         }
-        samples.skirt = if samples.outline == self.samples.outline {
-            skirt.renumbered(self.samples.len(), samples.len())
+        if samples.outline == self.samples.outline {
+            samples.skirt = skirt.renumbered(self.samples.len(), samples.len());
+            samples.feather = feather.clone();
         } else {
             // Samples were inserted on the outline.
-            self::skirt(&samples, prepared)
-        };
+            samples.skirt = self::skirt(&samples, prepared);
+            samples.feather = Feather::new(&samples, prepared);
+        }
         samples
     }
 }
@@ -104,7 +111,11 @@ impl BaseSamples {
 fn skirt(Samples { mesh, outline, .. }: &Samples, prepared: &PreparedDomain) -> Skirt {
     let Some(opacity) = &prepared.around else { return Skirt::default() };
     let skirt = Skirt::new(mesh, outline, opacity.size());
-    if shows_all(mesh, outline, &skirt, opacity) { skirt } else { skirt.with_fringe(mesh, outline, opacity) }
+    if shows_all(mesh, outline, &skirt, opacity) {
+        return skirt;
+    }
+    let size = opacity.size();
+    skirt.with_fringe(mesh, outline, opacity, fringe::spacing(size.x * size.y))
 }
 
 /// Inserts a point of the domain into the samples, and into their outline if it lies there. Returns its vertex.

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::skirt::Skirt;
+use super::{feather::Feather, skirt::Skirt};
 use crate::{
     distance::{NavTriangle, Navigation},
     triangulation::Triangulation,
@@ -19,6 +19,8 @@ pub(crate) struct Samples {
     pub(crate) outline: Vec<Vec<u32>>,
     /// The skirt around the mesh, for soft edges.
     pub(crate) skirt: Skirt,
+    /// The soft rim around the mesh.
+    pub(crate) feather: Feather,
     /// Distance between samples away from the outline and from close sites, in pixels.
     pub(crate) spacing: f64,
 }
@@ -36,7 +38,7 @@ impl Samples {
     ) -> Self {
         let triangle = |&p: &DVec2| navigation.triangle_at(p).expect("samples lie in the domain");
         let nav_triangles = mesh.vertices.iter().map(triangle).collect();
-        Self { mesh, nav_triangles, outline, skirt: Skirt::default(), spacing }
+        Self { mesh, nav_triangles, outline, skirt: Skirt::default(), feather: Feather::default(), spacing }
     }
 
     /// Number of samples.

@@ -12,7 +12,7 @@ use glam::DVec2;
 use crate::triangulation::Triangulation;
 
 /// Width of the skirt, in pixels. An antialiased edge fades within one pixel, a softly drawn edge within three.
-const WIDTH: f64 = 3.0;
+pub(super) const WIDTH: f64 = 3.0;
 /// Greatest distance of a corner's offset vertex, as a multiple of the width.
 const MAX_MITRE: f64 = 2.0;
 

@@ -11,11 +11,12 @@
 //! of each triangle.
 
 mod nodes;
-mod parts;
+pub(super) mod parts;
 mod pieces;
 
 use glam::DVec2;
 
+pub(super) use self::nodes::spacing;
 use self::{nodes::Lattice, parts::Parts, pieces::Pieces};
 use super::{skirt::Skirt, tiles::Tiles};
 use crate::{
@@ -29,15 +30,21 @@ use crate::{
 const CLEARANCE: f64 = 0.4;
 /// The way along one part of the outline may be longer by this, over the spacing of nodes. Without it, chance decides
 /// along the whole of some gaps.
-const DETOUR_SLACK: f64 = 4.0;
+pub(super) const DETOUR_SLACK: f64 = 4.0;
 /// Pieces of triangles are no narrower than this, in pixels. They would turn over when corners are rounded.
 const NARROW: f64 = 1.0 / 32.0;
 /// The rasteriser rounds corners to a multiple of this, in pixels.
 const CORNER_STEP: f64 = 1.0 / 256.0;
 
 impl Skirt {
-    /// This skirt of a mesh with a fringe. `outline` lists the samples of each ring.
-    pub(super) fn with_fringe(&self, mesh: &Triangulation, outline: &[Vec<u32>], opacity: &Opacity) -> Self {
+    /// This skirt of a mesh with a fringe, whose nodes are `spacing` apart. `outline` lists the samples of each ring.
+    pub(super) fn with_fringe(
+        &self,
+        mesh: &Triangulation,
+        outline: &[Vec<u32>],
+        opacity: &Opacity,
+        spacing: f64,
+    ) -> Self {
         let parts = Parts::new(mesh, outline);
         // All of them as they are drawn.
         let corners = |triangle: &[u32; 3]| triangle.map(|v| rounded(self.place(mesh, v)));
@@ -70,15 +77,15 @@ impl Skirt {
         (0..count).filter(|&at| !is_used[at]).for_each(|at| places[count + at] = places[at]);
         let low = parts.points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
         let high = parts.points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
-        let lattice = Lattice::new(opacity, (low + high) / 2.0);
-        let slack = DETOUR_SLACK * lattice.spacing;
+        let lattice = Lattice::new(opacity, (low + high) / 2.0, spacing);
+        let slack = DETOUR_SLACK * spacing;
         for p in lattice.border_nodes() {
             places.push(p);
             owners.push(nearest(p));
         }
         for p in lattice.inner_nodes().map(rounded).filter(|&p| !is_covered(p)) {
             let owner = nearest(p);
-            if p.distance(parts.points[owner as usize]) >= CLEARANCE * lattice.spacing {
+            if p.distance(parts.points[owner as usize]) >= CLEARANCE * spacing {
                 places.push(p);
                 owners.push(owner);
             }

@@ -10,6 +10,11 @@ const MAX_NODES: f64 = 8000.0;
 /// Least distance of nodes from each other, in pixels.
 const MIN_SPACING: f64 = 4.0;
 
+/// Distance between nodes over an area in square pixels.
+pub(in crate::sample) fn spacing(area: f64) -> f64 {
+    (area / (ROW_HEIGHT * MAX_NODES)).sqrt().max(MIN_SPACING)
+}
+
 /// A triangular lattice over a picture, as far as something is visible. One node is at its centre.
 pub(super) struct Lattice<'a> {
     opacity: &'a Opacity,
@@ -19,9 +24,7 @@ pub(super) struct Lattice<'a> {
 
 impl<'a> Lattice<'a> {
     /// A lattice that mirrors itself if the picture does about the centre.
-    pub(super) fn new(opacity: &'a Opacity, centre: DVec2) -> Self {
-        let size = opacity.size();
-        let spacing = (size.x * size.y / (ROW_HEIGHT * MAX_NODES)).sqrt().max(MIN_SPACING);
+    pub(super) fn new(opacity: &'a Opacity, centre: DVec2, spacing: f64) -> Self {
         Self { opacity, centre, spacing }
     }
 

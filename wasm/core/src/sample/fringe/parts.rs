@@ -9,8 +9,8 @@ const DETOUR: f64 = 3.0;
 
 /// The outline, in the order of its samples.
 #[derive(Default)]
-pub(super) struct Parts {
-    pub(super) points: Vec<DVec2>,
+pub(in crate::sample) struct Parts {
+    pub(in crate::sample) points: Vec<DVec2>,
     /// A vector that leads out of the domain at each sample.
     out: Vec<DVec2>,
     /// The ring of each sample, and the length of the way to it from the ring's first sample.
@@ -20,7 +20,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    pub(super) fn new(mesh: &Triangulation, outline: &[Vec<u32>]) -> Self {
+    pub(in crate::sample) fn new(mesh: &Triangulation, outline: &[Vec<u32>]) -> Self {
         let mut parts = Self { points: Vec::new(), out: Vec::new(), at: Vec::new(), rings: Vec::new() };
         for (number, ring) in (0..).zip(outline) {
             let first = parts.points.len();
@@ -39,7 +39,7 @@ impl Parts {
     }
 
     /// The segments between consecutive samples.
-    pub(super) fn segments(&self) -> Vec<[usize; 2]> {
+    pub(in crate::sample) fn segments(&self) -> Vec<[usize; 2]> {
         let ends = self.rings.iter().skip(1).map(|&(first, _)| first).chain([self.points.len()]);
         let ring = |(&(first, _), end): (&(usize, f64), usize)| {
             (first..end).map(move |i| [i, if i + 1 == end { first } else { i + 1 }])
@@ -49,7 +49,7 @@ impl Parts {
 
     /// Whether two samples move alike: the way between them along the outline is hardly longer than their distance, but
     /// for some pixels of slack, or they lie back to back, as on both sides of a hair.
-    pub(super) fn are_one(&self, a: u32, b: u32, slack: f64) -> bool {
+    pub(in crate::sample) fn are_one(&self, a: u32, b: u32, slack: f64) -> bool {
         let [a, b] = [a, b].map(|sample| sample as usize);
         let ((ring, from), (other, to)) = (self.at[a], self.at[b]);
         if ring != other {
