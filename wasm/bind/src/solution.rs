@@ -11,6 +11,10 @@ pub struct Solution {
     triangles: Vec<u32>,
     background_positions: Vec<f32>,
     background_triangles: Vec<u32>,
+    feather_positions: Vec<f32>,
+    feather_owners: Vec<u32>,
+    feather_levels: Vec<f32>,
+    feather_triangles: Vec<u32>,
     offsets: Vec<u32>,
     sites: Vec<u32>,
     weights: Vec<f32>,
@@ -28,6 +32,10 @@ impl Solution {
             triangles: solution.triangles().concat(),
             background_positions: flat(solution.static_background().vertices().iter().map(DVec2::to_array)),
             background_triangles: solution.static_background().triangles().concat(),
+            feather_positions: flat(solution.feather().vertices().iter().map(DVec2::to_array)),
+            feather_owners: solution.feather().owners().to_vec(),
+            feather_levels: solution.feather().levels().iter().map(|&level| level as f32).collect(),
+            feather_triangles: solution.feather().triangles().concat(),
             offsets: solution.weights().offsets().to_vec(),
             sites: solution.weights().sites().to_vec(),
             weights: solution.weights().weights().iter().map(|&weight| weight as f32).collect(),
@@ -68,6 +76,30 @@ impl Solution {
     #[wasm_bindgen(getter)]
     pub fn background_triangles(&self) -> Vec<u32> {
         self.background_triangles.clone()
+    }
+
+    /// Vertices × 2 of the feather.
+    #[wasm_bindgen(getter)]
+    pub fn feather_positions(&self) -> Vec<f32> {
+        self.feather_positions.clone()
+    }
+
+    /// The vertex of the mesh that each vertex of the feather moves with.
+    #[wasm_bindgen(getter)]
+    pub fn feather_owners(&self) -> Vec<u32> {
+        self.feather_owners.clone()
+    }
+
+    /// The level of each vertex of the feather, from which its opacity follows.
+    #[wasm_bindgen(getter)]
+    pub fn feather_levels(&self) -> Vec<f32> {
+        self.feather_levels.clone()
+    }
+
+    /// The triangles of the feather × 3 vertex indices.
+    #[wasm_bindgen(getter)]
+    pub fn feather_triangles(&self) -> Vec<u32> {
+        self.feather_triangles.clone()
     }
 
     /// Vertices + 1: the index of each vertex's first entry in `sites` and `weights`.

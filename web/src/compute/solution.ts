@@ -12,6 +12,14 @@ export interface SolutionData {
   readonly backgroundPositions: Float32Array<ArrayBuffer>;
   /** Its triangles × 3; empty for any other domain. */
   readonly backgroundTriangles: Uint32Array<ArrayBuffer>;
+  /** Vertices × 2 of the feather, a soft rim that is drawn before the mesh; empty without one. */
+  readonly featherPositions: Float32Array<ArrayBuffer>;
+  /** The vertex of the mesh that each of them moves with. */
+  readonly featherOwners: Uint32Array<ArrayBuffer>;
+  /** Their levels: 1 and more is opaque, 0 and less is transparent. */
+  readonly featherLevels: Float32Array<ArrayBuffer>;
+  /** Its triangles × 3. */
+  readonly featherTriangles: Uint32Array<ArrayBuffer>;
   /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array<ArrayBuffer>;
   /** Entries: index of a site. */

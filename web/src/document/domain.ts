@@ -39,9 +39,24 @@ export function withoutLasso(project: Project, threshold: number | null): Projec
 export const ringsOf = ({ domain }: Project): readonly Ring[] =>
   domain?.kind === 'polygon' ? domain.rings : [];
 
-/** Whether two projects have the same domain. Cheap while it is the same object. */
+/** The widest feather, image pixels. */
+export const MOST_FEATHER = 64;
+
+/** The width of the soft rim around drawn rings, image pixels; null without rings. */
+export const featherOf = ({ domain }: Project): number | null =>
+  domain?.kind === 'polygon' ? (domain.feather ?? 0) : null;
+
+/** Gives the drawn rings a soft rim of a width in image pixels. Without rings nothing changes. */
+export const withFeather = (project: Project, feather: number): Project =>
+  project.domain?.kind === 'polygon' ? { ...project, domain: { ...project.domain, feather } } : project;
+
+/** The domain without its feather, which lies beyond it. */
+const unfeathered = ({ domain }: Project): Domain | undefined =>
+  domain?.kind === 'polygon' ? { kind: 'polygon', rings: domain.rings } : domain;
+
+/** Whether the same part of the picture bends in two projects. Cheap while it is the same object. */
 export const isSameDomain = (a: Project, b: Project): boolean =>
-  a.domain === b.domain || JSON.stringify(a.domain) === JSON.stringify(b.domain);
+  a.domain === b.domain || JSON.stringify(unfeathered(a)) === JSON.stringify(unfeathered(b));
 
 /**
  * Adds the inside of a drawn ring to the domain, or cuts it out as a hole. Returns `null` if the ring contains nothing
@@ -67,8 +82,12 @@ export function withLasso(
 /** The project with these rings as its domain, and without the handles outside. */
 export function withRings(project: Project, rings: readonly Ring[]): Project {
   const handles = project.handles.filter((handle) => isOn(rings, handle));
-  return withoutLostTracks({ ...project, domain: { kind: 'polygon', rings }, handles });
+  return withoutLostTracks({ ...project, domain: ringDomain(project, rings), handles });
 }
+
+/** The domain of rings, with the feather that a project has. */
+export const ringDomain = ({ domain }: Project, rings: readonly Ring[]): Domain =>
+  domain?.kind === 'polygon' ? { ...domain, rings } : { kind: 'polygon', rings };
 
 /** Returns the rings with the hole, or `null` if it is not inside the domain. */
 function withHole(rings: readonly Ring[], hole: Ring): readonly Ring[] | null {

@@ -3,7 +3,7 @@ import { isInside, nearestPlace } from '../geometry/polyline';
 import { clipped, isWithin, type Ring, ringsMeet, simpleRing } from '../geometry/ring';
 import { capsule, unionOf } from '../geometry/ring_union';
 import { distance, lerp, type Vec } from '../geometry/vec';
-import { isInsideOf, ringsOf } from './domain';
+import { isInsideOf, ringDomain, ringsOf } from './domain';
 import { roundedVec } from './handle';
 import type { Project } from './project';
 
@@ -26,7 +26,7 @@ export function withPlaceAdded(project: Project, at: Vec): Project | null {
     .find((ring, _, around) => isInnermost(ring, around));
   return {
     ...project,
-    domain: { kind: 'polygon', rings: hole ? filled(rings, hole) : grown(project, rings, at) },
+    domain: ringDomain(project, hole ? filled(rings, hole) : grown(project, rings, at)),
   };
 }
 

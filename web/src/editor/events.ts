@@ -110,6 +110,7 @@ type ControlEvent =
   | { readonly type: 'boundary-switched'; readonly held: boolean }
   | { readonly type: 'edges-switched'; readonly on: boolean }
   | { readonly type: 'fill-switched'; readonly on: boolean }
+  | { readonly type: 'feather-set'; readonly change: NumberChange }
   /** The control of the least opacity has the focus, or has lost it. */
   | { readonly type: 'outline-shown'; readonly on: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }

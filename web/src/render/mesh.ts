@@ -7,6 +7,11 @@ export interface WarpMesh extends Skin {
   /** Vertices × 2 and triangles × 3 of the static background, drawn behind the skin. */
   readonly backgroundPositions?: Float32Array;
   readonly backgroundTriangles?: Uint32Array;
+  /** Vertices × 2 of the feather, the vertex of the skin that moves each, their levels, and triangles × 3. */
+  readonly featherPositions?: Float32Array;
+  readonly featherOwners?: Uint32Array;
+  readonly featherLevels?: Float32Array;
+  readonly featherTriangles?: Uint32Array;
 }
 
 /** Returns a mesh without weights: it always stays at rest. */
@@ -35,6 +40,15 @@ export function weightRows(offsets: Uint32Array): Uint32Array {
     rows[vertex * 2 + 1] = (offsets[vertex + 1] ?? first) - first;
   }
   return rows;
+}
+
+/** Returns the rows of the vertices that move others. Owners × 2. */
+export function ownedRows(rows: Uint32Array, owners: Uint32Array): Uint32Array {
+  const owned = new Uint32Array(owners.length * 2);
+  owners.forEach((owner, vertex) => {
+    owned.set(rows.subarray(2 * owner, 2 * owner + 2), 2 * vertex);
+  });
+  return owned;
 }
 
 /** The mean length of edges, rest positions. Edges × 2, positions × 2. */

@@ -28,6 +28,7 @@ import { PictureTexture, setFilters, type TexturePatch, type TextureSource } fro
 import pictureFragment from './picture.frag.glsl?raw';
 import { PixelLayer, type PixelMesh, showsPixels } from './pixel_layer';
 import { drawWith, program } from './program';
+import { RimLayer } from './rim';
 
 /** The shade of the static background beside a selection: enough to tell it apart, and to see it well. */
 const SHADE = 0.3;
@@ -61,6 +62,8 @@ export class Painter {
   #loaded: LoadedMesh | undefined;
   /** The static background behind the mesh, if any. */
   #background: LoadedMesh | undefined;
+  /** The soft rim of the mesh, if any. */
+  #rim: RimLayer | undefined;
   /** The unwarped picture, for comparison. */
   #whole: LoadedMesh | undefined;
   /** Created at first use. */
@@ -112,6 +115,8 @@ export class Painter {
     this.#unload(this.#whole);
     this.#unload(this.#loaded);
     this.#unload(this.#background);
+    this.#rim?.dispose();
+    this.#rim = undefined;
     this.#heat?.clear();
     this.#pixels?.dispose();
     this.#pixels = undefined;
@@ -129,6 +134,8 @@ export class Painter {
   setMesh(mesh: WarpMesh): void {
     this.#unload(this.#loaded);
     this.#unload(this.#background);
+    this.#rim?.dispose();
+    this.#rim = RimLayer.of(this.#gl, mesh);
     this.#loaded = this.#load(mesh);
     const { backgroundPositions: positions, backgroundTriangles: triangles } = mesh;
     this.#background =
@@ -239,6 +246,8 @@ export class Painter {
       this.#pixels.draw([...meshes, [loaded.triangles, uniforms]], view);
     } else {
       if (behind) drawWith(gl, this.#pictureProgram, behind.triangles, atRest, gl.TRIANGLES);
+      // As in exports, pixel art has no soft rims. At rest they show nothing.
+      if (this.#posed && !view.compare && !view.pixelated) this.#rim?.draw(uniforms);
       if (heat) heat.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
       else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
       // As in exports, pixel art has no edges.

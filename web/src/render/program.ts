@@ -13,12 +13,15 @@ void main() {
 /**
  * Returns the program that draws the posed mesh with a fragment shader. Each program is compiled once per context.
  *
- * @param define A macro that the vertex shader tests with `#ifdef`.
+ * @param define A macro that the shaders test with `#ifdef`.
  * @throws Error with the compiler's message if a shader does not compile.
  */
 export const program = (gl: WebGL2RenderingContext, fragment: string, define = ''): twgl.ProgramInfo =>
-  // `#version` must stay the first line.
-  compiledOnce(gl, define ? warpVertex.replace('\n', `\n#define ${define}\n`) : warpVertex, fragment);
+  compiledOnce(gl, defining(define, warpVertex), defining(define, fragment));
+
+/** `#version` must stay the first line. */
+const defining = (macro: string, shader: string): string =>
+  macro ? shader.replace('\n', `\n#define ${macro}\n`) : shader;
 
 /** Returns the program that draws over the whole screen. @throws as {@link program}. */
 export const screenProgram = (gl: WebGL2RenderingContext, fragment: string): twgl.ProgramInfo =>

@@ -26,6 +26,13 @@ layout(location = 1) in uvec2 a_row;
 layout(location = 2) in float a_heat;
 out float v_heat;
 #endif
+#ifdef RIM
+// 1 and more is opaque, 0 and less is transparent.
+layout(location = 2) in float a_level;
+out float v_level;
+// Image pixels.
+out vec2 v_moved;
+#endif
 
 out vec2 v_texcoord;
 
@@ -87,6 +94,11 @@ void main() {
 #ifdef HEAT
   v_heat = a_heat;
 #endif
-  vec2 device = blended(a_rest) * u_view.x + u_view.yz;
+  vec2 posed = blended(a_rest);
+#ifdef RIM
+  v_level = a_level;
+  v_moved = posed - a_rest;
+#endif
+  vec2 device = posed * u_view.x + u_view.yz;
   gl_Position = vec4((device / u_canvas_size * 2.0 - 1.0) * vec2(1.0, -1.0), 0.0, 1.0);
 }

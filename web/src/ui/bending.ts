@@ -2,13 +2,14 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
-import { isFilled, ringsOf } from '../document/domain';
+import { featherOf, isFilled, MOST_FEATHER, ringsOf } from '../document/domain';
 import type { PoseMode } from '../document/project';
 import { settingsOf } from '../document/settings';
 import { modifier } from '../editor/commands';
-import type { Dispatch } from '../editor/events';
+import type { Dispatch, NumberChange } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
+import { type FieldLook, numberField } from './number_field';
 import { segment } from './segment';
 
 const MODES = {
@@ -60,7 +61,7 @@ export function bending(
             (on) => dispatch({ type: 'blend-chosen', blend: on ? 'rigid' : 'linear' }),
           )
     }
-    ${ringsOf(project).length > 0 ? [lassoed(model, dispatch), filled(model, dispatch)] : nothing}
+    ${ringsOf(project).length > 0 ? [lassoed(model, dispatch), filled(model, dispatch), feathered(model, dispatch)] : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => dispatch({ type: 'boundary-switched', held: on }))}
     ${toggle('Edges where parts cross', 'A thin shadow keeps parts of one colour apart.', project.edges === true, model, (on) => dispatch({ type: 'edges-switched', on }))}
     ${looseParts(model, dispatch)}
@@ -108,6 +109,30 @@ const filled = (model: EditorModel, dispatch: Dispatch): TemplateResult =>
     model,
     (on) => dispatch({ type: 'fill-switched', on }),
   );
+
+const FEATHER: FieldLook = {
+  name: 'feather',
+  label: 'Feather',
+  unit: 'px',
+  step: 1,
+  digits: 1,
+  least: 0,
+  most: MOST_FEATHER,
+  digitKeys: true,
+  tip: `Width of the soft rim around what moves, from 0 to ${MOST_FEATHER} pixels`,
+};
+
+/** The soft rim of the part. While the boundary is held, nothing moves beyond it. */
+function feathered(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
+  const { project } = model.document;
+  const feather = featherOf(project);
+  if (feather === null || project.fix_boundary === true) return nothing;
+  const set = (change: NumberChange) => dispatch({ type: 'feather-set', change });
+  return html`<div class="switch">
+    <span class="text">Feather<span class="faint">What moves fades out beyond its outline.</span></span>
+    ${numberField(FEATHER, [feather], set, model, dispatch)}
+  </div>`;
+}
 
 /** Shown while there are parts without a handle, or they follow. */
 function looseParts(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {

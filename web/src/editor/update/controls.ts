@@ -28,7 +28,7 @@ import {
 import { switchFill } from './filling';
 import { openExport } from './filming';
 import type { Handlers } from './handlers';
-import { removeLasso } from './lasso';
+import { removeLasso, setFeather } from './lasso';
 import { applyTools } from './press';
 import { select, toggleSelected } from './selection';
 
@@ -52,6 +52,7 @@ export const controlHandlers: Handlers<
   | 'boundary-switched'
   | 'edges-switched'
   | 'fill-switched'
+  | 'feather-set'
   | 'outline-shown'
   | 'fold-guard-switched'
   | 'pixel-art-switched'
@@ -83,6 +84,7 @@ export const controlHandlers: Handlers<
   'lasso-removed': (state, _, emit) => edit(state, () => removeLasso(state, emit)),
   'edges-switched': (state, { on }, emit) => edit(state, () => setEdges(state, on, emit)),
   'fill-switched': (state, { on }, emit) => edit(state, () => switchFill(state, on, emit)),
+  'feather-set': (state, { change }, emit) => edit(state, () => setFeather(state, change, emit)),
   'boundary-switched': (state, { held }, emit) => edit(state, () => setBoundaryHeld(state, held, emit)),
   'outline-shown': (state, { on }) => ({ ...state, display: { ...state.display, outlined: on } }),
   'fold-guard-switched': (state, { on }, emit) => setGuard(state, on, emit),

@@ -1,11 +1,20 @@
 /** The lasso: which part of the picture bends, and what a press beside that part says. */
-import { isFilled, ringsOf, withFill, withLasso, withoutLasso } from '../../document/domain';
+import {
+  featherOf,
+  isFilled,
+  ringsOf,
+  withFeather,
+  withFill,
+  withLasso,
+  withoutLasso,
+} from '../../document/domain';
 import { selectHandles } from '../../document/edits';
 import { withPlaceAdded } from '../../document/lasso_growth';
 import { withPartPolygon } from '../../document/part_polygon';
 import type { Vec } from '../../geometry/vec';
 import { COMMANDS } from '../commands';
 import type { Emit } from '../effects';
+import type { NumberChange } from '../events';
 import {
   LASSO_EMPTY,
   LASSO_FILLED,
@@ -18,9 +27,10 @@ import {
 import { mayEdit } from '../permissions';
 import { isOpaque } from '../picture';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
+import { changedNumber } from './edits';
 import type { Handlers } from './handlers';
-import { inform, informOfStep, notify } from './notices';
-import { step } from './steps';
+import { announce, inform, informOfStep, notify } from './notices';
+import { commitStep, step } from './steps';
 import { choose } from './tool_choice';
 
 /** Lets only the inside of a ring bend, or cuts a hole there. Says which handles are gone, or what the lasso lacks. */
@@ -52,6 +62,16 @@ export function removeLasso(state: EditorState, emit: Emit): EditorState {
   if (!state.picture) return state;
   const project = withoutLasso(projectOf(state), state.picture.alphaThreshold);
   return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
+}
+
+/** Sets the width of the soft rim. Consecutive changes are one step. */
+export function setFeather(state: EditorState, change: NumberChange, emit: Emit): EditorState {
+  const present = featherOf(projectOf(state));
+  if (present === null) return state;
+  const project = withFeather(projectOf(state), changedNumber(change, present));
+  const label = 'Set the feather of the selection';
+  const next = commitStep(state, label, { ...documentOf(state), project }, emit, 'feather');
+  return next.document.history === state.document.history ? next : announce(next, label);
 }
 
 /** A polygon takes the place of the lasso: it turns its part, and the rest bends along up to the held frame. */

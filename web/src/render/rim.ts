@@ -1,0 +1,47 @@
+/**
+ * Draws the feather of a selection: a rim of the picture around the mesh that fades out.
+ *
+ * It moves with vertices of the mesh, by the weights and motions of that. It is drawn before the mesh, so that it never
+ * covers it.
+ */
+import * as twgl from 'twgl.js';
+import { ownedRows, type WarpMesh, weightRows } from './mesh';
+import pictureFragment from './picture.frag.glsl?raw';
+import { drawWith, program } from './program';
+
+export class RimLayer {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #program: twgl.ProgramInfo;
+  readonly #buffers: twgl.BufferInfo;
+
+  /** Returns `undefined` for a mesh without a feather. @throws Error if the shader does not compile. */
+  static of(gl: WebGL2RenderingContext, mesh: WarpMesh): RimLayer | undefined {
+    return mesh.featherTriangles?.length ? new RimLayer(gl, mesh) : undefined;
+  }
+
+  private constructor(gl: WebGL2RenderingContext, mesh: WarpMesh) {
+    this.#gl = gl;
+    this.#program = program(gl, pictureFragment, 'RIM');
+    const rows = ownedRows(weightRows(mesh.offsets), mesh.featherOwners ?? new Uint32Array());
+    this.#buffers = twgl.createBufferInfoFromArrays(gl, {
+      a_rest: { numComponents: 2, data: mesh.featherPositions },
+      a_row: { numComponents: 2, data: rows },
+      a_level: { numComponents: 1, data: mesh.featherLevels },
+      indices: { numComponents: 3, data: mesh.featherTriangles },
+    });
+  }
+
+  /** @param uniforms those of the mesh. */
+  draw(uniforms: Record<string, unknown>): void {
+    const gl = this.#gl;
+    drawWith(gl, this.#program, this.#buffers, uniforms, gl.TRIANGLES);
+    // An enabled attribute without a buffer makes the draw calls of other programs fail.
+    gl.disableVertexAttribArray(gl.getAttribLocation(this.#program.program, 'a_level'));
+  }
+
+  dispose(): void {
+    const { indices, attribs } = this.#buffers;
+    const buffers = [indices, ...Object.values(attribs ?? {}).map(({ buffer }) => buffer)];
+    for (const buffer of buffers) this.#gl.deleteBuffer(buffer ?? null);
+  }
+}
