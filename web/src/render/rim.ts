@@ -16,19 +16,20 @@ export class RimLayer {
 
   /** Returns `undefined` for a mesh without a feather. @throws Error if the shader does not compile. */
   static of(gl: WebGL2RenderingContext, mesh: WarpMesh): RimLayer | undefined {
-    return mesh.featherTriangles?.length ? new RimLayer(gl, mesh) : undefined;
+    const { featherPositions, featherOwners, featherLevels, featherTriangles } = mesh;
+    if (!featherPositions || !featherOwners || !featherLevels || !featherTriangles?.length) return undefined;
+    return new RimLayer(gl, {
+      a_rest: { numComponents: 2, data: featherPositions },
+      a_row: { numComponents: 2, data: ownedRows(weightRows(mesh.offsets), featherOwners) },
+      a_level: { numComponents: 1, data: featherLevels },
+      indices: { numComponents: 3, data: featherTriangles },
+    });
   }
 
-  private constructor(gl: WebGL2RenderingContext, mesh: WarpMesh) {
+  private constructor(gl: WebGL2RenderingContext, arrays: twgl.Arrays) {
     this.#gl = gl;
     this.#program = program(gl, pictureFragment, 'RIM');
-    const rows = ownedRows(weightRows(mesh.offsets), mesh.featherOwners ?? new Uint32Array());
-    this.#buffers = twgl.createBufferInfoFromArrays(gl, {
-      a_rest: { numComponents: 2, data: mesh.featherPositions },
-      a_row: { numComponents: 2, data: rows },
-      a_level: { numComponents: 1, data: mesh.featherLevels },
-      indices: { numComponents: 3, data: mesh.featherTriangles },
-    });
+    this.#buffers = twgl.createBufferInfoFromArrays(gl, arrays);
   }
 
   /** @param uniforms those of the mesh. */

@@ -1,7 +1,7 @@
 //! The feather of a domain of rings: a soft rim, on which what moves away fades out.
 //!
-//! A [fringe](super::fringe) of the outline's surroundings tiles the rim. Each vertex moves with a sample of the outline,
-//! and has a level: 1 on the outline, 0 where the rim ends, and linear in the distance between. A gap between two parts
+//! A [fringe](super::fringe) around the outline tiles the rim. Each vertex moves with a sample of the outline, and has a
+//! level: 1 on the outline, 0 where the rim ends, and linear in the distance between. A gap between two parts
 //! of the outline is cut along its middle, and the rims of both end there. Before a border of the picture they end at
 //! the border, so that no cut shows.
 //!

@@ -60,6 +60,8 @@ export interface PolygonDomain {
   readonly kind: 'polygon';
   /** One or more rings of at least three points `[x, y]`. */
   readonly rings: readonly (readonly Point[])[];
+  /** Width of the soft rim around the rings, in pixels, from 0 to 64. What moves away goes on that far beyond its outline, and fades out. At rest nothing changes. Left out: 0. */
+  readonly feather?: number;
 }
 
 /** The part of the picture to warp. */
