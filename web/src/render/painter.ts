@@ -246,8 +246,9 @@ export class Painter {
       this.#pixels.draw([...meshes, [loaded.triangles, uniforms]], view);
     } else {
       if (behind) drawWith(gl, this.#pictureProgram, behind.triangles, atRest, gl.TRIANGLES);
-      // As in exports, pixel art has no soft rims. At rest they show nothing.
-      if (this.#posed && !view.compare && !view.pixelated) this.#rim?.draw(uniforms);
+      // As in exports, pixel art has no soft rims. At rest they show nothing. They lie beside the selection.
+      if (this.#posed && !view.compare && !view.pixelated)
+        this.#rim?.draw({ ...uniforms, u_shade: atRest.u_shade });
       if (heat) heat.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
       else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
       // As in exports, pixel art has no edges.

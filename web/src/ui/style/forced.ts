@@ -56,21 +56,21 @@ export const forcedStyle = css`
       opacity: 1;
       color: GrayText;
     }
-    .switch input {
+    .switch [role='switch'] {
       forced-color-adjust: none;
       background: ButtonFace;
       border: 1px solid ButtonText;
     }
-    .switch input::before {
+    .switch [role='switch']::before {
       inset: 1px auto 1px 1px;
       background: ButtonText;
       box-shadow: none;
     }
-    .switch input:checked {
+    .switch [role='switch']:checked {
       background: Highlight;
       border-color: Highlight;
     }
-    .switch input:checked::before {
+    .switch [role='switch']:checked::before {
       background: HighlightText;
     }
     .bar::before {

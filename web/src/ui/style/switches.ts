@@ -29,7 +29,11 @@ export const switchesStyle = css`
     margin: 0;
     font-weight: 400;
   }
-  .switch input {
+  .switch .field {
+    flex: none;
+    width: 112px;
+  }
+  .switch [role='switch'] {
     appearance: none;
     position: relative;
     flex: none;
@@ -41,7 +45,7 @@ export const switchesStyle = css`
     cursor: inherit;
     transition: background var(--_speed);
   }
-  .switch input::before {
+  .switch [role='switch']::before {
     content: '';
     position: absolute;
     inset: 2px auto 2px 2px;
@@ -51,10 +55,10 @@ export const switchesStyle = css`
     box-shadow: 0 1px 2px #0005;
     transition: translate var(--_speed);
   }
-  .switch input:checked {
+  .switch [role='switch']:checked {
     background: var(--_accent);
   }
-  .switch input:checked::before {
+  .switch [role='switch']:checked::before {
     translate: 14px 0;
   }
   .switch:has(:disabled) {
