@@ -125,9 +125,7 @@ test('a lasso around everything lies on the frame, and leaves nothing to fill fr
   await expect.poll(() => rings(editor)).toEqual([]);
 });
 
-test('in a picture of one colour a lasso is as it was drawn, and its fill has that colour', async ({
-  page,
-}) => {
+test('in a picture of one colour the lasso is as drawn, and its fill has that colour', async ({ page }) => {
   const editor = await opened(
     page,
     picture(400, 300, () => 128),
@@ -144,7 +142,7 @@ test('in a picture of one colour a lasso is as it was drawn, and its fill has th
   expect(await colours(editor)).toEqual(['ff808080']);
 });
 
-test('a fill larger than what is left is made, and can be cancelled at every stage', async ({ page }) => {
+test('a fill larger than its surroundings is made, and can be cancelled at every stage', async ({ page }) => {
   const editor = await opened(page, picture(1600, 1200, checkered));
   await drawLasso(editor, rectangle([40, 40], [1560, 1160]));
   await expect.poll(() => rings(editor)).toHaveLength(1);

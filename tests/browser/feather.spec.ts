@@ -93,7 +93,7 @@ test.describe('in both renderers', () => {
   });
 });
 
-test('a feather is typed after a lasso, softens what moved, and is one step', async ({ page }) => {
+test('a feather is typed after a lasso, softens the moved part, and is one step', async ({ page }) => {
   await Editor.open(page);
   await page.evaluate(
     async (image) => {

@@ -1,4 +1,4 @@
-//! Tests of feathers: what moves away has a soft rim, and the picture at rest stays as it is.
+//! Tests of feathers: a moved part has a soft rim, and the picture at rest stays as it is.
 
 use c2warp::{
     Canvas, Filter, Picture, ResampleOptions, Solution, Solver, Warped,

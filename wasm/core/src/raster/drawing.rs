@@ -142,8 +142,8 @@ impl Drawing {
         Self::new(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], options)
     }
 
-    /// The same drawing with edges where parts cross. What lies behind a soft rim gets none. `around` bounds all crossings, in pixels of the picture, and
-    /// `scale` is that of [`new`](Self::new).
+    /// The same drawing with edges where parts cross, but none behind a soft rim. `around` bounds all crossings, in
+    /// pixels of the picture, and `scale` is that of [`new`](Self::new).
     pub(crate) fn with_edges(self, picture: &Picture<'_>, scale: f64, around: Bounds) -> Self {
         let behind = self.behind.as_ref().map_or(0, |behind| behind.facets);
         let first = behind.max(self.fades.facets().end) as usize;
@@ -215,7 +215,8 @@ impl Drawing {
         start..end
     }
 
-    /// The source of each pixel of some rows. Soft rims have none: a pixel there shows two places at once. `picture` is the one of [`new`](Self::new).
+    /// The source of each pixel of some rows. Soft rims have none: a pixel there shows two places at once. `picture` is
+    /// the one of [`new`](Self::new).
     ///
     /// # Panics
     /// As [`rows`](Self::rows).

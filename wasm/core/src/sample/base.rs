@@ -56,7 +56,7 @@ impl BaseSamples {
     /// The same samples with a skirt and a feather, if the domain needs them.
     pub(super) fn with_skirt(mut self, prepared: &PreparedDomain) -> Self {
         self.samples.skirt = skirt(&self.samples, prepared);
-        self.samples.feather = Feather::new(&self.samples, prepared);
+        self.samples.feather = Feather::new(&self.samples.mesh, &self.samples.outline, prepared);
         self
     }
 
@@ -101,7 +101,7 @@ impl BaseSamples {
         } else {
             // Samples were inserted on the outline.
             samples.skirt = self::skirt(&samples, prepared);
-            samples.feather = Feather::new(&samples, prepared);
+            samples.feather = Feather::new(&samples.mesh, &samples.outline, prepared);
         }
         samples
     }

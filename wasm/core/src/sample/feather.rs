@@ -1,9 +1,9 @@
-//! The feather of a domain of rings: a soft rim, on which what moves away fades out.
+//! The feather of a domain of rings: a soft rim on which a moved part fades out.
 //!
-//! A [fringe](super::fringe) around the outline tiles the rim. Each vertex moves with a sample of the outline, and has a
-//! level: 1 on the outline, 0 where the rim ends, and linear in the distance between. A gap between two parts
-//! of the outline is cut along its middle, and the rims of both end there. Before a border of the picture they end at
-//! the border, so that no cut shows.
+//! A [fringe](super::fringe) around the outline tiles the rim. Each vertex moves with a sample of the outline, and has
+//! a level: 1 on the outline, 0 where the rim ends, and linear in the distance between. A gap between two parts of the
+//! outline is cut along its middle, and the rims of both end there. Before a border of the picture they end at the
+//! border, so that no cut shows.
 //!
 //! Over a fill the part moves with an opaque [skirt](super::skirt). The rim then begins at the end of the skirt.
 //!
@@ -16,10 +16,12 @@ use glam::DVec2;
 
 use super::{
     fringe::{DETOUR_SLACK, parts::Parts, spacing},
-    samples::Samples,
     skirt::{Skirt, WIDTH},
 };
-use crate::{fill::Mask, point_tree::Tree, prepared_domain::PreparedDomain, segment::nearest_on_segment};
+use crate::{
+    fill::Mask, point_tree::Tree, prepared_domain::PreparedDomain, segment::nearest_on_segment,
+    triangulation::Triangulation,
+};
 
 /// Nodes across the width of the rim.
 const NODES_ACROSS: f64 = 3.0;
@@ -40,9 +42,8 @@ pub struct Feather {
 }
 
 impl Feather {
-    /// The feather of samples, with the width of a prepared domain.
-    pub(super) fn new(samples: &Samples, prepared: &PreparedDomain) -> Self {
-        let Samples { mesh, outline, .. } = samples;
+    /// The feather of samples and their outline, with the width of a prepared domain.
+    pub(super) fn new(mesh: &Triangulation, outline: &[Vec<u32>], prepared: &PreparedDomain) -> Self {
         let (width, Some(size)) = (prepared.feather, prepared.background_size) else { return Self::default() };
         if width == 0.0 {
             return Self::default();
@@ -53,7 +54,7 @@ impl Feather {
         let length: f64 = prepared.domain.edges().map(|(a, b)| a.distance(b)).sum();
         let spacing = spacing(length * width).max(width / NODES_ACROSS);
         let skirt = Skirt::new(mesh, outline, size).with_fringe(mesh, outline, &near, spacing);
-        let around = Surroundings::new(samples, size, DETOUR_SLACK * spacing);
+        let around = Surroundings::new(mesh, outline, size, DETOUR_SLACK * spacing);
         let mut numbers = HashMap::new();
         let mut feather = Self::default();
         for triangle in &skirt.triangles {
@@ -118,7 +119,7 @@ struct Surroundings {
 }
 
 impl Surroundings {
-    fn new(Samples { mesh, outline, .. }: &Samples, size: DVec2, slack: f64) -> Self {
+    fn new(mesh: &Triangulation, outline: &[Vec<u32>], size: DVec2, slack: f64) -> Self {
         let parts = Parts::new(mesh, outline);
         let segments = parts.segments();
         let mut before = vec![0; segments.len()];

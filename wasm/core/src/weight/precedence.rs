@@ -38,7 +38,7 @@ pub(crate) fn precedence_radii<'a>(weighting: &Weighting, sites: &'a [Site]) -> 
     })
 }
 
-/// What others keep of their φ at a distance from a site with precedence up to `radius`: 1 − s.
+/// The part of their φ that others keep at a distance from a site with precedence up to `radius`: 1 − s.
 pub(super) fn kept(basis: &Basis, distance: f64, radius: f64) -> f64 {
     if distance < radius { 1.0 - SHARE * basis.value(distance / radius) } else { 1.0 }
 }
