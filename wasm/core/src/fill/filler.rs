@@ -7,7 +7,7 @@ use super::level::{Level, NONE, RADIUS};
 use super::mask::Mask;
 use super::matches::Matches;
 use super::membrane::Membrane;
-use super::peeling::Peeling;
+use super::peeling;
 use super::random::Random;
 use super::region::Region;
 use super::votes::{choose, vote};
@@ -30,8 +30,8 @@ const SWEEPS_AT_ONCE: usize = 40;
 /// A step of a fill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Step {
-    /// Fills the next layer of the coarsest level.
-    Peel,
+    /// Fills a layer of the coarsest level, counted from 1 at the rim.
+    Peel(usize),
     /// Goes to the next finer level.
     Refine,
     Improve(u32),
@@ -49,9 +49,6 @@ pub(crate) struct Filler {
     region: Region,
     /// From the present one to the finest.
     levels: VecDeque<Level>,
-    /// The coarsest level while it is filled.
-    peeling: Peeling,
-    /// Found by peeling.
     matches: Option<Matches>,
     /// Texels of the finest level: the one that it is copied from, or [`NONE`].
     from: Vec<u32>,
@@ -86,7 +83,7 @@ impl Filler {
             for (index, level) in levels.iter().enumerate() {
                 let targets = level.targets.len() as u64;
                 if index == 0 {
-                    steps.extend(Peeling::work(level).into_iter().map(|near| (Step::Peel, 10 * near)));
+                    steps.extend((1..).zip(peeling::work(level)).map(|(layer, near)| (Step::Peel(layer), 10 * near)));
                 } else {
                     steps.push_back((Step::Refine, 2 * targets));
                 }
@@ -107,8 +104,7 @@ impl Filler {
         steps.push_back((Step::Carry, unknown));
         let work = steps.iter().map(|(_, work)| work).sum();
         let random = Random::new(u64::from(spec.seed));
-        let peeling = Peeling::new(&levels[0]);
-        Ok(Self { mask, region, levels, peeling, matches: None, from, membrane: None, random, steps, work })
+        Ok(Self { mask, region, levels, matches: None, from, membrane: None, random, steps, work })
     }
 
     /// The part of the work that is done, from 0 to 1.
@@ -121,7 +117,11 @@ impl Filler {
     pub(crate) fn advance(&mut self, picture: &Picture<'_>) -> Option<Fill> {
         let (step, _) = self.steps.pop_front()?;
         match step {
-            Step::Peel => self.matches = self.peeling.advance(&mut self.levels[0], &mut self.random),
+            Step::Peel(layer) => {
+                let Self { levels, matches, random, .. } = self;
+                let matches = matches.get_or_insert_with(|| Matches::random(&levels[0], random));
+                peeling::peel(&mut levels[0], matches, layer, random);
+            }
             Step::Refine => self.refine(),
             Step::Improve(pass) => {
                 let matches = self.matches.as_mut().expect("peeling has found matches");

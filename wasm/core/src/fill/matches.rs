@@ -56,16 +56,16 @@ impl Matches {
         self.improve_by(level, forwards, random, |_| true, costs);
     }
 
-    /// The same for `wanted` targets, by their known texels alone.
+    /// The same for `wanted` targets, by their texels before a layer of the hole alone.
     pub(super) fn improve_known(
         &mut self,
         level: &Level,
-        known: &[bool],
+        layer: usize,
         forwards: bool,
         random: &mut Random,
         wanted: impl Fn(u32) -> bool,
     ) {
-        let costs = |target: u32, source: u32, _: u32| known_cost(level, known, target, source);
+        let costs = |target: u32, source: u32, _: u32| known_cost(level, layer, target, source);
         self.improve_by(level, forwards, random, wanted, costs);
     }
 
@@ -156,13 +156,13 @@ fn row_cost(a: &[Texel; SIDE], b: &[Texel; SIDE]) -> u32 {
     sum as u32
 }
 
-/// The mean squared difference of the known texels of the target, times the number of texels.
-fn known_cost(level: &Level, known: &[bool], target: u32, source: u32) -> u32 {
+/// The mean squared difference of the target's texels before a layer, times the number of texels.
+fn known_cost(level: &Level, layer: usize, target: u32, source: u32) -> u32 {
     let (mut sum, mut count) = (0_u64, 0_u64);
     for row in 0..SIDE {
         let at = |centre: u32| centre as usize + row * level.width - RADIUS * level.width - RADIUS;
         for column in 0..SIDE {
-            if known[at(target) + column] {
+            if usize::from(level.depths[at(target) + column]) < layer {
                 let [a, b] = [target, source].map(|centre| level.texels[at(centre) + column]);
                 sum += a.iter().zip(b).map(|(a, b)| i64::from(a - b).pow(2) as u64).sum::<u64>();
                 count += 1;
