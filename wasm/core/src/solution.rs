@@ -397,9 +397,7 @@ impl Solution {
         self.solved.check_pose(pose)?;
         let is_smooth = options.filter != Filter::Nearest;
         if self.handle_counts == [0; 3] {
-            let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-            let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
-            return Drawing::new(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], options);
+            return Drawing::whole(picture, options);
         }
         let (background, feather, rest) = (&self.background, &self.feather, &self.mesh.vertices);
         let posed = self.posed_vertices(pose);
@@ -409,7 +407,8 @@ impl Solution {
         if self.fill.is_none() {
             layers.push(layer(background.vertices(), background.vertices(), background.triangles()));
         }
-        let rim = pose.blend_all(feather.vertices(), &self.weights.copied(feather.owners()));
+        let moved = |(&p, &owner): (&DVec2, &u32)| pose.blended(p, self.weights.row(owner as usize));
+        let rim: Vec<DVec2> = feather.vertices().iter().zip(feather.owners()).map(moved).collect();
         // Pixel art mixes no colours.
         if is_smooth && !rim.is_empty() {
             let levels = Some(feather.levels());

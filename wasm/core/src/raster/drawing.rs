@@ -136,9 +136,13 @@ impl Drawing {
     /// # Errors
     /// [`Error::Scale`] as for [`warped_size`].
     pub fn at_rest(picture: &Picture<'_>, options: ResampleOptions) -> Result<Self, Error> {
+        Self::whole(picture, ResampleOptions { canvas: Canvas::Picture, ..options })
+    }
+
+    /// The same on any canvas.
+    pub(crate) fn whole(picture: &Picture<'_>, options: ResampleOptions) -> Result<Self, Error> {
         let size = DVec2::new(picture.width().into(), picture.height().into());
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|corner| corner * size);
-        let options = ResampleOptions { canvas: Canvas::Picture, ..options };
         Self::new(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], options)
     }
 
