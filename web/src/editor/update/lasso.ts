@@ -29,8 +29,8 @@ import { isOpaque } from '../picture';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
 import { changedNumber } from './edits';
 import type { Handlers } from './handlers';
-import { announce, inform, informOfStep, notify } from './notices';
-import { commitStep, step } from './steps';
+import { inform, informOfStep, notify } from './notices';
+import { step } from './steps';
 import { choose } from './tool_choice';
 
 /** Lets only the inside of a ring bend, or cuts a hole there. Says which handles are gone, or what the lasso lacks. */
@@ -69,9 +69,8 @@ export function setFeather(state: EditorState, change: NumberChange, emit: Emit)
   const present = featherOf(projectOf(state));
   if (present === null) return state;
   const project = withFeather(projectOf(state), changedNumber(change, present));
-  const label = 'Set the feather of the selection';
-  const next = commitStep(state, label, { ...documentOf(state), project }, emit, 'feather');
-  return next.document.history === state.document.history ? next : announce(next, label);
+  const document = { ...documentOf(state), project };
+  return step(state, 'Set the feather of the selection', document, emit, 'feather');
 }
 
 /** A polygon takes the place of the lasso: it turns its part, and the rest bends along up to the held frame. */

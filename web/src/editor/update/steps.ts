@@ -36,9 +36,15 @@ export function selectForPage(state: EditorState, ids: readonly string[], emit: 
   return select(changed ? edited(ended, 'change', emit) : ended, ids, emit);
 }
 
-/** Commits a change as one undo step and announces it, unless it changes nothing. */
-export function step(state: EditorState, label: string, document: Document, emit: Emit): EditorState {
-  const next = commitStep(guardEnded(state), label, document, emit);
+/** Commits a change and announces it, unless it changes nothing. Consecutive ones with the same key form one step. */
+export function step(
+  state: EditorState,
+  label: string,
+  document: Document,
+  emit: Emit,
+  key: string | null = null,
+): EditorState {
+  const next = commitStep(guardEnded(state), label, document, emit, key);
   return next.document.history === state.document.history ? next : announce(next, label);
 }
 
