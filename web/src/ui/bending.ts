@@ -129,7 +129,7 @@ function feathered(model: EditorModel, dispatch: Dispatch): TemplateResult | typ
   if (feather === null || project.fix_boundary === true) return nothing;
   const set = (change: NumberChange) => dispatch({ type: 'feather-set', change });
   return html`<div class="switch">
-    <span class="text"><span class="faint">What moves fades out beyond its outline.</span></span>
+    <span class="text"><span class="faint">A soft rim for the moved part.</span></span>
     ${numberField(FEATHER, [feather], set, model, dispatch)}
   </div>`;
 }
