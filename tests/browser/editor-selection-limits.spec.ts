@@ -1,7 +1,7 @@
 /** Selections at their limits: of a pixel, of everything, in a picture of one colour, and fills that are cancelled. */
 import { encode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
-import { Editor, type Position } from './editor';
+import { Editor } from './editor';
 import { png } from './files';
 import { expect, test } from './fixtures';
 
@@ -30,22 +30,11 @@ async function opened(page: Editor['page'], file: Buffer): Promise<Editor> {
 const project = ({ page }: Editor) =>
   page.locator('c2-warp').evaluate((element) => (element as C2Warp).project);
 
-const onPage = ({ page }: Editor, places: readonly Place[]): Promise<readonly Position[]> =>
-  page.locator('c2-warp').evaluate((element, places) => {
-    const at = (place: Place) => (element as C2Warp).imageToClient(place) ?? [0, 0];
-    return places.map(at).map(([x, y]) => ({ x, y }));
-  }, places);
-
 /** Draws a lasso by one drag. */
 async function drawLasso(editor: Editor, places: readonly Place[]): Promise<void> {
-  const { mouse, keyboard } = editor.page;
-  await keyboard.press('l');
+  await editor.page.keyboard.press('l');
   await expect(editor.switch('Snap to edges')).toHaveAttribute('aria-busy', 'false');
-  for (const [k, { x, y }] of (await onPage(editor, [...places, ...places.slice(0, 1)])).entries()) {
-    await mouse.move(x, y);
-    if (k === 0) await mouse.down();
-  }
-  await mouse.up();
+  await editor.dragAlong([...places, ...places.slice(0, 1)]);
 }
 
 /** A rectangle as a drag goes around it. */

@@ -242,6 +242,21 @@ export class Editor {
     await mouse.up();
   }
 
+  /** Drags along places of the picture, image pixels. */
+  async dragAlong(places: readonly (readonly [number, number])[]): Promise<void> {
+    const shown = await this.page
+      .locator('c2-warp')
+      .evaluate(
+        (element, places) => places.map((place) => (element as C2Warp).imageToClient(place) ?? [0, 0]),
+        places,
+      );
+    for (const [k, [x, y]] of shown.entries()) {
+      await this.page.mouse.move(x, y);
+      if (k === 0) await this.page.mouse.down();
+    }
+    await this.page.mouse.up();
+  }
+
   async dragHandle(name: string, by: Position): Promise<void> {
     await this.drag(await this.position(name), by);
   }

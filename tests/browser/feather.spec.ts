@@ -3,29 +3,37 @@ import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
 import { decode } from 'fast-png';
 import type { Project } from '../../web/src/document/project';
 import { builtCommand } from './command';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 import { difference } from './images';
+import { loadPortrait, PORTRAIT, PORTRAIT_IMAGE, ringAround } from './portrait';
 
-const PORTRAIT = fileURLToPath(new URL('../../web/public/samples/portrait.png', import.meta.url));
-const { width, height } = decode(readFileSync(PORTRAIT));
-const [X, Y, RADIUS] = [width / 2, height * 0.35, width / 5];
-const RING = Array.from({ length: 24 }, (_, k): [number, number] => [
-  Math.round(X + RADIUS * Math.cos((Math.PI * k) / 12)),
-  Math.round(Y + RADIUS * Math.sin((Math.PI * k) / 12)),
-]);
+const [X, Y] = [PORTRAIT_IMAGE.width / 2, PORTRAIT_IMAGE.height * 0.35];
+const RING = ringAround([X, Y]);
 
 const project = (feather: number, by: number, filled: boolean): Project => ({
   format: 'c2warp/1',
-  image: { src: 'portrait.png', width, height },
+  image: PORTRAIT_IMAGE,
   domain: { kind: 'polygon', rings: [RING], feather },
   ...(filled && { fill: { method: 'patches', seed: 5 } }),
   handles: [{ id: 'face', kind: 'point', rest: [X, Y], posed: [X + by, Y + by / 3] }],
 });
+
+/** Projects as both renderers draw them, at a scale. */
+const drawn = (page: Page, projects: readonly Project[], scale: number) =>
+  page.evaluate(
+    async ([projects, scale]) => {
+      const file = await (await fetch('/samples/portrait.png')).blob();
+      const drawn = [];
+      for (const project of projects) drawn.push(await harness.drawnTwice(project, file, scale));
+      return drawn;
+    },
+    [projects, scale] as const,
+  );
 
 test.describe('in both renderers', () => {
   test.beforeEach(async ({ page }) => {
@@ -36,15 +44,7 @@ test.describe('in both renderers', () => {
     const behind = filled ? 'over a fill' : 'over a gap';
 
     test(`a moved part has the same soft rim on screen and in exports, ${behind}`, async ({ page }, info) => {
-      const [soft, sharp] = await page.evaluate(
-        async (projects) => {
-          const file = await (await fetch('/samples/portrait.png')).blob();
-          const drawn = [];
-          for (const project of projects) drawn.push(await harness.drawnTwice(project, file, 1));
-          return drawn;
-        },
-        [project(24, 60, filled), project(0, 60, filled)],
-      );
+      const [soft, sharp] = await drawn(page, [project(24, 60, filled), project(0, 60, filled)], 1);
       if (!soft || !sharp) throw new Error('two pictures');
       const { mean, close } = await difference(soft.webgl, soft.cpu, info);
       expect(mean).toBeLessThanOrEqual(1);
@@ -54,15 +54,7 @@ test.describe('in both renderers', () => {
     });
 
     test(`a part at rest is drawn as without a feather, to the bit, ${behind}`, async ({ page }) => {
-      const [soft, sharp] = await page.evaluate(
-        async (projects) => {
-          const file = await (await fetch('/samples/portrait.png')).blob();
-          const drawn = [];
-          for (const project of projects) drawn.push(await harness.drawnTwice(project, file, 1.3));
-          return drawn;
-        },
-        [project(24, 0, filled), project(0, 0, filled)],
-      );
+      const [soft, sharp] = await drawn(page, [project(24, 0, filled), project(0, 0, filled)], 1.3);
       expect(soft?.webgl).toBe(sharp?.webgl);
       expect(soft?.cpu).toBe(sharp?.cpu);
     });
@@ -76,13 +68,7 @@ test.describe('in both renderers', () => {
       const args = ['warp', 'project.json', '-o', 'out.png'];
       const { status, stderr } = spawnSync(builtCommand(), args, { cwd: folder, encoding: 'utf8' });
       expect(`${stderr}${status}`).toBe('0');
-      const { cpu } = await page.evaluate(
-        async (project) => {
-          const file = await (await fetch('/samples/portrait.png')).blob();
-          return harness.drawnTwice(project, file, 1);
-        },
-        project(17.5, 60, false),
-      );
+      const [{ cpu } = { cpu: '' }] = await drawn(page, [project(17.5, 60, false)], 1);
       const command = decode(readFileSync(join(folder, 'out.png')));
       expect(Buffer.from(command.data).equals(Buffer.from(decode(Buffer.from(cpu, 'base64')).data))).toBe(
         true,
@@ -94,24 +80,10 @@ test.describe('in both renderers', () => {
 });
 
 test('a feather is typed after a lasso, softens the moved part, and is one step', async ({ page }) => {
-  await Editor.open(page);
-  await page.evaluate(
-    async (image) => {
-      const element = document.querySelector('c2-warp');
-      await element?.load('/samples/portrait.png', { format: 'c2warp/1', image, handles: [] });
-    },
-    project(0, 0, false).image,
-  );
+  const editor = await Editor.open(page);
+  await loadPortrait(page);
   await page.keyboard.press('l');
-  const places = await page.evaluate(
-    (ring) => ring.map((corner) => document.querySelector('c2-warp')?.imageToClient(corner) ?? [0, 0]),
-    RING,
-  );
-  for (const [k, [x, y]] of places.entries()) {
-    await page.mouse.move(x, y);
-    if (k === 0) await page.mouse.down();
-  }
-  await page.mouse.up();
+  await editor.dragAlong(RING);
   const featherOf = () =>
     page.evaluate(() => {
       const domain = document.querySelector('c2-warp')?.project.domain;

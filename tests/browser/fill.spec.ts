@@ -3,25 +3,20 @@ import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { decode } from 'fast-png';
 import type { Project } from '../../web/src/document/project';
 import { builtCommand } from './command';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 import { difference } from './images';
+import { loadPortrait, PORTRAIT, PORTRAIT_IMAGE, ringAround } from './portrait';
 
-const PORTRAIT = fileURLToPath(new URL('../../web/public/samples/portrait.png', import.meta.url));
-const { width, height } = decode(readFileSync(PORTRAIT));
-const [X, Y, RADIUS] = [width / 2, height * 0.4, width / 5];
-const RING = Array.from({ length: 24 }, (_, k): [number, number] => [
-  Math.round(X + RADIUS * Math.cos((Math.PI * k) / 12)),
-  Math.round(Y + RADIUS * Math.sin((Math.PI * k) / 12)),
-]);
+const [X, Y] = [PORTRAIT_IMAGE.width / 2, PORTRAIT_IMAGE.height * 0.4];
+const RING = ringAround([X, Y]);
 
 const project = (by: number): Project => ({
   format: 'c2warp/1',
-  image: { src: 'portrait.png', width, height },
+  image: PORTRAIT_IMAGE,
   domain: { kind: 'polygon', rings: [RING] },
   fill: { method: 'patches', seed: 5 },
   handles: [{ id: 'face', kind: 'point', rest: [X, Y], posed: [X + by, Y] }],
@@ -82,22 +77,11 @@ test('the page fills with the same bytes as the command', async ({ page }) => {
 
 test('a lasso in a photograph is filled behind, in one step; a switch leaves it empty', async ({ page }) => {
   const editor = await Editor.open(page);
-  await page.evaluate(async (image) => {
-    const element = document.querySelector('c2-warp');
-    await element?.load('/samples/portrait.png', { format: 'c2warp/1', image, handles: [] });
-  }, project(0).image);
+  await loadPortrait(page);
   const fillOf = () => page.evaluate(() => document.querySelector('c2-warp')?.project.fill ?? null);
   expect(await fillOf()).toBeNull();
   await page.keyboard.press('l');
-  const places = await page.evaluate(
-    (ring) => ring.map((corner) => document.querySelector('c2-warp')?.imageToClient(corner) ?? [0, 0]),
-    RING,
-  );
-  for (const [k, [x, y]] of places.entries()) {
-    await page.mouse.move(x, y);
-    if (k === 0) await page.mouse.down();
-  }
-  await page.mouse.up();
+  await editor.dragAlong(RING);
   await expect.poll(fillOf).toEqual({ method: 'patches', seed: 0 });
 
   // The exported opacities, once a part has moved.

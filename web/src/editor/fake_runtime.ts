@@ -311,3 +311,20 @@ export class FakeRuntime {
 }
 
 const isAnswered = ({ type }: EditorEffect): boolean => type === 'read' || type === 'solve';
+
+/** A ring in the picture of {@link testPicture}. */
+export const RING = [
+  [50, 50],
+  [150, 50],
+  [150, 150],
+  [50, 150],
+] as const;
+
+/** An editor after a lasso along {@link RING}, solved. @param alphaThreshold null for an opaque picture. */
+export function lassoed(alphaThreshold: number | null = null): FakeRuntime {
+  const runtime = new FakeRuntime();
+  runtime.open({ ...testPicture(), alphaThreshold });
+  runtime.dispatch({ type: 'lasso-drawn', ring: RING, hole: false });
+  runtime.solve();
+  return runtime;
+}

@@ -2,23 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { featherOf, isSameDomain, withFeather, withRings } from '../../document/domain';
 import { undoLabel } from '../../document/history';
 import type { EditorEffect } from '../effects';
-import { FakeRuntime, testPicture } from '../fake_runtime';
+import { type FakeRuntime, lassoed, RING } from '../fake_runtime';
 import { projectOf } from '../state';
-
-const RING = [
-  [50, 50],
-  [150, 50],
-  [150, 150],
-  [50, 150],
-] as const;
-
-function lassoed(): FakeRuntime {
-  const runtime = new FakeRuntime();
-  runtime.open({ ...testPicture(), alphaThreshold: null });
-  runtime.dispatch({ type: 'lasso-drawn', ring: RING, hole: false });
-  runtime.solve();
-  return runtime;
-}
 
 const count = ({ effects }: FakeRuntime, type: EditorEffect['type']): number =>
   effects.filter((effect) => effect.type === type).length;

@@ -3,24 +3,9 @@ import { isFilled, ringsOf } from '../../document/domain';
 import { undoLabel } from '../../document/history';
 import { WarpError } from '../../error';
 import type { EditorEffect } from '../effects';
-import { FakeRuntime, testPicture } from '../fake_runtime';
+import { type FakeRuntime, lassoed, RING } from '../fake_runtime';
 import { projectOf } from '../state';
 import { currentTask, shownNotice } from './notices';
-
-const RING = [
-  [50, 50],
-  [150, 50],
-  [150, 150],
-  [50, 150],
-] as const;
-
-function lassoed(alphaThreshold: number | null = null): FakeRuntime {
-  const runtime = new FakeRuntime();
-  runtime.open({ ...testPicture(), alphaThreshold });
-  runtime.dispatch({ type: 'lasso-drawn', ring: RING, hole: false });
-  runtime.solve();
-  return runtime;
-}
 
 type Fill = Extract<EditorEffect, { type: 'fill' }>;
 
