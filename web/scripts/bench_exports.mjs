@@ -6,7 +6,7 @@
  */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { launchChromium } from './chromium.mjs';
+import { withServedEditor } from './served_editor.mjs';
 import { ROOT } from './steps.mjs';
 
 /** Guideline for two cores of a cloud machine. */
@@ -14,20 +14,12 @@ const MOST_SECONDS = 4;
 
 /** @returns {Promise<string>} A table in Markdown. */
 export async function exportTable() {
-  // Imported only here: it may have just been installed.
-  const { createServer } = await import('vite');
-  const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
-  await server.listen();
-  const browser = await launchChromium();
-  try {
+  return withServedEditor(async (browser, address) => {
     const page = await browser.newPage();
-    await page.goto(server.resolvedUrls?.local[0] ?? '');
+    await page.goto(address);
     await page.locator('c2-warp .solved', { hasText: 'sample' }).waitFor({ timeout: 120_000 });
     return table(await page.evaluate(readFileSync(join(ROOT, 'tests/bench/exports.js'), 'utf8')));
-  } finally {
-    await browser.close();
-    await server.close();
-  }
+  });
 }
 
 /** @param {{ drawing: number, files: { type: string, seconds: number, bytes: number }[] }} times In seconds. */

@@ -8,7 +8,7 @@ import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { launchChromium } from './chromium.mjs';
+import { withServedEditor } from './served_editor.mjs';
 import { ROOT, StepError } from './steps.mjs';
 
 const SAMPLES = join(ROOT, 'web/public/samples');
@@ -88,13 +88,7 @@ export async function playingTable() {
     command(['bake', join(SAMPLES, 'gingerbread.c2warp.json'), '-o', file]);
     return readFileSync(file);
   });
-  // Imported only here: it may have just been installed.
-  const { createServer } = await import('vite');
-  const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
-  await server.listen();
-  const address = server.resolvedUrls?.local[0] ?? '';
-  const browser = await launchChromium();
-  try {
+  return withServedEditor(async (browser, address) => {
     const rows = [];
     for (const [count, frames] of PLAYERS) {
       const page = await browser.newPage({ viewport: VIEWPORT });
@@ -122,10 +116,7 @@ export async function playingTable() {
       '|---|---:|---:|',
       ...rows,
     ].join('\n');
-  } finally {
-    await browser.close();
-    await server.close();
-  }
+  });
 }
 
 /**

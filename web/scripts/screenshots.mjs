@@ -4,9 +4,10 @@
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { launchChromium, prepareChromium } from './chromium.mjs';
+import { prepareChromium } from './chromium.mjs';
 import { drawFigures } from './figures.mjs';
 import { prepare } from './prepare.mjs';
+import { withServedEditor } from './served_editor.mjs';
 import { heading, main, ROOT, step } from './steps.mjs';
 
 const FOLDER = join(ROOT, 'web/screenshots');
@@ -23,19 +24,11 @@ await main(async () => {
   await prepareChromium();
   heading('Screenshots');
   mkdirSync(FOLDER, { recursive: true });
-  // Imported only here: it may have just been installed.
-  const { createServer } = await import('vite');
-  const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
-  await server.listen();
-  const browser = await launchChromium();
-  try {
-    await take(browser, server.resolvedUrls?.local[0] ?? '', 'light');
-    await take(browser, server.resolvedUrls?.local[0] ?? '', 'dark');
+  await withServedEditor(async (browser, address) => {
+    await take(browser, address, 'light');
+    await take(browser, address, 'dark');
     await drawFigures(browser);
-  } finally {
-    await browser.close();
-    await server.close();
-  }
+  });
   const drawing = ['--package', 'c2warp-quality', '--', '--overview', join(FOLDER, 'methods.png')];
   await step(
     'Methods',

@@ -6,7 +6,8 @@
  */
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { launchChromium, prepareChromium } from '../chromium.mjs';
+import { prepareChromium } from '../chromium.mjs';
+import { withServedEditor } from '../served_editor.mjs';
 import { heading, ROOT, step } from '../steps.mjs';
 import { EDITS } from './edits.mjs';
 import { Hand } from './hand.mjs';
@@ -23,17 +24,7 @@ export async function photographs(output) {
   mkdirSync(folder, { recursive: true });
   await prepareChromium();
   heading('Photographs');
-  // Imported only here: it may have just been installed.
-  const { createServer } = await import('vite');
-  const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
-  await server.listen();
-  const browser = await launchChromium();
-  try {
-    await edits(browser, server.resolvedUrls?.local[0] ?? '', folder);
-  } finally {
-    await browser.close();
-    await server.close();
-  }
+  await withServedEditor((browser, address) => edits(browser, address, folder));
   const files = readdirSync(PICTURES).map((name) => join(PICTURES, name));
   const args = [
     '--release',
