@@ -9,7 +9,7 @@ use c2warp::{
         Bounds, Correspondence, FoldLimit, GroupMember, GroupTransform, GroupWay, HandleWay, Lead, PictureMesh, Turn,
     },
     pose::Poser,
-    project::{Blend, Project, handles_from_json},
+    project::{Blend, Displacement, Project, handles_from_json},
     weight::SparseWeights,
 };
 use glam::DVec2;
@@ -269,6 +269,23 @@ impl PosedPicture {
     /// As for [`set_stiffness`](Self::set_stiffness).
     pub fn stiffness(&self, project_json: &str) -> Result<Vec<f32>, JsValue> {
         Ok(self.0.stiffness(&project(project_json)?).map(|stiffness| stiffness as f32).collect())
+    }
+
+    /// Displaces the picture by a grid of control points: two values each, rows from top to bottom. The present pose
+    /// and later ones are those of a solution of a project with this displacement. No column and row, and no value,
+    /// displace nothing.
+    ///
+    /// # Errors
+    /// For sides out of range, or another number of values. The picture then stays.
+    pub fn set_displacement(&mut self, width: u32, height: u32, values: &[i16]) -> Result<(), JsValue> {
+        let is_none = width == 0 && height == 0 && values.is_empty();
+        let displacement = (!is_none).then(|| Displacement::new(width, height, values.to_vec()));
+        self.0.set_displacement(displacement.as_ref()).map_err(|error| to_js(&error))
+    }
+
+    /// Vertices × 2: the mesh before the handles pose it, at rest unless it is displaced.
+    pub fn displaced_positions(&self) -> Vec<f32> {
+        flat(self.0.displaced_vertices().iter().copied())
     }
 
     /// Vertices: the number of sites that move each.

@@ -103,6 +103,8 @@ pub(crate) fn compute_weights(
         mode: input.mode,
         quadrature,
         stiffness: input.stiffness.clone(),
+        picture: input.picture,
+        displacement: input.displacement.clone(),
     });
     let mut loose = Loose::default();
     let mut leading = leading_parts(&nearest, &sites, &harmonic);

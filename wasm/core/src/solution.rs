@@ -85,6 +85,12 @@ impl Solution {
         &self.mesh.vertices
     }
 
+    /// The [`vertices`](Self::vertices) before the handles pose them: displaced as the project says.
+    #[must_use]
+    pub fn displaced_vertices(&self) -> Cow<'_, [DVec2]> {
+        self.solved.poser.displaced(&self.mesh.vertices)
+    }
+
     /// Triangles × 3 vertices, drawn later ones over earlier ones as long as no handle has a depth: see
     /// [`drawn_triangles`](Self::drawn_triangles).
     #[must_use]
@@ -314,7 +320,7 @@ impl Solution {
     /// If the pose is of another solution.
     #[must_use]
     pub fn rest_points(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
-        if self.handle_counts == [0; 3]
+        if self.is_at_rest(pose)
             && let Some((width, height)) = self.prepared.picture
         {
             // Without handles the whole picture is drawn, with the parts outside the domain.
@@ -338,7 +344,7 @@ impl Solution {
     /// If the pose is of another solution.
     #[must_use]
     pub fn posed_points(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
-        if self.handle_counts == [0; 3] {
+        if self.is_at_rest(pose) {
             return points.iter().copied().map(Some).collect();
         }
         let mut posed: Vec<_> = points.iter().map(|&p| self.map(pose, p).map(|at| at.posed)).collect();
@@ -370,9 +376,14 @@ impl Solution {
         rest_points(&values, vertices, triangles, points).into_iter().map(|found| found.map(|value| value.x)).collect()
     }
 
+    /// Whether the whole picture is at rest: without handles, and not displaced.
+    fn is_at_rest(&self, pose: &Pose) -> bool {
+        self.handle_counts == [0; 3] && !pose.displaces()
+    }
+
     /// The warped picture: [`warp`](crate::raster::warp) of the [static background](Self::static_background) or the
-    /// [filled](Self::fill) picture, the [feather](Self::feather), and the mesh. Without handles, the whole picture at
-    /// rest.
+    /// [filled](Self::fill) picture, the [feather](Self::feather), and the mesh. Without handles and displacement, the
+    /// whole picture at rest.
     ///
     /// It has the size that [`warped_size`](crate::raster::warped_size) returns, unless the canvas grows.
     ///
@@ -396,7 +407,7 @@ impl Solution {
         }
         self.solved.check_pose(pose)?;
         let is_smooth = options.filter != Filter::Nearest;
-        if self.handle_counts == [0; 3] {
+        if self.is_at_rest(pose) {
             return Drawing::whole(picture, options);
         }
         let (background, feather, rest) = (&self.background, &self.feather, &self.mesh.vertices);

@@ -87,7 +87,7 @@ pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error
 ///
 /// # Errors
 /// - Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
-/// - [`Error::Unsupported`] for bars, polygons and a held boundary.
+/// - [`Error::Unsupported`] for bars, polygons, a held boundary, stiff and displaced places.
 pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
     let input = SolveInput::new(project)?;
     input.check_points_only()?;

@@ -2,7 +2,7 @@
 //!
 //! Cost: O(n log n) in the point handles, and a look at every bone for each; for bars and polygons see `bone`.
 
-use std::cmp::Ordering;
+use std::{cmp::Ordering, sync::Arc};
 
 use glam::DVec2;
 
@@ -11,7 +11,7 @@ use crate::{
     error::Error,
     limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_HELD_CORNERS, MAX_POSED, MAX_SITES, MIN_SEPARATION},
     picture::Picture,
-    pose::{SolvedHandle, StiffnessField},
+    pose::{DisplacementField, SolvedHandle, StiffnessField, picture_size},
     prepared_domain::PreparedDomain,
     project::{Continuity, Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
     site::{PointSite, sharp_corners},
@@ -32,6 +32,10 @@ pub(crate) struct SolveInput {
     pub(crate) loose_parts: LooseParts,
     /// Where the picture is stiff. Nowhere in the harmonic mode, which has no energy.
     pub(crate) stiffness: StiffnessField,
+    /// Width and height of the picture.
+    pub(crate) picture: DVec2,
+    /// How places are displaced before they are posed; `None` if none is.
+    pub(crate) displacement: Option<Arc<DisplacementField>>,
     /// The handles of all kinds, in the order of the project.
     pub(crate) handles: Vec<SolvedHandle>,
     points: Vec<PointHandle>,
@@ -110,15 +114,18 @@ impl SolveInput {
                 PoseMode::Harmonic => StiffnessField::default(),
                 PoseMode::Rigid => StiffnessField::new(project),
             },
+            picture: picture_size(project),
+            displacement: DisplacementField::of(project).map(Arc::new),
             handles: project.handles.iter().map(solved).collect(),
             points,
             polylines,
         })
     }
 
-    /// Whether the solutions of two inputs differ, and in stiffness alone.
-    pub(crate) fn differs_in_stiffness_alone(&self, other: &Self) -> bool {
-        self.stiffness != other.stiffness && Self { stiffness: other.stiffness.clone(), ..self.clone() } == *other
+    /// Whether the solutions of two inputs differ, and in their posers alone: in stiffness or displacement.
+    pub(crate) fn differs_in_poser_alone(&self, other: &Self) -> bool {
+        let (stiffness, displacement) = (other.stiffness.clone(), other.displacement.clone());
+        self != other && Self { stiffness, displacement, ..self.clone() } == *other
     }
 
     /// Locates the handles in a domain and cuts bars and polygons into bones.
@@ -195,7 +202,7 @@ impl SolveInput {
         Ok(())
     }
 
-    /// Refuses bars, polygons, a held boundary and stiff places, as a point cloud supports none of them.
+    /// Refuses bars, polygons, a held boundary, stiff and displaced places, as a point cloud supports none of them.
     ///
     /// # Errors
     /// [`Error::Unsupported`].
@@ -213,6 +220,9 @@ impl SolveInput {
         }
         if !self.stiffness.is_soft() {
             return Err(unsupported("stiffness".into(), "a stiff place of a point cloud"));
+        }
+        if self.displacement.is_some() {
+            return Err(unsupported("displacement".into(), "a displaced place of a point cloud"));
         }
         Ok(())
     }

@@ -72,7 +72,7 @@ struct PendingSolve {
 enum Progress {
     /// The outline, which the solver keeps.
     Begun,
-    /// The last solution is the wanted one apart from stiffness.
+    /// The last solution is the wanted one apart from stiffness and displacement.
     Solved,
     Located(LocatedHandles),
     Sampled {
@@ -125,14 +125,14 @@ impl Solver {
         self.fill.ask(FillKey::of(project));
         let domain = self.domain.as_ref().map(|domain| &domain.key);
         let known = self.finished.as_ref().filter(|finished| Some(&finished.key) == domain);
-        let is_solved = known.is_some_and(|known| known.input.differs_in_stiffness_alone(&input));
+        let is_solved = known.is_some_and(|known| known.input.differs_in_poser_alone(&input));
         let progress = if is_solved { Progress::Solved } else { Progress::Begun };
         self.pending = Some(PendingSolve { input, progress });
         Ok(())
     }
 
-    /// Runs the next stage of the solve and returns it; `None` if no stage is left. If only the stiffness has changed
-    /// since the last solution, the last stage alone is left.
+    /// Runs the next stage of the solve and returns it; `None` if no stage is left. If only stiffness or
+    /// displacement has changed since the last solution, the last stage alone is left.
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
@@ -148,7 +148,11 @@ impl Solver {
             Progress::Solved => {
                 let finished = finished.as_mut().expect("a solution is only ever replaced");
                 let solution = Arc::make_mut(&mut finished.solution);
-                solution.solved.poser.set_stiffness(input.stiffness.clone());
+                let poser = &mut solution.solved.poser;
+                if finished.input.stiffness != input.stiffness {
+                    poser.set_stiffness(input.stiffness.clone());
+                }
+                poser.set_displacement(input.displacement.clone());
                 finished.input = input;
                 return Ok(Some(Stage::Weights));
             }

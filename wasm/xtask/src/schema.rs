@@ -109,7 +109,7 @@ fn settings(schema: &Value) -> String {
         ("The defaults of the format, which are the paper's.", "PAPER_SETTINGS", paper),
         ("The editor's settings for new projects.", "EDITOR_SETTINGS", editor),
     ];
-    let text = HEADER.to_owned() + &ranges(schema) + &stiffness_cells(schema);
+    let text = HEADER.to_owned() + &ranges(schema) + &stiffness_cells(schema) + &displacement_points(schema);
     all.into_iter().fold(text, |text, (comment, name, project)| {
         let json: Value = serde_json::from_str(&project.to_json()).expect("a project is JSON");
         let settings = [
@@ -149,6 +149,14 @@ fn ranges(schema: &Value) -> String {
 fn stiffness_cells(schema: &Value) -> String {
     let most = literal(&schema["$defs"]["Stiffness"]["properties"]["width"]["maximum"]);
     format!("\n/** The most cells of a mask of stiffness, each way. */\nexport const STIFFNESS_CELLS = {most};\n")
+}
+
+/// The least and the greatest number of control points of a displacement along either side.
+fn displacement_points(schema: &Value) -> String {
+    let side = &schema["$defs"]["Displacement"]["properties"]["width"];
+    let [least, most] = ["minimum", "maximum"].map(|end| literal(&side[end]));
+    let comment = "The fewest and the most control points of a displacement, each way.";
+    format!("\n/** {comment} */\nexport const DISPLACEMENT_POINTS = [{least}, {most}] as const;\n")
 }
 
 /// The TypeScript literal of a text or number.

@@ -132,7 +132,7 @@ impl Playback {
         } else {
             self.poser.motions(&handles)?
         };
-        Ok(Pose::new(self.poser.rest().clone(), motions, blend))
+        Ok(self.poser.pose_of(motions, blend))
     }
 
     /// The motions of a step; `None` if its handles have no pose.

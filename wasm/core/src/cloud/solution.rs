@@ -67,6 +67,8 @@ impl CloudSolution {
             mode: input.mode,
             quadrature: None,
             stiffness: StiffnessField::default(),
+            picture: input.picture,
+            displacement: None,
         });
         let solved = SolvedSites { sites, graph, harmonic, poser, nearest };
         Ok(Self { weights, solved, scores, points: original.points.len(), original: original.clone(), cloud })

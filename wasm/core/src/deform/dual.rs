@@ -92,18 +92,24 @@ impl Sums {
     }
 }
 
-/// The posed place of p and the Jacobian there, from each site's weight and its gradient.
-pub(super) fn mapped<'a>(p: DVec2, sites: impl Iterator<Item = (&'a Dual, f64, DVec2)>) -> (DVec2, DMat2) {
+/// The posed place of p and the Jacobian there, from each site's weight and its gradient. `slopes` are those of p
+/// itself, which depends on the place that weights are of.
+pub(super) fn mapped<'a>(
+    p: DVec2,
+    slopes: DMat2,
+    sites: impl Iterator<Item = (&'a Dual, f64, DVec2)>,
+) -> (DVec2, DMat2) {
     let (mut sums, mut changes) = (Sums::default(), [Sums::default(); 2]);
     for (dual, weight, gradient) in sites {
         let term = dual.term(p);
         sums = sums + weight * term;
         // Gradients sum to zero: relative to p, fewer digits are lost to cancellation.
         let relative = Sums { posed: term.posed - p, ..term };
-        for (change, (axis, slope)) in changes.iter_mut().zip([(DVec2::X, gradient.x), (DVec2::Y, gradient.y)]) {
+        let along = [(slopes.x_axis, gradient.x), (slopes.y_axis, gradient.y)];
+        for (change, (way, slope)) in changes.iter_mut().zip(along) {
             *change = *change + slope * relative;
             // Values relative to p do not change as the point moves away from p.
-            let moved = dual.linear * axis;
+            let moved = dual.linear * way;
             change.posed += weight * moved;
             change.moved += weight * conjugate(dual.half).rotate(moved);
         }
@@ -264,7 +270,8 @@ mod tests {
                     let weight = |p: DVec2| DVec2::new(weights(p)[i], 0.0);
                     DVec2::new(slope(&weight, p, DVec2::X).x, slope(&weight, p, DVec2::Y).x)
                 };
-                let (at, derivative) = mapped(p, (0..3).map(|i| (&duals[i], weights(p)[i], gradient(i))));
+                let (at, derivative) =
+                    mapped(p, DMat2::IDENTITY, (0..3).map(|i| (&duals[i], weights(p)[i], gradient(i))));
                 assert!(at.distance(place(p)) < 1e-9);
                 let expected = DMat2::from_cols(slope(&place, p, DVec2::X), slope(&place, p, DVec2::Y));
                 assert!(derivative.abs_diff_eq(expected, 1e-5), "{derivative} is not {expected} at {spread}");

@@ -10,6 +10,7 @@
 //! For the editor:
 //!
 //! - `posed_picture`: all of it for one solution, without the solution itself.
+//! - `displaced`: the picture after a brush has moved its places.
 //! - `layer`: the points under a drawing, all on one layer where the picture covers itself.
 //! - `placement`: where a handle can be placed. `hidden`, `lead`: the handles that lie behind another
 //!   part, and parts that lie in front.
@@ -26,6 +27,7 @@ mod course;
 mod coverage;
 mod creases;
 mod crossings;
+mod displaced;
 mod drawing_order;
 mod dual;
 mod fold_guard;

@@ -1,4 +1,5 @@
-//! The posed place of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual).
+//! The posed place of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual). Where a brush
+//! has displaced the picture, sites take p + d(p) in place of p: p′ = Σ w_i(p) T_i(p + d(p)).
 //!
 //! `web/src/render/warp.vert.glsl` is the only other implementation. Cost: some floating-point operations for each site
 //! that moves the point.
@@ -10,7 +11,7 @@ use glam::{DMat2, DVec2};
 use super::dual::{Dual, Sums, half_turn, mapped};
 use crate::{
     error::Error,
-    pose::{Motion, Poser},
+    pose::{DisplacementField, Motion, Poser},
     project::{Blend, Handle},
     weight::{Influence, SparseWeights},
 };
@@ -24,6 +25,7 @@ pub struct Pose {
     maps: Vec<SiteMap>,
     /// One for each site, for the rigid blend.
     duals: Option<Vec<Dual>>,
+    displacement: Option<Arc<DisplacementField>>,
 }
 
 /// T_i in the form that vertices are mapped with, contiguous in memory.
@@ -55,7 +57,13 @@ impl Poser {
     /// - [`Error::PoseNotFinite`] for numbers that overflow;
     /// - [`Error::PoserBytes`] if the poser was read from bytes whose bars contradict its handles.
     pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
-        Ok(Pose::new(Arc::clone(self.rest()), self.motions(handles)?, blend))
+        Ok(self.pose_of(self.motions(handles)?, blend))
+    }
+
+    /// The pose of motions of all sites.
+    pub(crate) fn pose_of(&self, motions: Vec<Motion>, blend: Blend) -> Pose {
+        let displacement = self.displacement().cloned();
+        Pose { displacement, ..Pose::new(Arc::clone(self.rest()), motions, blend) }
     }
 
     /// Whether a pose is of the sites of this poser.
@@ -66,6 +74,7 @@ impl Poser {
 }
 
 impl Pose {
+    /// A pose without a displacement.
     pub(crate) fn new(rest: Arc<[DVec2]>, motions: Vec<Motion>, blend: Blend) -> Self {
         let sites = || rest.iter().zip(&motions);
         let map = |(&rest, motion): (&DVec2, &Motion)| SiteMap {
@@ -76,7 +85,7 @@ impl Pose {
         let maps = sites().map(map).collect();
         let dual = |(&rest, motion)| Dual::new(rest, motion);
         let duals = (blend == Blend::Rigid).then(|| sites().map(dual).collect());
-        Self { rest, motions, maps, duals }
+        Self { rest, motions, maps, duals, displacement: None }
     }
 
     /// T_i(p) for one site: where it alone would take a point, in pixels.
@@ -89,13 +98,29 @@ impl Pose {
         posed + linear * (p - rest)
     }
 
+    /// The place of a point before the sites move it, in pixels: p + d(p), where a brush has displaced the picture.
+    #[must_use]
+    pub fn displaced(&self, p: DVec2) -> DVec2 {
+        self.displacement.as_ref().map_or(p, |field| field.place(p))
+    }
+
+    /// Whether some places are displaced.
+    pub(crate) fn displaces(&self) -> bool {
+        self.displacement.is_some()
+    }
+
     /// The posed place of a point, in pixels, from the sites that move it and their weights, for example a row of
-    /// [`SparseWeights`]. A point without weights stays.
+    /// [`SparseWeights`]. A point without weights stays where it is [displaced](Self::displaced) to.
     ///
     /// # Panics
     /// If the solution has no such site.
     #[must_use]
     pub fn blended(&self, p: DVec2, weights: impl IntoIterator<Item = (usize, f64)>) -> DVec2 {
+        self.blended_place(self.displaced(p), weights)
+    }
+
+    /// The posed place of a point that is displaced to a place.
+    pub(crate) fn blended_place(&self, p: DVec2, weights: impl IntoIterator<Item = (usize, f64)>) -> DVec2 {
         let weights = weights.into_iter();
         if let Some(duals) = &self.duals {
             let terms = weights.map(|(site, weight)| weight * duals[site].term(p));
@@ -105,25 +130,30 @@ impl Pose {
     }
 
     /// The posed place of a point, in pixels, and the determinant of the Jacobian there, from the influences of
-    /// [`Solution::influences_at`](crate::Solution::influences_at). A point without influences stays.
+    /// [`Solution::influences_at`](crate::Solution::influences_at). A point without influences stays where it is
+    /// [displaced](Self::displaced) to.
     ///
     /// # Panics
     /// If the solution has no such site.
     #[must_use]
     pub fn map(&self, p: DVec2, influences: &[Influence]) -> Mapped {
+        let (p, slopes) = match &self.displacement {
+            Some(field) => field.place_with_slopes(p),
+            None => (p, DMat2::IDENTITY),
+        };
         if influences.is_empty() {
-            return Mapped { posed: p, det: 1.0 };
+            return Mapped { posed: p, det: slopes.determinant() };
         }
         if let Some(duals) = &self.duals {
             let sites = influences.iter().map(|one| (&duals[one.site], one.weight, one.gradient));
-            let (posed, derivative) = mapped(p, sites);
+            let (posed, derivative) = mapped(p, slopes, sites);
             return Mapped { posed, det: derivative.determinant() };
         }
         let (mut posed, mut derivative) = (DVec2::ZERO, DMat2::ZERO);
         for &Influence { site, weight, gradient } in influences {
             let (moved, linear) = (self.moved(site, p), self.maps[site].linear);
             posed += weight * moved;
-            derivative += weight * linear;
+            derivative += weight * linear * slopes;
             // Gradients sum to zero: relative to p, fewer digits are lost to cancellation.
             derivative += DMat2::from_cols((moved - p) * gradient.x, (moved - p) * gradient.y);
         }
@@ -136,6 +166,14 @@ impl Pose {
     /// If a point has no row, or the solution has no such site.
     pub(crate) fn blend_all(&self, points: &[DVec2], weights: &SparseWeights) -> Vec<DVec2> {
         points.iter().enumerate().map(|(row, &p)| self.blended(p, weights.row(row))).collect()
+    }
+
+    /// The posed places of points that are displaced to places, from the row of each in the weights.
+    ///
+    /// # Panics
+    /// As [`blend_all`](Self::blend_all).
+    pub(crate) fn blend_places(&self, places: &[DVec2], weights: &SparseWeights) -> Vec<DVec2> {
+        places.iter().enumerate().map(|(row, &p)| self.blended_place(p, weights.row(row))).collect()
     }
 
     /// Sites × 12 for a vertex shader: a, b, c, d (the linear part takes x to (a, b) and y to (c, d)), rest x, rest

@@ -62,16 +62,20 @@ pub struct PosedPicture {
     folding: FoldingMesh,
     adjacency: Adjacency,
     background: Option<Bounds>,
-    present: Option<Present>,
+    /// The vertices before the handles pose them, if a brush has displaced some.
+    pub(super) displaced: Option<Vec<DVec2>>,
+    /// `None` at rest.
+    pub(super) present: Option<Present>,
     order: Order,
 }
 
 /// The present pose and its vertices, and its creases once they are asked for.
 #[derive(Debug)]
-struct Present {
-    pose: Pose,
-    posed: Vec<DVec2>,
-    creases: OnceCell<Vec<Crease>>,
+pub(super) struct Present {
+    /// `None` if nothing but the displacement moves the picture.
+    pub(super) pose: Option<Pose>,
+    pub(super) posed: Vec<DVec2>,
+    pub(super) creases: OnceCell<Vec<Crease>>,
 }
 
 /// The drawing order of the present pose.
@@ -103,7 +107,13 @@ impl PosedPicture {
         let folding = FoldingMesh::new(&mesh.vertices, &mesh.triangles, mesh.samples);
         let background = Bounds::new(&mesh.background);
         let adjacency = Adjacency::new(&mesh.triangles);
-        Ok(Self { mesh, poser, handles, folding, adjacency, background, present: None, order: Order::default() })
+        let order = Order::default();
+        let mut picture =
+            Self { mesh, poser, handles, folding, adjacency, background, displaced: None, present: None, order };
+        if picture.poser.displacement().is_some() {
+            picture.displace();
+        }
+        Ok(picture)
     }
 
     /// Poses the picture. `poses` are those of the solved handles, in their order; more may follow. Returns the
@@ -124,9 +134,15 @@ impl PosedPicture {
         if !self.poser.has_made(&pose) {
             return Err(Error::PoseOfAnotherSolution);
         }
-        let posed = pose.blend_all(&self.mesh.vertices, &self.mesh.weights);
-        self.reorder(&pose, &posed);
-        Ok(&self.present.insert(Present { pose, posed, creases: OnceCell::new() }).pose)
+        let posed = self.blend_vertices(&pose);
+        self.reorder(depths(pose.motions()), &posed);
+        let present = self.present.insert(Present { pose: None, posed, creases: OnceCell::new() });
+        Ok(present.pose.insert(pose))
+    }
+
+    /// The posed vertices of a pose. They are displaced as the picture is, not as the pose may have been.
+    pub(super) fn blend_vertices(&self, pose: &Pose) -> Vec<DVec2> {
+        pose.blend_places(self.displaced_vertices(), &self.mesh.weights)
     }
 
     /// The poser of the solution.
@@ -135,9 +151,9 @@ impl PosedPicture {
         &self.poser
     }
 
-    fn reorder(&mut self, pose: &Pose, posed: &[DVec2]) {
+    /// Draws posed vertices in order, with sites of these depths.
+    pub(super) fn reorder(&mut self, depths: Vec<f64>, posed: &[DVec2]) {
         let PictureMesh { vertices: rest, triangles, weights, .. } = &self.mesh;
-        let depths = depths(pose.motions());
         let order = &mut self.order;
         let by_depth = match order.by_depth.take() {
             Some((known, by_depth)) if known == depths => by_depth,
@@ -287,7 +303,7 @@ impl PosedPicture {
     /// # Errors
     /// Those of [`set_pose`](Self::set_pose).
     pub fn fold_count_of(&self, poses: &[HandlePose], blend: Blend) -> Result<usize, Error> {
-        let posed = self.pose(poses, blend)?.blend_all(&self.mesh.vertices, &self.mesh.weights);
+        let posed = self.blend_vertices(&self.pose(poses, blend)?);
         Ok(self.creases_of(&posed).iter().map(|crease| crease.triangles.len()).sum())
     }
 
@@ -338,7 +354,7 @@ impl PosedPicture {
             moved.push(self.poser.pose(&handles, blend)?);
         }
         let moved = moved.try_into().expect("one pose for each move");
-        Ok(reach(&self.mesh.vertices, &self.mesh.weights, &moved, step))
+        Ok(reach(self.displaced_vertices(), &self.mesh.weights, &moved, step))
     }
 
     /// Makes the picture as stiff as a project does. Later poses are those of a solution of it. Cost: the next pose
@@ -391,6 +407,7 @@ impl PosedPicture {
             + size_of_val(weights.sites())
             + size_of_val(weights.weights())
             + size_of_val(&background[..])
+            + self.displaced.as_deref().map_or(0, size_of_val)
             + self.folding.bytes()
             + self.adjacency.bytes()
     }

@@ -22,14 +22,14 @@ pub(super) const STEP: f64 = 0.005;
 /// The moves of the handles, for a step of 1, whose poses [`reach`] compares.
 pub(super) const MOVES: [DVec2; 4] = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
 
-/// The reach at each point, from poses with the handles moved by `step` along each of [`MOVES`].
-pub(super) fn reach(points: &[DVec2], weights: &SparseWeights, moved: &[Pose; 4], step: f64) -> Vec<f32> {
+/// The reach at each place before the handles move it, from poses with the handles moved by `step` along each of [`MOVES`].
+pub(super) fn reach(places: &[DVec2], weights: &SparseWeights, moved: &[Pose; 4], step: f64) -> Vec<f32> {
     let at = |(row, &p): (usize, &DVec2)| {
-        let [right, left, down, up] = moved.each_ref().map(|pose| pose.blended(p, weights.row(row)));
+        let [right, left, down, up] = moved.each_ref().map(|pose| pose.blended_place(p, weights.row(row)));
         let squared = right.distance_squared(left) + down.distance_squared(up);
         ((squared / 2.0).sqrt() / (2.0 * step)) as f32
     };
-    points.iter().enumerate().map(at).collect()
+    places.iter().enumerate().map(at).collect()
 }
 
 #[cfg(test)]

@@ -80,7 +80,7 @@ impl PosedPicture {
     }
 
     fn blended(&self, handles: &[Handle], blend: Blend) -> Result<Vec<DVec2>, Error> {
-        Ok(self.poser.pose(handles, blend)?.blend_all(&self.mesh.vertices, &self.mesh.weights))
+        Ok(self.blend_vertices(&self.poser.pose(handles, blend)?))
     }
 
     /// The nearest pose without visible creases: the given one if it has none; `None` if every way from rest begins

@@ -12,9 +12,12 @@
 //! - `rigid`: the rigid mode in place of eq. 4: one to four milliseconds for 150 virtual sites.
 //! - `unwrap`: whole turns.
 //!
+//! `displacement` moves places before any site does.
+//!
 //! `numeric` has the factorisations and the descent that `harmonic` and `rigid` are computed with.
 
 mod automatic;
+mod displacement;
 mod harmonic;
 mod motion;
 mod numeric;
@@ -24,6 +27,7 @@ mod solved_handle;
 mod strain;
 mod unwrap;
 
+pub(crate) use displacement::{DisplacementField, picture_size};
 pub(crate) use harmonic::HarmonicFields;
 pub use motion::Motion;
 pub(crate) use motion::turn;

@@ -5,7 +5,7 @@ use std::{borrow::Cow, collections::HashMap, f64::consts::TAU, sync::Arc};
 use glam::{DMat2, DVec2};
 
 use super::{
-    HarmonicFields, Motion, Quadrature, SolvedHandle,
+    DisplacementField, HarmonicFields, Motion, Quadrature, SolvedHandle,
     automatic::Automatic,
     rigid::{Freedom, Rigid, StiffnessField, extent},
     unwrap::unwrap_angles,
@@ -52,6 +52,10 @@ pub struct Poser {
     automatic: Automatic,
     /// `None` in the harmonic mode.
     rigid: Option<Rigid>,
+    /// Width and height of the picture.
+    picture: DVec2,
+    /// `None` if no place is displaced.
+    displacement: Option<Arc<DisplacementField>>,
 }
 
 /// The parts of a solution that a [`Poser`] is made from.
@@ -65,11 +69,13 @@ pub(crate) struct PoserInput<'a> {
     /// Needed for the relaxation of the rigid mode; a point cloud has none.
     pub(crate) quadrature: Option<Quadrature>,
     pub(crate) stiffness: StiffnessField,
+    pub(crate) picture: DVec2,
+    pub(crate) displacement: Option<Arc<DisplacementField>>,
 }
 
 impl Poser {
     pub(crate) fn new(input: PoserInput<'_>) -> Self {
-        let PoserInput { sites, graph, harmonic, skeleton, handles: solved, mode, quadrature, stiffness } = input;
+        let PoserInput { sites, graph, harmonic, skeleton, handles: solved, mode, quadrature, stiffness, .. } = input;
         let freedom = |site: &Site| match site.kind {
             SiteKind::Virtual => Freedom::Whole,
             SiteKind::Point { .. } => Freedom::Linear,
@@ -92,6 +98,8 @@ impl Poser {
             harmonic: harmonic.rows.clone(),
             automatic: Automatic::new(sites, graph, harmonic),
             rigid,
+            picture: input.picture,
+            displacement: input.displacement,
         }
     }
 
@@ -244,6 +252,29 @@ impl Poser {
         }
     }
 
+    /// Displaces the picture otherwise: only later poses change.
+    pub(crate) fn set_displacement(&mut self, displacement: Option<Arc<DisplacementField>>) {
+        self.displacement = displacement;
+    }
+
+    /// How places are displaced; `None` if none is.
+    pub(crate) fn displacement(&self) -> Option<&Arc<DisplacementField>> {
+        self.displacement.as_ref()
+    }
+
+    /// Width and height of the picture.
+    pub(crate) fn picture(&self) -> DVec2 {
+        self.picture
+    }
+
+    /// The places of points before the handles pose them: p + d(p).
+    pub(crate) fn displaced<'a>(&self, points: &'a [DVec2]) -> Cow<'a, [DVec2]> {
+        match &self.displacement {
+            Some(field) => points.iter().map(|&p| field.place(p)).collect(),
+            None => points.into(),
+        }
+    }
+
     /// Whether poses are those of the rigid mode.
     pub(crate) fn is_rigid(&self) -> bool {
         self.rigid.is_some()
@@ -343,8 +374,8 @@ impl Poser {
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         // A derived implementation would allow reading without the checks of `from_bytes`.
-        let Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid } = self;
-        let all = (rest, kinds, skeleton, solved, harmonic, automatic, rigid);
+        let Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement } = self;
+        let all = (rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement);
         postcard::to_allocvec(&all).expect("plain data can be written to memory")
     }
 
@@ -358,8 +389,8 @@ impl Poser {
         if !rest.is_empty() {
             return Err(Error::PoserBytes);
         }
-        let (rest, kinds, skeleton, solved, harmonic, automatic, rigid) = all;
-        let poser = Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid };
+        let (rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement) = all;
+        let poser = Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement };
         let sites = poser.rest.len();
         let real = |site: u32| poser.kinds.get(site as usize).is_some_and(|kind| kind.is_real());
         let known = |kind: &SiteKind| match *kind {
@@ -376,6 +407,7 @@ impl Poser {
             && poser.harmonic.iter().flatten().all(|&(site, _)| real(site))
             && poser.automatic.is_whole(real, poser.solved.len())
             && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
+            && poser.displacement.as_ref().is_none_or(|field| field.is_whole())
             && poser.skeleton.is_consistent(poser.solved.len())
             && poser.kinds.iter().all(known);
         if whole { Ok(poser) } else { Err(Error::PoserBytes) }

@@ -23,6 +23,7 @@ impl Project {
             handles,
             clips,
             stiffness,
+            displacement,
             format: _,
             fill: _,
             samples: _,
@@ -36,6 +37,7 @@ impl Project {
         let size = |(width, height): (u32, u32)| DVec2::new(width.into(), height.into());
         let sizes = [image.size(), (width, height)].map(size);
         *stiffness = stiffness.as_ref().and_then(|mask| mask.mapped(map, sizes[0], sizes[1]));
+        *displacement = displacement.as_ref().and_then(|field| field.mapped(map, sizes[0], sizes[1]));
         *image = ImageRef::new("", width, height);
         if let Some(DomainSpec::Polygon { rings, feather }) = domain {
             rings.iter_mut().flatten().for_each(at);

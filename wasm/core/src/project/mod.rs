@@ -29,10 +29,12 @@
 
 mod clip;
 mod cursor;
+mod displacement;
 mod domain;
 mod error;
 mod fill;
 mod format;
+mod grid_values;
 mod handle;
 mod image;
 mod layout;
@@ -45,6 +47,7 @@ mod rotation;
 mod schema;
 mod shape;
 mod shape_kind;
+mod spline;
 mod stiffness;
 #[cfg(test)]
 mod tests;
@@ -58,6 +61,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 pub use self::clip::{Clip, Ease, Key, Looping, Track};
+pub use self::displacement::Displacement;
 pub use self::domain::DomainSpec;
 pub use self::error::ProjectError;
 pub use self::fill::{FillMethod, FillSpec};
@@ -69,6 +73,7 @@ pub use self::pose::{Blend, PoseMode, PoseSpec};
 pub use self::rotation::Rotation;
 pub use self::shape::Shape;
 pub use self::shape_kind::ShapeKind;
+pub(crate) use self::spline::Spline;
 pub use self::stiffness::Stiffness;
 pub(crate) use self::stiffness::bilinear;
 pub use self::weighting::{Continuity, Filling, Support, Weighting};
@@ -133,6 +138,11 @@ pub struct Project {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Stiffness", default, transform = without_default)]
     pub stiffness: Option<Stiffness>,
+    /// How a brush has moved places of the picture at rest, before the handles pose them: a displacement field. The
+    /// default is a picture that no brush has moved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Displacement", default, transform = without_default)]
+    pub displacement: Option<Displacement>,
 }
 
 fn default_samples() -> u32 {
@@ -199,6 +209,7 @@ impl Project {
             handles: Vec::new(),
             clips: Vec::new(),
             stiffness: None,
+            displacement: None,
         }
     }
 
@@ -226,6 +237,7 @@ impl Project {
             "handles",
             "clips",
             "stiffness",
+            "displacement",
         ])?;
         let project = Self {
             format,
@@ -241,6 +253,7 @@ impl Project {
             handles: project.required("handles").and_then(read_handles)?,
             clips: project.value_or("clips", Vec::new(), |value| value.list("a list of clips", Clip::read))?,
             stiffness: project.optional("stiffness").map(Stiffness::read).transpose()?,
+            displacement: project.optional("displacement").map(Displacement::read).transpose()?,
         };
         project.check()?;
         Ok(project)
@@ -250,9 +263,9 @@ impl Project {
     ///
     /// # Errors
     /// For the first number out of range or not finite, bar or polygon with too few points, empty or duplicate id,
-    /// track without a handle, and mask whose size and values differ.
+    /// track without a handle, and mask or displacement whose size and values differ.
     pub fn check(&self) -> Result<(), ProjectError> {
-        let Self { format: Format::V1, image, domain, samples, weighting, pose, handles, clips, stiffness, .. } = self;
+        let Self { format: Format::V1, image, domain, samples, weighting, pose, handles, clips, .. } = self;
         image.check(&Path::Top.key("image"))?;
         domain.as_ref().map_or(Ok(()), DomainSpec::check)?;
         validate::whole_number(&Path::Top.key("samples"), *samples, &SAMPLES)?;
@@ -260,7 +273,8 @@ impl Project {
         pose.check(&Path::Top.key("pose"))?;
         check_handles(handles)?;
         clip::check(clips, handles)?;
-        stiffness.as_ref().map_or(Ok(()), |stiffness| stiffness.check(&Path::Top.key("stiffness")))
+        self.stiffness.as_ref().map_or(Ok(()), |stiffness| stiffness.check(&Path::Top.key("stiffness")))?;
+        self.displacement.as_ref().map_or(Ok(()), Displacement::check)
     }
 
     /// Writes the project as JSON, with every key that has a value.

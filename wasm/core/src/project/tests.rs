@@ -171,7 +171,7 @@ fn errors_name_the_key() {
         (
             r#""fix_boundary""#,
             r#""fixBoundary""#,
-            "fixBoundary: unknown key; expected one of format, image, domain, fill, samples, weighting, pose, fix_boundary, edges, loose_parts, handles, clips, stiffness",
+            "fixBoundary: unknown key; expected one of format, image, domain, fill, samples, weighting, pose, fix_boundary, edges, loose_parts, handles, clips, stiffness, displacement",
         ),
         (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
         (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),

@@ -28,6 +28,8 @@ export interface Project {
   readonly clips?: readonly Clip[];
   /** How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects rigid mode alone. The default is a picture without stiff places. */
   readonly stiffness?: Stiffness;
+  /** How a brush has moved places of the picture at rest, before the handles pose them: a displacement field. The default is a picture that no brush has moved. */
+  readonly displacement?: Displacement;
 }
 
 /** The version of the format. */
@@ -238,5 +240,15 @@ export interface Stiffness {
   /** Number of rows, from 1 to 128. */
   readonly height: number;
   /** A byte for each cell in base64, rows from top to bottom: 0 is as soft as without, 255 is stiff. */
+  readonly values: string;
+}
+
+/** How places of the picture at rest are moved before the handles pose them: a cubic B-spline over the picture.  A place p goes where the handles would take p + d(p), by the weights of p. Of `width` × `height` control points, one row and column lies beyond each edge of the picture. Beyond the picture the displacement at its edge stays.  ``` use c2warp::project::{Displacement, Project};  let mut project = Project::for_picture(640, 480); // Everything moves by half a spacing to the right, and by a quarter up: a segment has 320 × 240 px. project.displacement = Some(Displacement::new(5, 5, [128, -64].repeat(25))); let displacement = project.displacement.as_ref().unwrap(); assert_eq!(displacement.at([320.0, 90.0].into(), [640.0, 480.0].into()), [160.0, -60.0].into()); assert_eq!(Project::from_json(&project.to_json())?, project); # Ok::<(), c2warp::project::ProjectError>(()) ``` */
+export interface Displacement {
+  /** Number of columns of control points, from 4 to 259. They are the picture's width / (`width` − 3) apart. */
+  readonly width: number;
+  /** Number of rows of control points, from 4 to 259. They are the picture's height / (`height` − 3) apart. */
+  readonly height: number;
+  /** For each control point, rows from top to bottom, its displacement in x, then in y: 256 is the distance between columns, or rows. In base64: whole numbers of 16 bits with a sign, the lower byte first. */
   readonly values: string;
 }

@@ -11,6 +11,9 @@ export const RANGES = {
 /** The most cells of a mask of stiffness, each way. */
 export const STIFFNESS_CELLS = 128;
 
+/** The fewest and the most control points of a displacement, each way. */
+export const DISPLACEMENT_POINTS = [4, 259] as const;
+
 /** The defaults of the format, which are the paper's. */
 export const PAPER_SETTINGS = {
   samples: 10000,
