@@ -51,6 +51,7 @@ const PICTURE_CORNERS: usize = 4;
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpriteMesh {
     vertices: Vec<DVec2>,
+    displaced: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
     /// The triangles of the static background come first.
     behind: usize,
@@ -89,8 +90,9 @@ impl SpriteMesh {
         let Triangulation { vertices, triangles, .. } = Triangulation::constrained_delaunay(vertices, segments.clone());
         let weights = weights_around(solution, &vertices);
         let triangles = by_part(solution, &weights, triangles);
-        let mut mesh =
-            Self { behind: 0, hull: (0..first_ring as u32).collect(), vertices, triangles, weights, tolerance };
+        let displaced = solution.poser().displaced(&vertices).into_owned();
+        let hull = (0..first_ring as u32).collect();
+        let mut mesh = Self { behind: 0, hull, vertices, displaced, triangles, weights, tolerance };
         if domain.rings().len() > 1 {
             mesh.hull.clear();
         }
@@ -104,6 +106,13 @@ impl SpriteMesh {
     #[must_use]
     pub fn vertices(&self) -> &[DVec2] {
         &self.vertices
+    }
+
+    /// The [`vertices`](Self::vertices) before the handles pose them: displaced as the project of the solution says.
+    /// Those of the static background stay.
+    #[must_use]
+    pub fn displaced_vertices(&self) -> &[DVec2] {
+        &self.displaced
     }
 
     /// Triangles × 3 vertices, those of the static background first.
@@ -136,7 +145,7 @@ impl SpriteMesh {
     /// If the pose is of a solution with fewer sites.
     #[must_use]
     pub fn posed_vertices(&self, pose: &Pose) -> Vec<DVec2> {
-        pose.blend_all(&self.vertices, &self.weights)
+        pose.blend_places(&self.displaced, &self.weights)
     }
 
     /// One order of the triangles for several poses, by the depths of the first one. Where parts cross in any pose, one
@@ -173,6 +182,7 @@ impl SpriteMesh {
         for _ in &vertices {
             self.weights.push_row(std::iter::empty());
         }
+        self.displaced.extend(&vertices);
         self.vertices.extend(vertices);
         self.behind = triangles.len();
         self.triangles.splice(0..0, triangles.into_iter().map(|t| t.map(|vertex| first + vertex)));

@@ -87,7 +87,7 @@ fn mesh(rig: &EngineRig) -> Value {
         "name": rig.name,
         "width": rig.width,
         "height": rig.height,
-        "vertices": list(&mut rig.vertices.iter().copied(), PLACE),
+        "vertices": list(&mut rig.displaced.iter().copied(), PLACE),
         "uvs": list(&mut rig.vertices.iter().map(|p| *p / size), SHARE),
         "triangles": rig.triangles.iter().flatten().collect::<Vec<_>>(),
         "weights": weights,

@@ -92,7 +92,7 @@ fn packed(file: &Value, buffer: &[u8]) -> Vec<u8> {
 
 fn primitive(rig: &EngineRig, buffer: &mut Buffer) -> Value {
     let size = DVec2::new(f64::from(rig.width), f64::from(rig.height));
-    let places: Vec<f32> = rig.vertices.iter().flat_map(|p| [p.x as f32, -p.y as f32, 0.0]).collect();
+    let places: Vec<f32> = rig.displaced.iter().flat_map(|p| [p.x as f32, -p.y as f32, 0.0]).collect();
     let uvs: Vec<f32> = rig.vertices.iter().flat_map(|p| (*p / size).to_array()).map(|uv| uv as f32).collect();
     let mut attributes = Map::new();
     attributes.insert("POSITION".into(), buffer.bounded(&places, "VEC3", Some(ARRAY_BUFFER)).into());

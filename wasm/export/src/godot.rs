@@ -72,12 +72,12 @@ fn write_bone(name: &str, parent: &str, rest: DVec2, pose: Option<Numbers>, to: 
 }
 
 fn write_polygon(rig: &EngineRig, to: &mut String) -> fmt::Result {
-    let points = list(rig.vertices.iter().flat_map(DVec2::to_array), PLACE);
+    let [points, uv] = [&rig.displaced, &rig.vertices].map(|p| list(p.iter().flat_map(DVec2::to_array), PLACE));
     writeln!(to, "[node name=\"Polygon2D\" type=\"Polygon2D\" parent=\".\"]")?;
     writeln!(to, "texture = ExtResource(\"1\")")?;
     writeln!(to, "skeleton = NodePath(\"../{SKELETON}\")")?;
     writeln!(to, "polygon = PackedVector2Array({points})")?;
-    writeln!(to, "uv = PackedVector2Array({points})")?;
+    writeln!(to, "uv = PackedVector2Array({uv})")?;
     let triangles: Vec<String> =
         rig.triangles.iter().map(|[a, b, c]| format!("PackedInt32Array({a}, {b}, {c})")).collect();
     writeln!(to, "polygons = [{}]", triangles.join(", "))?;

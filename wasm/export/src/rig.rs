@@ -68,7 +68,10 @@ pub struct EngineRig {
     pub(crate) name: String,
     pub(crate) width: u32,
     pub(crate) height: u32,
+    /// At rest, where textures are read.
     pub(crate) vertices: Vec<DVec2>,
+    /// The vertices before bones move them: displaced as the project says.
+    pub(crate) displaced: Vec<DVec2>,
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) hull: usize,
     /// The root comes first. It stays at the picture's top left corner.
@@ -184,6 +187,7 @@ impl EngineRig {
             width: picture.width(),
             height: picture.height(),
             vertices: mesh.vertices().to_vec(),
+            displaced: mesh.displaced_vertices().to_vec(),
             triangles: drawn,
             hull: mesh.hull().len(),
             pose: skeleton.maps(&mesh, &pose),
@@ -257,7 +261,7 @@ impl EngineRig {
     /// The corners of the boxes around the vertices of each bone, from the bone at rest.
     fn boxes(&self) -> Vec<[DVec2; 4]> {
         let mut boxes = vec![[DVec2::INFINITY, DVec2::NEG_INFINITY]; self.bones.len()];
-        for (vertex, p) in self.vertices.iter().enumerate() {
+        for (vertex, p) in self.displaced.iter().enumerate() {
             for (bone, _) in self.weights.row(vertex) {
                 let q = *p - self.bones[bone].rest;
                 boxes[bone] = [boxes[bone][0].min(q), boxes[bone][1].max(q)];
@@ -358,7 +362,7 @@ impl Skeleton {
             poses.iter().map(|pose| (0..all).map(|site| map_of(pose, site)).collect()).collect();
         let links = solution.links().map(|(a, b, _)| (a, b));
         let ChosenSites { kept, leader } =
-            chosen_sites(&site_maps, mesh.vertices(), mesh.weights(), links, options.bones);
+            chosen_sites(&site_maps, mesh.displaced_vertices(), mesh.weights(), links, options.bones);
         let weights = of_bones(mesh.weights(), &kept, &leader);
         let most = weights.offsets().windows(2).map(|row| row[1] - row[0]).max().unwrap_or(0) as usize;
         let is_exact = project.pose.blend == Blend::Linear && kept.len() == all && most <= options.influences;
@@ -368,7 +372,7 @@ impl Skeleton {
             for round in 0..ROUNDS {
                 tell(round as f64 / ROUNDS as f64);
                 let maps: Vec<Vec<DAffine2>> = poses.iter().map(|pose| skeleton.maps(mesh, pose)).collect();
-                let fit = WeightFit { vertices: mesh.vertices(), targets: &targets, maps: &maps };
+                let fit = WeightFit { vertices: mesh.displaced_vertices(), targets: &targets, maps: &maps };
                 skeleton.weights = fit.fitted(&skeleton.weights, options.influences);
                 skeleton.refit(mesh);
             }
@@ -379,7 +383,7 @@ impl Skeleton {
 
     fn refit(&mut self, mesh: &SpriteMesh) {
         let rest: Vec<DVec2> = self.bones.iter().map(|bone| bone.rest).collect();
-        self.fit = Some(MotionFit::new(mesh.vertices(), &self.weights, &rest));
+        self.fit = Some(MotionFit::new(mesh.displaced_vertices(), &self.weights, &rest));
     }
 
     /// Drops the bones that move no vertex.
@@ -413,7 +417,7 @@ impl Skeleton {
     fn maps(&self, mesh: &SpriteMesh, pose: &Pose) -> Vec<DAffine2> {
         let sites = self.site_maps(pose);
         match &self.fit {
-            Some(fit) => fit.fitted(&sites, mesh.vertices(), &self.weights, &mesh.posed_vertices(pose)),
+            Some(fit) => fit.fitted(&sites, mesh.displaced_vertices(), &self.weights, &mesh.posed_vertices(pose)),
             None => sites,
         }
     }
@@ -429,7 +433,7 @@ impl Skeleton {
             let (maps, exact) = (maps(self, mesh, pose), mesh.posed_vertices(pose));
             let distance =
                 |(vertex, &p): (usize, &DVec2)| blended(&maps, p, self.weights.row(vertex)).distance(exact[vertex]);
-            mesh.vertices().iter().enumerate().map(distance).collect::<Vec<f64>>()
+            mesh.displaced_vertices().iter().enumerate().map(distance).collect::<Vec<f64>>()
         };
         Errors::of(poses.iter().flat_map(of_pose).collect())
     }

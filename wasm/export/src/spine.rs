@@ -71,7 +71,7 @@ fn mesh(rig: &EngineRig) -> Value {
     let size = DVec2::new(f64::from(rig.width), f64::from(rig.height));
     let uvs: Vec<Value> = rig.vertices.iter().flat_map(|p| (*p / size).to_array()).map(|uv| json(uv, SHARE)).collect();
     let mut vertices = Vec::new();
-    for (vertex, p) in rig.vertices.iter().enumerate() {
+    for (vertex, p) in rig.displaced.iter().enumerate() {
         let row = shares(rig.weights.row(vertex));
         vertices.push(Value::from(row.len()));
         for (bone, weight) in row {

@@ -38,6 +38,8 @@ const FINER: u8 = 6;
 
 /// Everything that a rig draws: the static background, then the mesh of the solution.
 struct Drawn {
+    /// The vertices at rest. Those of the skin are displaced.
+    at_rest: Vec<DVec2>,
     skin: Skin,
     triangles: Vec<[u32; 3]>,
     /// Triangles of the static background.
@@ -54,11 +56,11 @@ pub(super) fn bake(
     let blend = project.pose.blend;
     let sequences = MotionSequence::all(project, solution, progress)?;
     let posable = Posable::of(project, solution)?;
-    let drawn = if project.handles.is_empty() { whole(&picture) } else { drawn(solution) };
+    let is_still = project.handles.is_empty() && solution.poser().displacement().is_none();
+    let drawn = if is_still { whole(&picture) } else { drawn(solution) };
     let (mesh, weights) = rounded_mesh(&drawn, &sequences, posable.as_ref(), blend)?;
     let stored = mesh.skin(&weights);
     let clip = |sequence: &MotionSequence| {
-        let is_still = project.handles.is_empty();
         let orders = if is_still { Order::of_mesh() } else { orders(solution, &drawn, sequence, blend, progress) };
         rounded_clip([&drawn.skin, &stored], sequence, blend, orders, progress)
     };
@@ -111,8 +113,8 @@ fn whole(picture: &RigPicture) -> Drawn {
     let mut weights = SparseWeights::with_capacity(4);
     (0..4).for_each(|_| weights.push_row(std::iter::empty()));
     let vertices = vec![DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
-    let skin = Skin { vertices, weights, rest: Arc::from([]) };
-    Drawn { skin, triangles: vec![[0, 1, 2], [0, 2, 3]], behind: 0 }
+    let skin = Skin { vertices: vertices.clone(), weights, rest: Arc::from([]) };
+    Drawn { at_rest: vertices, skin, triangles: vec![[0, 1, 2], [0, 2, 3]], behind: 0 }
 }
 
 /// The vertices are numbered by their first use.
@@ -135,10 +137,13 @@ fn drawn(solution: &Solution) -> Drawn {
         let row = old.checked_sub(around.len()).map(|vertex| solution.weights().row(vertex));
         weights.push_row(row.into_iter().flatten());
     }
-    let place = |&old: &usize| if old < around.len() { around[old] } else { vertices[old - around.len()] };
+    let in_order = |vertices: &[DVec2]| {
+        let place = |&old: &usize| if old < around.len() { around[old] } else { vertices[old - around.len()] };
+        order.iter().map(place).collect::<Vec<DVec2>>()
+    };
     let rest = Arc::clone(solution.poser().rest());
-    let skin = Skin { vertices: order.iter().map(place).collect(), weights, rest };
-    Drawn { skin, triangles, behind: background.triangles().len() as u32 }
+    let skin = Skin { vertices: in_order(&solution.displaced_vertices()), weights, rest };
+    Drawn { at_rest: in_order(vertices), skin, triangles, behind: background.triangles().len() as u32 }
 }
 
 /// The mesh and its weights with the coarsest steps that keep vertices in place. They are tried in some frames of all
@@ -155,10 +160,11 @@ fn rounded_mesh(
             greatest_distance(&drawn.skin.posed(motions, blend), &skin.posed(motions, blend)) <= tolerance
         })
     };
-    let mesh = (6..=16).filter_map(|bits| Mesh::rounded(&drawn.skin, &drawn.triangles, bits)).find(|mesh| {
-        let places = mesh.places();
-        is_close(&Skin { weights: drawn.skin.weights.clone(), ..places }, PLACE_TOLERANCE)
-    });
+    let mesh =
+        (6..=16).filter_map(|bits| Mesh::rounded(&drawn.at_rest, &drawn.skin, &drawn.triangles, bits)).find(|mesh| {
+            let places = mesh.places();
+            is_close(&Skin { weights: drawn.skin.weights.clone(), ..places }, PLACE_TOLERANCE)
+        });
     let too_far = || BakeError::TooFar { clip: sequences[0].name.clone() };
     let mesh = mesh.ok_or_else(too_far)?;
     let weights = (8..=22).map(|bits| Weights::rounded(&drawn.skin.weights, bits));
@@ -211,7 +217,7 @@ fn orders(
     progress: &mut Progress<'_>,
 ) -> Vec<Order> {
     let skin = Skin {
-        vertices: solution.vertices().to_vec(),
+        vertices: solution.displaced_vertices().into_owned(),
         weights: solution.weights().clone(),
         rest: Arc::clone(&drawn.skin.rest),
     };

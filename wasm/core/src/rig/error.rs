@@ -16,6 +16,8 @@ pub enum RigPart {
     Mesh,
     /// Weights of the vertices.
     Weights,
+    /// By how much vertices are displaced.
+    Displacements,
     /// Handles and their shares in the motions of sites.
     Shares,
     /// A clip.
@@ -30,6 +32,7 @@ impl RigPart {
             Self::Picture => "the picture",
             Self::Mesh => "the mesh",
             Self::Weights => "the weights",
+            Self::Displacements => "the displacement",
             Self::Shares => "the shares",
             Self::Clip => "a clip",
         }

@@ -5,7 +5,9 @@ use std::collections::VecDeque;
 use super::error::{BakeError, RigError, RigPart};
 
 const MAGIC: [u8; 8] = *b"\x89C2RIG\r\n";
-const VERSION: u32 = 1;
+/// Files of a displaced picture have the last version, so that no reader of the first one shows them wrongly.
+const VERSIONS: std::ops::RangeInclusive<u32> = 1..=DISPLACED;
+pub(super) const DISPLACED: u32 = 2;
 /// Magic, version, length, checksum and number of sections.
 const HEADER: usize = 24;
 /// Tag, stored bytes and unpacked bytes.
@@ -26,7 +28,7 @@ pub(super) struct Section {
     pub(super) bytes: Vec<u8>,
 }
 
-pub(super) fn packed(sections: &[Section]) -> Result<Vec<u8>, BakeError> {
+pub(super) fn packed(version: u32, sections: &[Section]) -> Result<Vec<u8>, BakeError> {
     let size = |length: usize| u32::try_from(length).map_err(|_| BakeError::TooLarge);
     let mut table = Vec::new();
     let mut stored = Vec::new();
@@ -42,15 +44,15 @@ pub(super) fn packed(sections: &[Section]) -> Result<Vec<u8>, BakeError> {
     checked.extend(table);
     checked.extend(stored);
     let mut file = MAGIC.to_vec();
-    file.extend(VERSION.to_le_bytes());
+    file.extend(version.to_le_bytes());
     file.extend(size(UNCHECKED + checked.len())?.to_le_bytes());
     file.extend(crc32fast::hash(&checked).to_le_bytes());
     file.extend(checked);
     Ok(file)
 }
 
-/// The sections of a file, in the order of its table.
-pub(super) fn unpacked(file: &[u8]) -> Result<VecDeque<Section>, RigError> {
+/// The version of a file, and its sections in the order of its table.
+pub(super) fn unpacked(file: &[u8]) -> Result<(u32, VecDeque<Section>), RigError> {
     let word = |at: usize| {
         let bytes: [u8; 4] = file[at..at + 4].try_into().expect("four bytes");
         u32::from_le_bytes(bytes)
@@ -63,7 +65,7 @@ pub(super) fn unpacked(file: &[u8]) -> Result<VecDeque<Section>, RigError> {
         return Err(RigError::Length { expected: HEADER as u32, found: file.len() });
     }
     let [version, length, checksum, count] = [8, 12, 16, 20].map(word);
-    if version != VERSION {
+    if !VERSIONS.contains(&version) {
         return Err(RigError::Version { found: version });
     }
     if length as usize != file.len() {
@@ -88,7 +90,7 @@ pub(super) fn unpacked(file: &[u8]) -> Result<VecDeque<Section>, RigError> {
     if !rest.is_empty() {
         return Err(wrong("ends before the file"));
     }
-    Ok(sections)
+    Ok((version, sections))
 }
 
 fn inflated(stored: &[u8], length: u32) -> Option<Vec<u8>> {

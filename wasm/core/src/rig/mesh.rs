@@ -25,6 +25,8 @@ pub(super) struct Mesh {
     /// Places are multiples of 2 to the power of minus this, in pixels.
     pub(super) place_bits: u8,
     pub(super) vertices: Vec<[i32; 2]>,
+    /// By how much each vertex is displaced before sites move it; `None` if none is.
+    pub(super) displacements: Option<Vec<[i32; 2]>>,
     /// In drawing order.
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) rest: Vec<[i32; 2]>,
@@ -42,12 +44,21 @@ pub(super) struct Weights {
 }
 
 impl Mesh {
-    /// `None` if a place is too far away.
-    pub(super) fn rounded(skin: &Skin, triangles: &[[u32; 3]], place_bits: u8) -> Option<Self> {
+    /// A mesh whose vertices are at rest at some places. `None` if a place is too far away.
+    pub(super) fn rounded(at_rest: &[DVec2], skin: &Skin, triangles: &[[u32; 3]], place_bits: u8) -> Option<Self> {
         let place = |p: &DVec2| Some([round(p.x, place_bits)?, round(p.y, place_bits)?]);
+        let places = |places: &[DVec2]| places.iter().map(place).collect::<Option<Vec<_>>>();
+        let vertices = places(at_rest)?;
+        let displaced = if at_rest == skin.vertices { None } else { Some(places(&skin.vertices)?) };
+        let by = |(to, from): (&[i32; 2], &[i32; 2])| Some([to[0].checked_sub(from[0])?, to[1].checked_sub(from[1])?]);
+        let displacements = displaced.map(|displaced| displaced.iter().zip(&vertices).map(by).collect::<Option<_>>());
         Some(Self {
             place_bits,
-            vertices: skin.vertices.iter().map(place).collect::<Option<_>>()?,
+            displacements: match displacements {
+                Some(displacements) => Some(displacements?),
+                None => None,
+            },
+            vertices,
             triangles: triangles.to_vec(),
             rest: skin.rest.iter().map(place).collect::<Option<_>>()?,
         })
@@ -59,12 +70,21 @@ impl Mesh {
 
     /// A skin without weights.
     pub(super) fn places(&self) -> Skin {
-        let place = |&[x, y]: &[i32; 2]| DVec2::new(value(x, self.place_bits), value(y, self.place_bits));
-        Skin {
-            vertices: self.vertices.iter().map(place).collect(),
-            weights: SparseWeights::with_capacity(0),
-            rest: Arc::from_iter(self.rest.iter().map(place)),
+        let mut vertices = self.at_rest();
+        for (vertex, by) in vertices.iter_mut().zip(self.displacements.iter().flatten()) {
+            *vertex += self.place(by);
         }
+        let rest = Arc::from_iter(self.rest.iter().map(|place| self.place(place)));
+        Skin { vertices, weights: SparseWeights::with_capacity(0), rest }
+    }
+
+    /// The vertices at rest.
+    pub(super) fn at_rest(&self) -> Vec<DVec2> {
+        self.vertices.iter().map(|place| self.place(place)).collect()
+    }
+
+    fn place(&self, &[x, y]: &[i32; 2]) -> DVec2 {
+        DVec2::new(value(x, self.place_bits), value(y, self.place_bits))
     }
 
     pub(super) fn write(&self, to: &mut Writer) {
@@ -72,15 +92,7 @@ impl Mesh {
         to.count(self.vertices.len());
         to.count(self.triangles.len());
         to.count(self.rest.len());
-        for places in [&self.vertices, &self.rest] {
-            for axis in 0..2 {
-                let mut before = 0_i32;
-                for place in places {
-                    to.signed(place[axis].wrapping_sub(before));
-                    before = place[axis];
-                }
-            }
-        }
+        [&self.vertices, &self.rest].into_iter().for_each(|places| write_places(places, to));
         let mut seen = 0;
         for &corner in self.triangles.iter().flatten() {
             to.varint(seen - corner);
@@ -105,7 +117,27 @@ impl Mesh {
         let triangle = |_| Ok([corner()?, corner()?, corner()?]);
         let triangles = (0..triangles).map(triangle).collect::<Result<_, RigError>>()?;
         from.expect(seen as usize == vertices.len(), "has triangles of other vertices")?;
-        Ok(Self { place_bits, vertices, triangles, rest })
+        Ok(Self { place_bits, vertices, displacements: None, triangles, rest })
+    }
+
+    pub(super) fn write_displacements(&self, to: &mut Writer) {
+        self.displacements.iter().for_each(|by| write_places(by, to));
+    }
+
+    pub(super) fn read_displacements(&mut self, from: &mut Reader<'_>) -> Result<(), RigError> {
+        from.expect(from.has(self.vertices.len().checked_mul(2)), "ends too early")?;
+        self.displacements = Some(read_places(from, self.vertices.len())?);
+        Ok(())
+    }
+}
+
+fn write_places(places: &[[i32; 2]], to: &mut Writer) {
+    for axis in 0..2 {
+        let mut before = 0_i32;
+        for place in places {
+            to.signed(place[axis].wrapping_sub(before));
+            before = place[axis];
+        }
     }
 }
 

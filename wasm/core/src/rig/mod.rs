@@ -37,7 +37,7 @@ pub use error::{BakeError, RigError, RigPart};
 
 use self::{
     bytes::{Reader, Writer},
-    file::{Section, Tag, packed, unpacked},
+    file::{DISPLACED, Section, Tag, packed, unpacked},
     mesh::{Mesh, Weights},
     shares::Shares,
 };
@@ -50,6 +50,7 @@ const HEAD: Tag = *b"HEAD";
 const PICTURE: Tag = *b"PICT";
 const MESH: Tag = *b"MESH";
 const WEIGHTS: Tag = *b"WGHT";
+const DISPLACEMENTS: Tag = *b"DISP";
 const SHARES: Tag = *b"SHAR";
 const CLIP: Tag = *b"CLIP";
 
@@ -134,6 +135,12 @@ impl Rig {
     /// Vertices at rest, in image pixels, numbered by their first use in the triangles.
     #[must_use]
     pub fn vertices(&self) -> Vec<DVec2> {
+        self.mesh.at_rest()
+    }
+
+    /// The [`vertices`](Self::vertices) before the sites move them: displaced as the project says.
+    #[must_use]
+    pub fn displaced_vertices(&self) -> Vec<DVec2> {
         self.mesh.places().vertices
     }
 
@@ -202,9 +209,13 @@ impl Rig {
             written(MESH, &|to| self.mesh.write(to)),
             written(WEIGHTS, &|to| self.weights.write(to)),
         ];
+        let is_displaced = self.mesh.displacements.is_some();
+        if is_displaced {
+            sections.push(written(DISPLACEMENTS, &|to| self.mesh.write_displacements(to)));
+        }
         sections.extend(self.shares.iter().map(|shares| written(SHARES, &|to| shares.write(to))));
         sections.extend(self.clips.iter().map(|clip| written(CLIP, &|to| clip.write(to, self.sites()))));
-        packed(&sections)
+        packed(if is_displaced { DISPLACED } else { 1 }, &sections)
     }
 
     /// Reads a file.
@@ -212,9 +223,12 @@ impl Rig {
     /// # Errors
     /// A [`RigError`] for bytes that are no rig of this version, or a damaged one.
     pub fn from_bytes(file: &[u8]) -> Result<Self, RigError> {
-        let mut sections = unpacked(file)?;
+        let (version, mut sections) = unpacked(file)?;
+        let is_displaced = version == DISPLACED;
         // Sections of other names belong to later versions.
-        sections.retain(|section| [HEAD, PICTURE, MESH, WEIGHTS, SHARES, CLIP].contains(&section.tag));
+        sections.retain(|Section { tag, .. }| {
+            [HEAD, PICTURE, MESH, WEIGHTS, SHARES, CLIP].contains(tag) || is_displaced && *tag == DISPLACEMENTS
+        });
         let head = next(&mut sections, HEAD, RigPart::Head)?;
         let picture = next(&mut sections, PICTURE, RigPart::Picture)?;
         let mesh = next(&mut sections, MESH, RigPart::Mesh)?;
@@ -228,6 +242,12 @@ impl Rig {
         let mut from = Reader::new(RigPart::Weights, &weights);
         rig.weights = Weights::read(&mut from, rig.mesh.vertices.len(), rig.sites())?;
         from.end()?;
+        if is_displaced {
+            let displacements = next(&mut sections, DISPLACEMENTS, RigPart::Displacements)?;
+            let mut from = Reader::new(RigPart::Displacements, &displacements);
+            rig.mesh.read_displacements(&mut from)?;
+            from.end()?;
+        }
         if sections.front().is_some_and(|section| section.tag == SHARES) {
             let shares = next(&mut sections, SHARES, RigPart::Shares)?;
             let mut from = Reader::new(RigPart::Shares, &shares);
@@ -268,7 +288,13 @@ impl Rig {
             handles,
             shares: None,
             clips: Vec::new(),
-            mesh: Mesh { place_bits: 0, vertices: Vec::new(), triangles: Vec::new(), rest: Vec::new() },
+            mesh: Mesh {
+                place_bits: 0,
+                vertices: Vec::new(),
+                displacements: None,
+                triangles: Vec::new(),
+                rest: Vec::new(),
+            },
             weights: Weights { bits: 0, offsets: vec![0], sites: Vec::new(), shares: Vec::new() },
         })
     }
@@ -289,15 +315,25 @@ mod tests {
     use super::*;
     use crate::{
         picture::Picture,
-        project::{Clip, Ease, Handle, Key, Looping, Track},
+        project::{Clip, Displacement, Ease, Handle, Key, Looping, Track},
         solve::solve,
     };
 
     /// A small rig with two clips and two drawing orders.
     fn rig() -> Rig {
+        rig_of(None)
+    }
+
+    /// The same, with its left half displaced.
+    fn displaced_rig() -> Rig {
+        let values = (0..5).flat_map(|_| [90, -40, 60, -20, 0, 0, 0, 0, 0, 0]).collect();
+        rig_of(Some(Displacement::new(5, 5, values)))
+    }
+
+    fn rig_of(displacement: Option<Displacement>) -> Rig {
         let rgba = vec![255; 24 * 18 * 4];
         let mut project = Project::for_picture(24, 18);
-        project.samples = 100;
+        (project.samples, project.displacement) = (100, displacement);
         project.handles = vec![
             Handle::point("left", [4.0, 9.0]),
             Handle::point("right", [20.0, 9.0]),
@@ -316,9 +352,13 @@ mod tests {
         rig
     }
 
+    fn version_of(sections: &[Section]) -> u32 {
+        if sections.iter().any(|section| section.tag == DISPLACEMENTS) { DISPLACED } else { 1 }
+    }
+
     /// Reads sections, and poses the rig if they are one.
     fn try_out(sections: &[Section]) -> Result<(), RigError> {
-        let rig = Rig::from_bytes(&packed(sections).unwrap())?;
+        let rig = Rig::from_bytes(&packed(version_of(sections), sections).unwrap())?;
         for (index, clip) in rig.clips().iter().enumerate() {
             for frame in [0.0, 0.5, f64::from(clip.last_frame)] {
                 assert_eq!(rig.posed_vertices(index, frame).len(), rig.vertices().len());
@@ -333,8 +373,31 @@ mod tests {
 
     #[test]
     fn a_rig_returns_from_its_bytes() {
-        let rig = rig();
-        assert_eq!(Rig::from_bytes(&rig.to_bytes().unwrap()), Ok(rig));
+        for (rig, version) in [(rig(), 1), (displaced_rig(), 2)] {
+            let file = rig.to_bytes().unwrap();
+            assert_eq!(file[8], version);
+            assert_eq!(Rig::from_bytes(&file), Ok(rig));
+        }
+    }
+
+    #[test]
+    fn a_displaced_rig_has_displacements() {
+        let rig = displaced_rig();
+        assert_ne!(rig.vertices(), rig.displaced_vertices());
+        let mut sections = Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap().1);
+        assert_eq!(sections[4].tag, DISPLACEMENTS);
+        // The first version knows no such section.
+        let plain = Rig::from_bytes(&packed(1, &sections).unwrap()).unwrap();
+        assert_eq!(plain.displaced_vertices(), rig.vertices());
+        for end in 0..sections[4].bytes.len() {
+            let cut = Section { tag: DISPLACEMENTS, bytes: sections[4].bytes[..end].to_vec() };
+            let whole = std::mem::replace(&mut sections[4], cut);
+            assert!(try_out(&sections).is_err(), "{end} bytes");
+            sections[4] = whole;
+        }
+        sections.remove(4);
+        let error = Rig::from_bytes(&packed(2, &sections).unwrap()).unwrap_err();
+        assert_eq!(error.to_string(), "this rig is damaged: the displacement is missing");
     }
 
     #[test]
@@ -356,18 +419,18 @@ mod tests {
     #[test]
     fn later_versions_are_named() {
         let mut file = rig().to_bytes().unwrap();
-        file[8] = 2;
-        assert_eq!(Rig::from_bytes(&file), Err(RigError::Version { found: 2 }));
+        file[8] = 3;
+        assert_eq!(Rig::from_bytes(&file), Err(RigError::Version { found: 3 }));
         assert_eq!(Rig::from_bytes(b"\x89PNG\r\n\x1a\n"), Err(RigError::NotARig));
     }
 
     #[test]
     fn unknown_sections_are_skipped_and_missing_ones_refused() {
         let rig = rig();
-        let sections = || Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap());
+        let sections = || Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap().1);
         let mut more = sections();
         more.insert(2, Section { tag: *b"MORE", bytes: vec![1, 2, 3] });
-        assert_eq!(Rig::from_bytes(&packed(&more).unwrap()), Ok(rig.clone()));
+        assert_eq!(Rig::from_bytes(&packed(1, &more).unwrap()), Ok(rig.clone()));
         for missing in 0..4 {
             let mut fewer = sections();
             fewer.remove(missing);
@@ -379,12 +442,12 @@ mod tests {
         // Then poses need a solver.
         let mut without_shares = sections();
         without_shares.remove(4);
-        assert_eq!(Rig::from_bytes(&packed(&without_shares).unwrap()).unwrap().handles(), None);
+        assert_eq!(Rig::from_bytes(&packed(1, &without_shares).unwrap()).unwrap().handles(), None);
     }
 
     #[test]
     fn cut_sections_are_refused() {
-        let sections = unpacked(&rig().to_bytes().unwrap()).unwrap();
+        let sections = unpacked(&rig().to_bytes().unwrap()).unwrap().1;
         for (at, section) in sections.iter().enumerate().filter(|(_, section)| section.tag != PICTURE) {
             for end in 0..section.bytes.len() {
                 let cut = |(index, other): (usize, &Section)| Section {
@@ -401,8 +464,14 @@ mod tests {
         #![proptest_config(ProptestConfig { failure_persistence: None, cases: 64, ..ProptestConfig::default() })]
 
         #[test]
-        fn any_contents_are_read_or_refused(at: proptest::sample::Index, byte: u8, other: proptest::sample::Index) {
-            let mut sections = Vec::from(unpacked(&rig().to_bytes().unwrap()).unwrap());
+        fn any_contents_are_read_or_refused(
+            at: proptest::sample::Index,
+            byte: u8,
+            other: proptest::sample::Index,
+            is_displaced: bool,
+        ) {
+            let rig = if is_displaced { displaced_rig() } else { rig() };
+            let mut sections = Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap().1);
             for section in sections.iter_mut().filter(|section| section.tag != PICTURE) {
                 let bytes = &mut section.bytes;
                 let at = at.index(bytes.len());
