@@ -10,6 +10,7 @@ mod clips;
 mod cloud;
 mod continuity;
 mod depth;
+mod displacement;
 mod energy;
 mod feather;
 mod fill;
