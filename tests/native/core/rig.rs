@@ -2,7 +2,7 @@
 
 use c2warp::{
     Picture, ResampleOptions, Solution,
-    project::{Blend, Clip, Ease, Handle, Key, Looping, PoseMode, Project, Rotation, Track},
+    project::{Blend, Clip, Displacement, Ease, Handle, Key, Looping, PoseMode, Project, Rotation, Track},
     raster,
     rig::{BakeError, Rig, RigClip, RigPicture},
     solve,
@@ -52,6 +52,21 @@ fn greatest_error(project: &Project, solution: &Solution, rig: &Rig, clip: usize
     known.apply(known.duration * f64::from(frame) / f64::from(played.last_frame), &mut project.handles);
     let exact = solution.posed_vertices(&solution.pose(&project).expect("a valid scene"));
     distance(solution, rig, &rig.posed_vertices(clip, f64::from(frame)), &exact)
+}
+
+#[test]
+fn vertices_of_a_displaced_picture_stay_close() {
+    let Scene { mut project, picture } = Scene::named("portrait");
+    project.displacement = Some(Displacement::new(5, 4, (0..40).map(|k| 9 * (k % 7) - 20).collect()));
+    let picture = Picture::new(picture.width(), picture.height(), picture.as_raw()).expect("a valid scene");
+    let solution = solve(&project, &picture).expect("a valid scene");
+    let exact = solution.posed_vertices(&solution.pose(&project).expect("a valid scene"));
+    let rig = baked(&project, &solution);
+    let read = Rig::from_bytes(&rig.to_bytes().expect("a valid scene")).expect("a valid scene");
+    assert!(read == rig);
+    assert!(distance(&solution, &read, &read.posed_vertices(0, 0.0), &exact) <= CLOSE);
+    assert!(distance(&solution, &read, &read.vertices(), solution.vertices()) <= CLOSE);
+    assert!(distance(&solution, &read, &read.displaced_vertices(), &solution.displaced_vertices()) <= CLOSE);
 }
 
 #[test]

@@ -455,6 +455,51 @@ fn errors_in_a_mask_name_the_key() {
     assert_eq!(project.check().unwrap_err().to_string(), message);
 }
 
+/// The full project with a displacement.
+fn with_displacement(displacement: &str) -> String {
+    FULL.replacen("\n  ]\n}\n", &format!("\n  ],\n  \"displacement\": {displacement}\n}}\n"), 1)
+}
+
+#[test]
+fn a_displacement_is_written_as_it_is_read() {
+    let text = with_displacement(&format!(r#"{{ "width": 4, "height": 4, "values": "AQD+/w{}==" }}"#, "A".repeat(80)));
+    let project = Project::from_json(&text).unwrap();
+    let values = [vec![1, -2], vec![0; 30]].concat();
+    assert_eq!(project.displacement, Some(Displacement::new(4, 4, values)));
+    assert_eq!(project.to_json(), text);
+    assert_eq!(Project::from_json(FULL).unwrap().displacement, None);
+}
+
+#[test]
+fn errors_in_a_displacement_name_the_key() {
+    for (displacement, message) in [
+        ("[]", "displacement: expected an object, found an empty list"),
+        (r#"{ "width": 4, "height": 4 }"#, "displacement.values: missing"),
+        (
+            r#"{ "width": 3, "height": 4, "values": "" }"#,
+            "displacement.width: expected a whole number from 4 to 259, found 3",
+        ),
+        (
+            r#"{ "width": 4, "height": 260, "values": "" }"#,
+            "displacement.height: expected a whole number from 4 to 259, found 260",
+        ),
+        (
+            r#"{ "width": 4, "height": 4, "values": "AQD+/w==" }"#,
+            "displacement.values: expected 88 characters of base64 for 4 × 4 control points, found 8",
+        ),
+        (
+            &format!(r#"{{ "width": 4, "height": 4, "values": "{}" }}"#, "A".repeat(88)),
+            "displacement.values: expected 4 × 4 × 4 bytes in base64 with its padding",
+        ),
+    ] {
+        assert_eq!(Project::from_json(&with_displacement(displacement)).unwrap_err().to_string(), message);
+    }
+    let mut project = Project::from_json(FULL).unwrap();
+    project.displacement = Some(Displacement::new(4, 4, vec![0; 31]));
+    let message = "displacement.values: expected 4 × 4 × 2 numbers, found 31";
+    assert_eq!(project.check().unwrap_err().to_string(), message);
+}
+
 #[test]
 fn only_polygons_have_a_stiffness() {
     let with = |handle: &str, value: &str| {
