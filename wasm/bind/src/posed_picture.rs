@@ -288,6 +288,11 @@ impl PosedPicture {
         flat(self.0.displaced_vertices().iter().copied())
     }
 
+    /// Points × 2: points at rest, such as the vertices of a feather, before the handles pose them.
+    pub fn displaced_points(&self, rest: &[f32]) -> Vec<f32> {
+        flat(self.0.displaced_points(&points(rest)).iter().copied())
+    }
+
     /// Vertices: the number of sites that move each.
     pub fn coverage(&self) -> Vec<u32> {
         self.0.coverage().collect()

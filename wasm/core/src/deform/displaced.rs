@@ -4,7 +4,7 @@
 //!
 //! Cost: sixteen control points for each vertex once, then a blend of the present pose and its parts that cross.
 
-use std::{cell::OnceCell, sync::Arc};
+use std::{borrow::Cow, cell::OnceCell, sync::Arc};
 
 use glam::DVec2;
 
@@ -35,6 +35,12 @@ impl PosedPicture {
     #[must_use]
     pub fn displaced_vertices(&self) -> &[DVec2] {
         self.displaced.as_ref().unwrap_or(&self.mesh.vertices)
+    }
+
+    /// Any points of the picture before the handles pose them, such as the vertices of a feather.
+    #[must_use]
+    pub fn displaced_points<'a>(&self, points: &'a [DVec2]) -> Cow<'a, [DVec2]> {
+        self.poser.displaced(points)
     }
 
     /// Displaces the vertices as the poser does, and poses them as before.
