@@ -7,6 +7,7 @@ import type * as file from './generated/project';
 
 export type {
   Clip,
+  Displacement,
   Domain,
   Ease,
   Fill,

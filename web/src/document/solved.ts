@@ -3,8 +3,9 @@
  *
  * Names of handles change no solution: handles of a kind at the same rest place are the same handle.
  *
- * Changes of the pose, the clips, the blend, the edges or the stiffness need no new solve. Other settings do, and so do
- * handles that are placed or removed. While a newer solve runs, the picture follows the handles of the last solution.
+ * Changes of the pose, the clips, the blend, the edges, the stiffness or the displacement need no new solve. Other
+ * settings do, and so do handles that are placed or removed. While a newer solve runs, the picture follows the handles
+ * of the last solution.
  */
 import type { Clip, Handle, Project } from './project';
 
@@ -14,8 +15,16 @@ export const solveKey = (project: Project): string =>
 
 /** The part of {@link solveKey} that is independent of the handles. */
 export function settingsKey(project: Project): string {
-  const { handles: _, edges: __, clips: ___, stiffness: ____, pose, ...settings } = project;
-  const { blend: _____, ...bending } = pose ?? {};
+  const {
+    handles: _,
+    edges: __,
+    clips: ___,
+    stiffness: ____,
+    displacement: _____,
+    pose,
+    ...settings
+  } = project;
+  const { blend: ______, ...bending } = pose ?? {};
   return JSON.stringify([settings, bending]);
 }
 

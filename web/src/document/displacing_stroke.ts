@@ -1,0 +1,222 @@
+/**
+ * A stroke of the brush that moves places of the picture: dabs along the way of the pointer.
+ *
+ * A dab acts on material that is already moved: control point x counts by the distance of y = x + d(x) from the middle
+ * of the dab. Places of the stroke are such moved places too. Dabs are close enough together that the result hardly
+ * depends on how often the pointer reports. A stroke adds up in floating point, and only the project is rounded.
+ */
+import { distance, lerp, scaled, subtract, type Vec } from '../geometry/vec';
+import { type Field, fieldForStrokes, towardsRest, withField } from './displacement';
+import { type Outline, takenShares } from './held_places';
+import type { Project } from './project';
+import { type Change, unfoldedShare } from './unfolded_share';
+
+export const DISPLACING = ['push', 'pinch', 'bloat', 'smooth', 'restore'] as const;
+/** What a brush does that moves places. */
+export type Displacing = (typeof DISPLACING)[number];
+
+export interface DisplacingBrush {
+  readonly kind: Displacing;
+  /** Image pixels. */
+  readonly radius: number;
+  /** From 0 to 1. */
+  readonly strength: number;
+}
+
+/** What limits a stroke. */
+export interface StrokeLimits {
+  /** No place is turned over. */
+  readonly guarded: boolean;
+  /** The outline that stays; null where the boundary is free. */
+  readonly held: Outline | null;
+}
+
+export interface DisplacingStroke {
+  readonly project: Project;
+  readonly brush: DisplacingBrush;
+  readonly guarded: boolean;
+  readonly field: Field;
+  /** How much of a dab each control point takes; null for all of it. */
+  readonly taken: Float32Array | null;
+  /** The way to the next dab, image pixels. */
+  readonly left: number;
+}
+
+/** Parts of the radius between dabs, and between the steps of a push. */
+const BETWEEN = 1 / 4;
+const STEP = 1 / 8;
+/** What a dab of full strength does in its middle. */
+const RATES = { pinch: -0.12, bloat: 0.12, smooth: 0.6, restore: 0.3 } as const;
+/** Smoothing compares with places at this part of the radius, so that it levels what the brush covers. */
+const SMOOTHED = 1 / 4;
+
+export function beginDisplacing(
+  project: Project,
+  brush: DisplacingBrush,
+  { guarded, held }: StrokeLimits,
+): DisplacingStroke {
+  const field = fieldForStrokes(project);
+  return { project, brush, guarded, field, taken: held && takenShares(field, held), left: 0 };
+}
+
+/** The stroke, led on straight between two moved places; from `null` it begins there. */
+export function ledDisplacing(stroke: DisplacingStroke, from: Vec | null, to: Vec): DisplacingStroke {
+  const field = { ...stroke.field, values: stroke.field.values.slice() };
+  const { kind, radius } = stroke.brush;
+  const way = from ? distance(from, to) : 0;
+  if (kind === 'push') {
+    const steps = Math.ceil(way / (STEP * radius));
+    for (let k = 0; from && k < steps; k++)
+      dab(stroke, field, lerp(from, to, k / steps), scaled(subtract(to, from), 1 / steps));
+    return { ...stroke, field };
+  }
+  let next = from ? stroke.left : 0;
+  for (; next <= way; next += BETWEEN * radius)
+    dab(stroke, field, from && way > 0 ? lerp(from, to, next / way) : to, [0, 0]);
+  return { ...stroke, field, left: next - way };
+}
+
+/** The project with what the stroke has moved. Restoring must come to rest in the end, also by weak strokes. */
+export const withDisplacing = ({ project, field, brush }: DisplacingStroke): Project =>
+  withField(project, field, brush.kind === 'restore' ? towardsRest : undefined);
+
+/** Changes a field by one dab. */
+function dab(stroke: DisplacingStroke, field: Field, middle: Vec, move: Vec): void {
+  const change = changeOf(stroke, field, middle, move);
+  if (!change) return;
+  const share = stroke.guarded ? unfoldedShare(field, change) : 1;
+  for (let row = 0; row < change.rows; row++) {
+    const to = 2 * ((change.top + row) * field.width + change.left);
+    for (let k = 0; k < 2 * change.columns; k++) {
+      const own = share * (change.values[2 * row * change.columns + k] ?? 0);
+      field.values[to + k] = (field.values[to + k] ?? 0) + own;
+    }
+  }
+}
+
+/** What a dab would change; null where it reaches no control point. */
+function changeOf(
+  { brush: { kind, radius, strength }, taken }: DisplacingStroke,
+  field: Field,
+  middle: Vec,
+  move: Vec,
+): Change | null {
+  const reached = reachedBy(field, middle, radius);
+  if (!reached) return null;
+  const { left, top, columns, rows, shares, away } = reached;
+  const values = new Float64Array(2 * columns * rows);
+  for (let row = 0; row < rows; row++)
+    for (let column = 0; column < columns; column++) {
+      const own = row * columns + column;
+      const weight = strength * (shares[own] ?? 0);
+      if (weight === 0) continue;
+      const at = (top + row) * field.width + left + column;
+      // What once left a held place may always return.
+      const share = kind === 'restore' ? 1 : (taken?.[at] ?? 1);
+      for (let axis = 0; axis < 2; axis++)
+        values[2 * own + axis] =
+          share * weight * pull(kind, field, at, axis, away[2 * own + axis] ?? 0, move[axis] ?? 0, radius);
+    }
+  return { left, top, columns, rows, values };
+}
+
+/** How a dab would move a control point by full weight, along one axis. */
+function pull(
+  kind: Displacing,
+  field: Field,
+  at: number,
+  axis: number,
+  away: number,
+  move: number,
+  radius: number,
+): number {
+  switch (kind) {
+    case 'push':
+      return move;
+    case 'pinch':
+    case 'bloat':
+      return RATES[kind] * away;
+    case 'smooth':
+      return RATES.smooth * (meanBeside(field, at, axis, radius) - (field.values[2 * at + axis] ?? 0));
+    case 'restore':
+      return -RATES.restore * (field.values[2 * at + axis] ?? 0);
+  }
+}
+
+/** The mean of a control point's neighbours. */
+function meanBeside(
+  { width, height, spacing, values }: Field,
+  at: number,
+  axis: number,
+  radius: number,
+): number {
+  const by = Math.max(1, Math.round((SMOOTHED * radius) / Math.max(...spacing)));
+  const [column, row] = [at % width, Math.floor(at / width)];
+  let sum = 0;
+  for (const [x, y] of [
+    [Math.max(0, column - by), row],
+    [Math.min(width - 1, column + by), row],
+    [column, Math.max(0, row - by)],
+    [column, Math.min(height - 1, row + by)],
+  ] as const)
+    sum += values[2 * (y * width + x) + axis] ?? 0;
+  return sum / 4;
+}
+
+/** The rectangle of control points that a dab reaches. */
+interface Reached {
+  readonly left: number;
+  readonly top: number;
+  readonly columns: number;
+  readonly rows: number;
+  /** Columns × rows: the weights, from 1 in the middle of the dab to 0 at its radius. */
+  readonly shares: Float64Array;
+  /** Columns × rows × 2: the way from the middle of the dab. */
+  readonly away: Float64Array;
+}
+
+function reachedBy(field: Field, middle: Vec, radius: number): Reached | null {
+  const { width, height, spacing, values } = field;
+  let [left, right, top, bottom] = [width, -1, height, -1];
+  const found: number[] = [];
+  for (let row = 0; row < height; row++)
+    for (let column = 0; column < width; column++) {
+      const at = 2 * (row * width + column);
+      // A control point's own value is close to that of the field there: cheap enough to rule most points out.
+      const x = (column - 1) * spacing[0] + (values[at] as number) - middle[0];
+      const y = (row - 1) * spacing[1] + (values[at + 1] as number) - middle[1];
+      const near = radius + spacing[0] + spacing[1];
+      if (x * x + y * y >= near * near) continue;
+      const px = x + unevenness(field, column, row, 0);
+      const py = y + unevenness(field, column, row, 1);
+      const square = (px * px + py * py) / (radius * radius);
+      if (square >= 1) continue;
+      found.push(column, row, (1 - square) ** 3, px, py);
+      [left, right] = [Math.min(left, column), Math.max(right, column)];
+      [top, bottom] = [Math.min(top, row), Math.max(bottom, row)];
+    }
+  if (right < 0) return null;
+  const [columns, rows] = [right - left + 1, bottom - top + 1];
+  const shares = new Float64Array(columns * rows);
+  const away = new Float64Array(2 * columns * rows);
+  for (let k = 0; k < found.length; k += 5) {
+    const own = ((found[k + 1] ?? 0) - top) * columns + (found[k] ?? 0) - left;
+    shares[own] = found[k + 2] ?? 0;
+    away[2 * own] = found[k + 3] ?? 0;
+    away[2 * own + 1] = found[k + 4] ?? 0;
+  }
+  return { left, top, columns, rows, shares, away };
+}
+
+/** The field at a control point, less the value of the control point. */
+function unevenness({ width, height, values }: Field, column: number, row: number, axis: number): number {
+  let sum = 0;
+  for (let down = -1; down <= 1; down++) {
+    const line = Math.min(Math.max(row + down, 0), height - 1) * width;
+    for (let across = -1; across <= 1; across++) {
+      const weight = (down === 0 ? 4 : 1) * (across === 0 ? 4 : 1);
+      sum += weight * (values[2 * (line + Math.min(Math.max(column + across, 0), width - 1)) + axis] ?? 0);
+    }
+  }
+  return sum / 36 - (values[2 * (row * width + column) + axis] ?? 0);
+}
