@@ -65,6 +65,9 @@ export interface PosedPicture {
   /** The bounding box at rest, without the rim; null without vertices. */
   restBounds(): Box | null;
 
+  /** Pieces × 2 ends × 2: the outline of the bending part at rest. Always the same array. */
+  restOutline(): Float32Array<ArrayBuffer>;
+
   /** Whether a point of the original bends. The rim that is drawn around it does not. */
   bends(rest: Vec): boolean;
 
@@ -98,6 +101,8 @@ export interface Pose {
   readonly project: Project;
   /** Sites × 12 for the graphics card, see `MOTION_STRIDE`. */
   readonly motions: Float32Array<ArrayBuffer>;
+  /** Vertices × 2: where the brush has moved the mesh before it is posed; null where it rests. */
+  readonly places: Float32Array<ArrayBuffer> | null;
   /** Triangles × 3 in drawing order. Poses of the same order return the same array. */
   readonly triangles: Uint32Array;
   /** Vertices × 2: the posed mesh. */

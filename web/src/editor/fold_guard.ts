@@ -53,7 +53,11 @@ export function guarded(
   wanted: PosedDocument,
 ): Guarded {
   const { document, transform = null } = wanted;
-  if (!guard.on || !folds) return { document, guard };
+  // The brush leaves handles as they are, and has a guard of its own.
+  const { handles } = document.project;
+  const stays = handles.every((handle, k) => handle === present.project.handles[k]);
+  if (!guard.on || !folds || (stays && handles.length === present.project.handles.length))
+    return { document, guard };
   const allowed = guard.allowed ?? folds.foldCount(present.project);
   const start = transform && startOf(guard, transform);
   const { project, fraction } =

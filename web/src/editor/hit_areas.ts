@@ -1,12 +1,13 @@
 /** The hit areas of a press, as large as the pointer in use needs, and the context in which tools find them. */
 
-import type { Brush } from '../document/brush_stroke';
 import { isInsideOf, isSameDomain, ringsOf } from '../document/domain';
 import type { HiddenCorners, Turns } from '../document/handle';
 import { toImage } from '../geometry/camera';
 import { distanceToLine } from '../geometry/polyline';
+import type { ToolBrush } from '../tools/brush_kinds';
 import { type Hit, hit } from '../tools/hit';
 import type { Grips, Press, ToolContext } from '../tools/state';
+import { sizeOf } from './brush_state';
 import { traceOf } from './edge_snapping';
 import { handlesAreShown } from './permissions';
 import { snapped } from './snapping';
@@ -48,13 +49,15 @@ export function toolContext(state: EditorState): ToolContext {
     get brush() {
       return brushOf(state);
     },
+    guards: state.guard.on,
+    heldOutline: () => (project.fix_boundary ? (deformation?.restOutline() ?? null) : null),
     get trace() {
       return traceOf(state);
     },
     snap: (at, moving) => snapped(state, at, moving),
-    place: (at) => {
-      if (isLeftOut(state, at, grips.line)) return null;
-      if (deformation) return deformation.placement(project, at, grips.line);
+    place: (at, within = grips.line) => {
+      if (isLeftOut(state, at, within)) return null;
+      if (deformation) return deformation.placement(project, at, within);
       // Without a solution, the point of the original is the place itself.
       return isOnPicture(state, at) ? { posed: at, rest: at, rotation: 0, scale: 1 } : null;
     },
@@ -83,11 +86,16 @@ const NOTHING_HIDDEN: HiddenCorners = new Map();
 
 export const isBrushing = ({ tools }: EditorState): boolean => tools.tool === 'brush';
 
+/** Whether the brush is in hand that paints stiffness. */
+export const isStiffening = (state: EditorState): boolean =>
+  isBrushing(state) && state.brush.kind === 'stiffen';
+
 /** The brush in pixels of the picture. */
-export function brushOf(state: EditorState): Brush {
-  const { size, strength, erases } = state.brush;
+export function brushOf(state: EditorState): ToolBrush {
+  const { kind, strength, erases } = state.brush;
   const { width, height } = projectOf(state).image;
-  return { radius: (size / 200) * Math.max(width, height), strength: strength / 100, erases };
+  const radius = (sizeOf(state.brush) / 200) * Math.max(width, height);
+  return { kind, radius, strength: strength / 100, erases };
 }
 
 export const isLassoing = ({ tools }: EditorState): boolean => tools.tool === 'lasso';

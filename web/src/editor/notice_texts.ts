@@ -155,3 +155,6 @@ export const savedText = (name: string, cut: boolean): string =>
 export const EXPORT_CANCELLED = 'The export was cancelled';
 
 export const SELECT_ONE = 'This is about one handle: select it first.';
+
+/** All handles were reset, but the brush has moved places too. */
+export const BRUSHED_STILL = 'The handles are at rest. What the brush has moved stays.';

@@ -12,10 +12,11 @@ import type { Camera, Size } from '../geometry/camera';
 import type { Crease } from '../geometry/crease';
 import type { Guide } from '../geometry/guides';
 import { distance, type Vec } from '../geometry/vec';
+import { type BrushKind, oppositeBrush } from '../tools/brush_kinds';
 import { ringedHandle } from '../tools/hit';
 import { draftOf, hasTakenCorners, isPressing, places, type ToolName, waitingDrafts } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
-import type { BrushState } from './brush_state';
+import { type BrushState, brushSizes, sizeOf } from './brush_state';
 import { canRun, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
@@ -183,8 +184,14 @@ export interface BrushModel {
   readonly radius: number;
   /** Where the next press would paint, image pixels; null where the pointer is elsewhere. */
   readonly at: Vec | null;
-  /** Whether that press would erase. */
+  /** What that press would do, and whether it would erase or take back. */
+  readonly kind: BrushKind;
   readonly erasing: boolean;
+  /** In percent: the size that counts, and its bounds. */
+  readonly size: number;
+  readonly sizes: { readonly least: number; readonly most: number };
+  /** The keyboard holds the picture: arrows push it. */
+  readonly holding: boolean;
 }
 
 export interface ExportModel {
@@ -352,8 +359,18 @@ function brushModel(state: EditorState): BrushModel | null {
   if (toolToCome(state) !== 'brush') return null;
   const { brush, pointer, display } = state;
   const { radius } = brushOf(state);
+  const { kind, erases } = pointer.alt ? oppositeBrush(brush) : brush;
   const at = display.crosshair ?? (pointer.coarse ? null : pointer.hovered);
-  return { settings: brush, radius, at, erasing: brush.erases !== pointer.alt };
+  return {
+    settings: brush,
+    radius,
+    at,
+    kind,
+    erasing: kind === 'stiffen' ? erases : kind === 'restore',
+    size: sizeOf(brush),
+    sizes: brushSizes(brush),
+    holding: display.crosshair !== null && isPressing(state.tools),
+  };
 }
 
 /** The outlines at the neighbouring keys. Not while something plays: there they would flicker. */

@@ -6,6 +6,9 @@ import type { Rig } from './rig';
 /** Each pose with depths has an order of its own: old ones are forgotten. */
 const MOST_ORDERS = 64;
 
+/** The attribute `a_place` of the shader. */
+const PLACE = 3;
+
 export interface Figure {
   /** Uploads motions, sites × 12. */
   pose(motions: Float32Array): void;
@@ -27,6 +30,10 @@ export function figureOf(gl: WebGL2RenderingContext, rig: Rig, picture: ImageBit
     gl.enableVertexAttribArray(location);
     if (data instanceof Float32Array) gl.vertexAttribPointer(location, 2, gl.FLOAT, false, 0, 0);
     else gl.vertexAttribIPointer(location, 2, gl.UNSIGNED_INT, 0, 0);
+    if (location > 0) return buffer;
+    // A rig has no vertices that a brush has moved: they lie where they rest.
+    gl.enableVertexAttribArray(PLACE);
+    gl.vertexAttribPointer(PLACE, 2, gl.FLOAT, false, 0, 0);
     return buffer;
   });
   const textures = [pictureTexture(gl, picture), tableOf(gl)];

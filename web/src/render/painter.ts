@@ -44,6 +44,8 @@ interface LoadedMesh {
   edges: MeshLines | undefined;
   /** The content of the index buffer. */
   drawn: Uint32Array;
+  /** Filled once vertices are displaced. */
+  places: WebGLBuffer | undefined;
 }
 
 /** The edges of a mesh, and their mean length at rest, image pixels. */
@@ -153,18 +155,37 @@ export class Painter {
       entries[entry * 2 + 1] = mesh.weights[entry] ?? 0;
     }
     weights.update(entries);
-    return {
+    const triangles = twgl.createBufferInfoFromArrays(gl, {
+      a_rest: { numComponents: 2, data: mesh.positions },
+      a_row: { numComponents: 2, data: weightRows(mesh.offsets) },
+      indices: { numComponents: 3, data: mesh.triangles },
+    });
+    const loaded = {
       mesh,
       weights,
       motions: createDataTexture(gl, 4, (mesh.siteRest.length / 2) * (MOTION_STRIDE / 4)),
-      triangles: twgl.createBufferInfoFromArrays(gl, {
-        a_rest: { numComponents: 2, data: mesh.positions },
-        a_row: { numComponents: 2, data: weightRows(mesh.offsets) },
-        indices: { numComponents: 3, data: mesh.triangles },
-      }),
+      triangles,
       edges: undefined,
       drawn: mesh.triangles,
+      places: undefined,
     };
+    place(loaded, null);
+    return loaded;
+  }
+
+  /** Vertices × 2: where the mesh lies before it is posed; null where it rests. */
+  setPlaces(places: Float32Array | null): void {
+    const loaded = this.#loaded;
+    if (!loaded) return;
+    if (places) {
+      const gl = this.#gl;
+      const isNew = loaded.places === undefined;
+      loaded.places ??= gl.createBuffer();
+      gl.bindBuffer(gl.ARRAY_BUFFER, loaded.places);
+      if (isNew) gl.bufferData(gl.ARRAY_BUFFER, places, gl.DYNAMIC_DRAW);
+      else gl.bufferSubData(gl.ARRAY_BUFFER, 0, places);
+    }
+    place(loaded, places);
   }
 
   /**
@@ -261,7 +282,8 @@ export class Painter {
       loaded.edges ??= meshLines(gl, loaded);
       const opacity = lineOpacity((loaded.edges.length * view.scale) / (view.pixelRatio ?? 1));
       const u_colour = MESH_COLOUR.map((part) => part * opacity);
-      drawWith(gl, this.#lineProgram, loaded.edges.buffers, { ...uniforms, u_colour }, gl.LINES);
+      const lines = { ...loaded.edges.buffers, attribs: loaded.triangles.attribs };
+      drawWith(gl, this.#lineProgram, lines, { ...uniforms, u_colour }, gl.LINES);
     }
   }
 
@@ -269,12 +291,23 @@ export class Painter {
     if (!loaded) return;
     loaded.weights.dispose();
     loaded.motions.dispose();
+    this.#gl.deleteBuffer(loaded.places ?? null);
     const buffers = [loaded.triangles, loaded.edges?.buffers].flatMap((info) => [
       info?.indices,
       ...Object.values(info?.attribs ?? {}).map((attribute) => attribute.buffer),
     ]);
     for (const buffer of new Set(buffers)) this.#gl.deleteBuffer(buffer ?? null);
   }
+}
+
+/** Draws a mesh from its displaced places, or from where it rests. */
+function place(
+  { triangles, places }: Pick<LoadedMesh, 'triangles' | 'places'>,
+  displaced: Float32Array | null,
+): void {
+  const attribs = triangles.attribs ?? {};
+  const rest = attribs.a_rest;
+  if (rest) attribs.a_place = displaced && places ? { ...rest, buffer: places } : rest;
 }
 
 function meshLines(gl: WebGL2RenderingContext, { mesh, triangles }: LoadedMesh): MeshLines {

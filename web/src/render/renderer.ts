@@ -22,6 +22,7 @@ export class Renderer {
   #patch: TexturePatch | null = null;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
+  #places: Float32Array | null = null;
   #heat: HeatMap | null = null;
   #blend: Blend = 'linear';
   #triangles: Uint32Array | null = null;
@@ -55,6 +56,7 @@ export class Renderer {
     this.#patch = null;
     this.#mesh = null;
     this.#motions = null;
+    this.#places = null;
     this.#heat = null;
     if (!source) this.#painter?.clear();
     this.#fill();
@@ -70,6 +72,7 @@ export class Renderer {
   setSolution(mesh: WarpMesh | null): void {
     this.#mesh = mesh;
     this.#motions = null;
+    this.#places = null;
     this.#triangles = null;
     this.#crossed = null;
     this.#heat = null;
@@ -100,6 +103,20 @@ export class Renderer {
     this.#triangles = triangles;
     this.#crossed = crossed;
     if (!this.lost) this.#painter?.setMotions(motions, blend, triangles, crossed);
+  }
+
+  /**
+   * Sets where the mesh lies before it is posed, vertices × 2; null where it rests.
+   *
+   * @throws RangeError unless there is one place per vertex.
+   */
+  setPlaces(places: Float32Array | null): void {
+    if (places === this.#places) return;
+    const numbers = this.#mesh?.positions.length ?? 0;
+    if (places && places.length !== numbers)
+      throw new RangeError(`Expected ${numbers / 2} places, one per vertex, found ${places.length / 2}.`);
+    this.#places = places;
+    if (!this.lost) this.#painter?.setPlaces(places);
   }
 
   /**
@@ -178,6 +195,7 @@ export class Renderer {
     if (this.#asleep || gl.isContextLost()) return;
     this.#painter = new Painter(gl);
     this.#fill();
+    this.#painter.setPlaces(this.#places);
     this.#painter.setMotions(this.#motions, this.#blend, this.#triangles, this.#crossed);
     this.#painter.setHeat(this.#heat);
     this.onrestore?.();

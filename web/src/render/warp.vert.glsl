@@ -22,6 +22,8 @@ uniform bool u_rigid;
 layout(location = 0) in vec2 a_rest;
 // First weight entry and number of entries.
 layout(location = 1) in uvec2 a_row;
+// Where the brush has moved the vertex at rest, before the sites do: p + d(p). Elsewhere it is a_rest.
+layout(location = 3) in vec2 a_place;
 #ifdef HEAT
 layout(location = 2) in float a_heat;
 out float v_heat;
@@ -85,7 +87,7 @@ vec2 rigid_blend(vec2 p) {
 }
 
 vec2 blended(vec2 p) {
-  if (u_at_rest || a_row.y == 0u) return p;
+  if (a_row.y == 0u) return p;
   return u_rigid ? rigid_blend(p) : linear_blend(p);
 }
 
@@ -94,7 +96,7 @@ void main() {
 #ifdef HEAT
   v_heat = a_heat;
 #endif
-  vec2 posed = blended(a_rest);
+  vec2 posed = u_at_rest ? a_rest : blended(a_place);
 #ifdef RIM
   v_level = a_level;
   v_moved = posed - a_rest;

@@ -73,6 +73,7 @@ export class ComparedPicture {
     const { deformation } = this.#solved;
     const pose = deformation.pose(project);
     if (pose) {
+      this.#renderer.setPlaces(pose.places);
       const crossed = project.edges ? pose.crossed() : null;
       this.#renderer.setMotions(pose.motions, blendOf(project), pose.triangles, crossed);
     }

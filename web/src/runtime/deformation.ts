@@ -186,6 +186,10 @@ export class SolutionDeformation implements Deformation {
     return this.#picture.restBounds();
   }
 
+  restOutline(): Float32Array {
+    return this.#picture.restOutline();
+  }
+
   symmetry(): Symmetry {
     const bounds = this.restBounds();
     this.#symmetry ??= bounds ? symmetryOf(bounds, (rest) => this.bends(rest)) : { x: null, y: null };

@@ -6,7 +6,7 @@ import type { Drawing } from '../compute/drawing';
 import type { ProjectFile } from '../document/project';
 import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorEvent } from '../editor/events';
-import { isBrushing, isLassoing } from '../editor/hit_areas';
+import { isLassoing, isStiffening } from '../editor/hit_areas';
 import { initialState } from '../editor/initial_state';
 import { NOTHING_DROPPED } from '../editor/notice_texts';
 import { type Carried, initialOpening } from '../editor/opening_state';
@@ -322,7 +322,7 @@ export class EditorRuntime {
   #heat(): HeatMap | null {
     const { shown } = this.state.solution;
     const { reach, coverage, stiffness } = overlaysOf(this.state);
-    const stiff = stiffness || isBrushing(this.state);
+    const stiff = stiffness || isStiffening(this.state);
     if (!shown || !(reach || coverage || stiff)) return null;
     const deformation = this.#solver.deformationOf(shown);
     if (stiff) return { values: deformation.stiffness(projectOf(this.state)), lines: false };

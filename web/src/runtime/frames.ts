@@ -169,9 +169,13 @@ export class Frames {
 
   #setPose(pose: Pose | null): void {
     if (pose) {
-      const { motions, project, triangles } = pose;
+      const { motions, places, project, triangles } = pose;
+      this.#renderer.setPlaces(places);
       this.#renderer.setMotions(motions, blendOf(project), triangles, project.edges ? pose.crossed() : null);
-    } else this.#renderer.setMotions(null);
+    } else {
+      this.#renderer.setPlaces(null);
+      this.#renderer.setMotions(null);
+    }
   }
 }
 

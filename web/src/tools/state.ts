@@ -5,7 +5,6 @@
  * editor.
  */
 
-import type { Brush } from '../document/brush_stroke';
 import type { Document } from '../document/document';
 import type { PosedDocument } from '../document/group';
 import type { CORNERS_NEEDED, Turns } from '../document/handle';
@@ -15,6 +14,7 @@ import type { Box } from '../geometry/box';
 import type { Guide, SnappedPlace } from '../geometry/guides';
 import type { LocatedPoint, Placement } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
+import type { ToolBrush } from './brush_kinds';
 
 /** A pointer at one moment. */
 export interface Press {
@@ -53,12 +53,18 @@ export interface ToolContext {
   readonly turns: Turns;
   /** Handles can only be posed: no press removes one. */
   readonly posesOnly: boolean;
-  readonly brush: Brush;
+  readonly brush: ToolBrush;
+  /** Whether the guard against folds is on. */
+  readonly guards: boolean;
+  /** The outline of what bends, at rest; null while it is free. Pieces × 2 ends × 2. */
+  heldOutline(): ArrayLike<number> | null;
   /**
    * Returns the placement of a point handle: at the point or, close to the domain, at the nearest point of it.
    * Otherwise `null`.
+   *
+   * @param within How close. Left out: as close as a press may miss a line.
    */
-  place(at: Vec): Placement | null;
+  place(at: Vec, within?: number): Placement | null;
   /**
    * The way of a lasso from its last corner to a place, along edges of the picture. It ends at the edge near the place,
    * and lacks the corner. From `null`, it is the end alone. Null while the lasso does not snap to edges. A way that is

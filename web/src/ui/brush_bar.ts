@@ -1,40 +1,140 @@
-/** The bar of the brush: whether it paints or erases, its size and strength, and the way back to a soft picture. */
+/** The bar of the brush: what it does, its size and strength, and the way back from all that it has done. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { modeOf } from '../document/bending';
-import { BRUSH_SIZES, BRUSH_STRENGTHS, type BrushState } from '../editor/brush_state';
-import { COMMANDS, keyHint } from '../editor/commands';
+import { BRUSH_STRENGTHS, type BrushState } from '../editor/brush_state';
+import { keyHint } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
-import { icon } from './icons';
-import { segment } from './segment';
+import { BRUSH_KINDS, type BrushKind } from '../tools/brush_kinds';
+import { type IconName, icon } from './icons';
+
+interface Look {
+  readonly label: string;
+  readonly tip: string;
+  readonly icon: IconName;
+  /** For a person who has not used it yet. */
+  readonly hint: string;
+  /** What Alt does. */
+  readonly alt?: string;
+}
+
+const LOOKS: Readonly<Record<BrushKind, Look>> = {
+  push: {
+    label: 'Push',
+    tip: 'Push: drag the picture along',
+    icon: 'push',
+    hint: 'Drag to push the picture along.',
+    alt: 'Alt restores it.',
+  },
+  pinch: {
+    label: 'Pinch',
+    tip: 'Pinch: draw the picture together',
+    icon: 'pinch',
+    hint: 'Press or drag to draw the picture together.',
+    alt: 'Alt bloats.',
+  },
+  bloat: {
+    label: 'Bloat',
+    tip: 'Bloat: spread the picture out',
+    icon: 'bloat',
+    hint: 'Press or drag to spread the picture out.',
+    alt: 'Alt pinches.',
+  },
+  smooth: {
+    label: 'Smooth',
+    tip: 'Smooth: level what the brush has moved',
+    icon: 'smooth',
+    hint: 'Drag to level what the brush has moved.',
+  },
+  restore: {
+    label: 'Restore',
+    tip: 'Restore: take back what the brush has moved',
+    icon: 'reset',
+    hint: 'Drag to take back what the brush has moved.',
+    alt: 'Alt pushes.',
+  },
+  stiffen: {
+    label: 'Stiffen',
+    tip: 'Stiffen: keep the form of places',
+    icon: 'stiffen',
+    hint: 'Drag over places that are to keep their form.',
+    alt: 'Alt erases.',
+  },
+};
 
 export function brushBar(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
   if (!model.brush || model.readonly || model.preview || !model.picture) return nothing;
-  const { project } = model.document;
-  const { settings } = model.brush;
+  const { settings, size, sizes, holding } = model.brush;
+  const { kind, strength, used } = settings;
   const set = (change: Partial<BrushState>) => dispatch({ type: 'brush-set', change });
+  const stiffens = kind === 'stiffen';
+  const softOnly = stiffens && modeOf(model.document.project) !== 'rigid';
   return html`<div class="brush-bar card" part="notice" role="group" aria-label="Brush">
-    <div class="segments" role="group" aria-label="What the brush does">
-      ${segment('Paint', !settings.erases, false, () => set({ erases: false }))}
-      ${segment('Erase', settings.erases, false, () => set({ erases: true }))}
+    <div class="segments kinds" role="group" aria-label="What the brush does">
+      ${BRUSH_KINDS.map((other) => kindButton(other, other === kind, () => set({ kind: other })))}
     </div>
-    ${option('Size', 'size', settings.size, BRUSH_SIZES, (size) => set({ size }))}
-    ${option('Strength', 'strength', settings.strength, BRUSH_STRENGTHS, (strength) => set({ strength }))}
-    <button
-      type="button"
-      class="button clear"
-      part="button"
-      data-tip="Make the picture soft again"
-      aria-label="Clear stiffness"
-      ?disabled=${project.stiffness === undefined}
-      @click=${() => dispatch({ type: 'stiffness-cleared' })}
-    >
-      ${icon('remove')}
-    </button>
-    ${modeOf(project) === 'rigid' ? nothing : rigidOnly(dispatch)}
+    ${stiffens ? eraser(settings, model.platform, set) : nothing}
+    ${option('Size', 'size', size, sizes, (size) => set({ size }))}
+    ${option('Strength', 'strength', strength, BRUSH_STRENGTHS, (strength) => set({ strength }))}
+    ${clear(model, stiffens, dispatch)}
+    ${holding ? words('Arrows push, Enter lets go.') : softOnly ? rigidOnly(dispatch) : used.includes(kind) ? nothing : words(hintOf(kind, model.press))}
   </div>`;
 }
+
+/** The name is shown with the chosen one. */
+const kindButton = (kind: BrushKind, chosen: boolean, choose: () => void): TemplateResult => html`<button
+  type="button"
+  class="button segment kind"
+  part="button"
+  data-brush=${kind}
+  data-tip=${LOOKS[kind].tip}
+  aria-label=${LOOKS[kind].label}
+  aria-pressed=${String(chosen)}
+  @click=${() => !chosen && choose()}
+>
+  ${icon(LOOKS[kind].icon)}${chosen ? html`<span class="name" aria-hidden="true">${LOOKS[kind].label}</span>` : nothing}
+</button>`;
+
+const eraser = (
+  { erases }: BrushState,
+  platform: string,
+  set: (change: Partial<BrushState>) => void,
+): TemplateResult => html`<button
+  type="button"
+  class="button toggle erase"
+  part="button"
+  data-tip="Erase stiffness"
+  data-keys=${keyHint('brush-erase', platform)}
+  aria-label="Erase"
+  aria-pressed=${String(erases)}
+  @click=${() => set({ erases: !erases })}
+>
+  ${icon('eraser')}
+</button>`;
+
+function clear({ document }: EditorModel, stiffens: boolean, dispatch: Dispatch): TemplateResult {
+  const { stiffness, displacement } = document.project;
+  return html`<button
+    type="button"
+    class="button clear"
+    part="button"
+    data-tip=${stiffens ? 'Make the picture soft again' : 'Take back all that the brush has moved'}
+    aria-label=${stiffens ? 'Clear stiffness' : 'Clear what the brush moved'}
+    ?disabled=${(stiffens ? stiffness : displacement) === undefined}
+    @click=${() => dispatch({ type: stiffens ? 'stiffness-cleared' : 'displacement-cleared' })}
+  >
+    ${icon('remove')}
+  </button>`;
+}
+
+/** A finger has no Alt. */
+const hintOf = (kind: BrushKind, press: EditorModel['press']): string => {
+  const { hint, alt } = LOOKS[kind];
+  return alt && press === 'click' ? `${hint} ${alt}` : hint;
+};
+
+const words = (text: string): TemplateResult => html`<p class="words">${text}</p>`;
 
 const option = (
   label: string,
@@ -74,8 +174,3 @@ const rigidOnly = (dispatch: Dispatch): TemplateResult => html`<p class="words">
     Bend rigidly
   </button>
 </p>`;
-
-/** The keys of the brush, for the hint. */
-export const brushKeys = (platform: string): string =>
-  `${keyHint('brush-smaller', platform)} and ${keyHint('brush-larger', platform)} change its size, ` +
-  `${keyHint('brush-erase', platform)} or Alt ${COMMANDS['brush-erase'].label.toLowerCase()}`;

@@ -58,7 +58,13 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
   ],
   [
     'Brush',
-    ['brush-erase', 'brush-smaller', 'brush-larger', ['Alt drag', 'Erase, or paint while it erases']],
+    [
+      'brush-erase',
+      'brush-smaller',
+      'brush-larger',
+      ['Alt drag', 'The opposite: restore, pinch or bloat, erase'],
+      ['Enter, arrows', 'Take hold and push; Enter lets go'],
+    ],
   ],
   [
     'View',

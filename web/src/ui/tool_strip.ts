@@ -12,7 +12,7 @@ const TOOLS = [
   ['bar', 'Bar'],
   ['polygon', 'Polygon'],
   ['lasso', 'Lasso'],
-  ['brush', 'Stiff'],
+  ['brush', 'Brush'],
   ['hand', 'Pan'],
   ['lens', 'Lens'],
 ] as const satisfies readonly (readonly [ToolName, string])[];

@@ -1,7 +1,10 @@
-/** The brush: its size, its strength, whether it erases, and the mask as a whole. */
+/** The brush: what it does, its size and strength, and the way back from all that it has done. */
+import { withoutDisplacement } from '../../document/displacement';
 import { withoutStiffness } from '../../document/stiffness';
+import { type BrushKind, oppositeBrush } from '../../tools/brush_kinds';
 import { type BrushState, sizeBeside } from '../brush_state';
 import type { Emit } from '../effects';
+import { isBrushing } from '../hit_areas';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, projectOf } from '../state';
 import type { Handlers } from './handlers';
@@ -14,13 +17,30 @@ const withBrush = (state: EditorState, change: Partial<BrushState>): EditorState
 });
 
 export function resizeBrush(state: EditorState, way: 1 | -1): EditorState {
-  const size = sizeBeside(state.brush.size, way);
+  const size = sizeBeside(state.brush, way);
   return announce(withBrush(state, { size }), `Brush size ${size} percent`);
 }
 
-export function switchErasing(state: EditorState): EditorState {
-  const erases = !state.brush.erases;
-  return announce(withBrush(state, { erases }), erases ? 'The brush erases' : 'The brush paints');
+const WORDS: Readonly<Record<BrushKind, string>> = {
+  push: 'The brush pushes',
+  pinch: 'The brush pinches',
+  bloat: 'The brush bloats',
+  smooth: 'The brush smooths',
+  restore: 'The brush restores',
+  stiffen: 'The brush stiffens',
+};
+
+/** Switches to what Alt does. */
+export function switchBrush(state: EditorState): EditorState {
+  const brush = oppositeBrush(state.brush);
+  const paints = brush.erases ? 'The brush erases' : 'The brush paints';
+  return announce({ ...state, brush }, brush.kind === 'stiffen' ? paints : WORDS[brush.kind]);
+}
+
+/** A stroke has begun. */
+export function noteStroke(state: EditorState): EditorState {
+  const { kind, used } = state.brush;
+  return !isBrushing(state) || used.includes(kind) ? state : withBrush(state, { used: [...used, kind] });
 }
 
 /** Makes the whole picture soft, but for polygons. */
@@ -29,7 +49,14 @@ function clearStiffness(state: EditorState, emit: Emit): EditorState {
   return step(state, 'Clear stiffness', { ...documentOf(state), project }, emit);
 }
 
-export const brushHandlers: Handlers<'brush-set' | 'stiffness-cleared'> = {
+/** Takes back all that the brush has moved. */
+function clearDisplacement(state: EditorState, emit: Emit): EditorState {
+  const project = withoutDisplacement(projectOf(state));
+  return step(state, 'Clear what the brush moved', { ...documentOf(state), project }, emit);
+}
+
+export const brushHandlers: Handlers<'brush-set' | 'stiffness-cleared' | 'displacement-cleared'> = {
   'brush-set': (state, { change }) => withBrush(state, change),
   'stiffness-cleared': (state, _, emit) => (mayEdit(state) ? clearStiffness(state, emit) : state),
+  'displacement-cleared': (state, _, emit) => (mayEdit(state) ? clearDisplacement(state, emit) : state),
 };

@@ -28,7 +28,7 @@ import { ringCornerInHand } from '../ring_corner';
 import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from '../state';
 import { fitView, showActualSize, zoom } from '../view';
 import { handleWords } from '../wording';
-import { resizeBrush, switchErasing } from './brush';
+import { resizeBrush, switchBrush } from './brush';
 import { setKeys } from './clip_keys';
 import { addCornerToSelected, focus, removeFocusedCorner } from './corners';
 import { openSettings, togglePreview } from './display';
@@ -73,7 +73,7 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   polygon: (state, emit) => takeTool(state, 'polygon', emit),
   lasso: (state, emit) => takeTool(state, 'lasso', emit),
   brush: (state, emit) => takeTool(state, 'brush', emit),
-  'brush-erase': (state) => switchErasing(state),
+  'brush-erase': (state) => switchBrush(state),
   'brush-smaller': (state) => resizeBrush(state, -1),
   'brush-larger': (state) => resizeBrush(state, 1),
   hand: (state, emit) => takeTool(state, 'hand', emit),

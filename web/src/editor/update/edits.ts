@@ -38,10 +38,10 @@ import type { Emit } from '../effects';
 import type { Field, NumberChange } from '../events';
 import { guarded } from '../fold_guard';
 import { turnsOf } from '../hit_areas';
-import { noCounterpartText, noOtherSideText, SAME_THERE } from '../notice_texts';
+import { BRUSHED_STILL, noCounterpartText, noOtherSideText, SAME_THERE } from '../notice_texts';
 import { documentOf, type EditorState, projectOf } from '../state';
 import { cornerWords, depthWords, handleWords, placeWords, selectionName } from '../wording';
-import { announce, informOfStep } from './notices';
+import { announce, informOfStep, notify } from './notices';
 import { select } from './selection';
 import { commitStep, modeReturn, step } from './steps';
 
@@ -61,7 +61,11 @@ export function reset(state: EditorState, all: boolean, emit: Emit): EditorState
   const ids = all ? document.project.handles.map(({ id }) => id) : document.selection;
   if (!all && ids.length === 0) return state;
   const label = all ? 'Reset all handles' : `Reset ${selectionName(document)}`;
-  return step(state, label, resetHandles(document, ids), emit);
+  const next = step(state, label, resetHandles(document, ids), emit);
+  if (!all || !document.project.displacement) return next;
+  const event = { type: 'displacement-cleared' } as const;
+  const action = { label: 'Take it back', event } as const;
+  return notify(next, { kind: 'info', text: BRUSHED_STILL, action, passes: true, ofStep: true }, emit);
 }
 
 /** Mirrors the selected handles to the other side, and selects their counterparts. */

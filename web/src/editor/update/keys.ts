@@ -2,7 +2,7 @@
 import { handleById } from '../../document/document';
 import { panned } from '../../geometry/camera';
 import { scaled, type Vec } from '../../geometry/vec';
-import { draftOf, hover, isPressing, places, pressDown, pressUp } from '../../tools/machine';
+import { draftOf, hover, isPressing, places, pressDown, pressMove, pressUp } from '../../tools/machine';
 import { pressAt } from '../../tools/state';
 import { crosshairMoved, crosshairPlace, hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
@@ -52,22 +52,49 @@ function arrow(state: EditorState, by: Vec, emit: Emit): EditorState {
   if (target === 'ring') return nudgeRingCorner(state, by, emit);
   if (target === 'corner' && state.focus.corner) return nudgeCorner(state, state.focus.corner, by, emit);
   if (target === 'handles') return nudge(state, by, emit);
-  if (target === 'crosshair') return moveCrosshair(state, by);
+  if (target === 'crosshair') return moveCrosshair(state, by, emit);
   return target ? moveCamera(state, panned(state.view.camera, scaled(by, -PAN_CSS_PX))) : state;
 }
 
-function moveCrosshair(state: EditorState, by: Vec): EditorState {
+function moveCrosshair(state: EditorState, by: Vec, emit: Emit): EditorState {
   const at = crosshairMoved(state, by, draftOf(state.tools)?.corners.at(-1));
+  if (isHeldByKeys(state)) {
+    const outcome = pressMove(state.tools, pressAt(at), contextWithoutHandles(state));
+    const pushed = applyTools(state, outcome, emit);
+    return { ...pushed, display: { ...pushed.display, crosshair: at } };
+  }
   const tools = hover(state.tools, pressAt(at), toolContext(state));
   const moved = { ...state, tools, display: { ...state.display, crosshair: at } };
   return announce(moved, `x ${Math.round(at[0])}, y ${Math.round(at[1])}`);
 }
 
+/** Enter has taken hold of the picture with the pushing brush: arrows push it, until Enter lets go. */
+export const isHeldByKeys = (state: EditorState): boolean =>
+  isBrushing(state) && isPressing(state.tools) && state.display.crosshair !== null;
+
+/** Lets go of what keys hold. */
+export function releaseByKeys(state: EditorState, emit: Emit): EditorState {
+  const { crosshair } = state.display;
+  if (!isHeldByKeys(state) || !crosshair) return state;
+  return applyTools(state, pressUp(state.tools, pressAt(crosshair), contextWithoutHandles(state)), emit);
+}
+
+/** A push needs a direction: the picture is held, and arrows lead it. */
+function hold(state: EditorState, emit: Emit): EditorState {
+  const crosshair = crosshairPlace(state);
+  const outcome = pressDown(state.tools, pressAt(crosshair), contextWithoutHandles(state));
+  const held = applyTools(state, outcome, emit);
+  const shown = { ...held, display: { ...held.display, crosshair } };
+  return isPressing(held.tools) ? announce(shown, 'Held. Arrows push, Enter lets go') : shown;
+}
+
 /** Places a handle or sets a corner at the crosshair; without a crosshair, finishes the current drawing. */
 function place(before: EditorState, emit: Emit): EditorState {
+  if (isHeldByKeys(before)) return releaseByKeys(before, emit);
   // A press of the pointer is in progress: ignore the key.
   if (!takesPlace(before) || isPressing(before.tools)) return before;
   if (draftOf(before.tools) && !before.display.crosshair) return finish(before, emit);
+  if (isBrushing(before) && before.brush.kind === 'push') return hold(before, emit);
   const press = pressAt(crosshairPlace(before));
   const down = applyTools(before, pressDown(before.tools, press, contextWithoutHandles(before)), emit);
   const up = applyTools(down, pressUp(down.tools, press, contextWithoutHandles(down)), emit);

@@ -16,6 +16,7 @@ import { documentOf, type EditorState } from '../state';
 import { moveCamera } from '../view';
 import { draftWords, placeWords } from '../wording';
 import { saveWork } from './autosave';
+import { noteStroke } from './brush';
 import { committed, guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { look } from './lens';
@@ -31,7 +32,7 @@ export const applyTools = (state: EditorState, { tools, effects }: ToolsOutcome,
 function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
   switch (effect.type) {
     case 'begin':
-      return beginRecording(beginDrag(closeStepNotice(state, emit), effect.label), emit);
+      return beginRecording(beginDrag(noteStroke(closeStepNotice(state, emit)), effect.label), emit);
     case 'edit':
       return drag(state, effect, emit);
     case 'commit':

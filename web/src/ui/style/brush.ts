@@ -27,8 +27,13 @@ export const brushStyle = css`
   .brush-bar .segments {
     margin: 0;
   }
-  .brush-bar .segment {
-    padding: 0 10px;
+  .brush-bar .kind {
+    gap: 5px;
+    min-width: 34px;
+    padding: 0 7px;
+  }
+  .brush-bar .name {
+    font-size: 13px;
   }
   .brush-bar .option {
     display: flex;
@@ -50,6 +55,9 @@ export const brushStyle = css`
     font-variant-numeric: tabular-nums;
   }
   .brush-bar .words {
+    flex-basis: 100%;
+    justify-content: center;
+    text-align: center;
     display: flex;
     align-items: center;
     gap: 8px;
@@ -77,8 +85,14 @@ export const brushStyle = css`
     .brush-bar .clear {
       order: -1;
     }
+    .brush-bar .name {
+      display: none;
+    }
+    .brush-bar .kind {
+      min-width: 40px;
+    }
     .brush-bar .option {
-      flex: 1 1 40%;
+      flex: 1 1 34%;
       justify-content: center;
     }
   }
