@@ -35,7 +35,8 @@ test('a painted arm keeps its form; undo takes back one stroke at a time', async
   await editor.dragHandle('left hand', { x: 60, y: -110 });
   const elbow = await editor.settled(() => editor.mapped(260, 470));
   await page.keyboard.press('f');
-  await expect(editor.button('Paint how stiff the picture is')).toHaveAttribute('aria-pressed', 'true');
+  await editor.button('Stiffen').click();
+  await expect(editor.button('Brush: push, pinch, smooth or stiffen')).toHaveAttribute('aria-pressed', 'true');
   const before = await editor.screenshot(at(512, 640));
 
   // The trunk is unbent, so that places of the original lie under the pointer.
@@ -64,6 +65,7 @@ test('strokes go to the places of the original under the pointer', async ({ page
   await editor.dragHandle('left hand', { x: 60, y: -110 });
   const hand = await editor.settled(() => editor.mapped(140, 480));
   await page.keyboard.press('f');
+  await editor.button('Stiffen').click();
   await stroke(editor, [at(...(hand ?? [0, 0]))]);
   expect(await stiffnessAt(editor, 140, 480)).toBeGreaterThan(0.9);
 });
@@ -72,6 +74,7 @@ test('the eraser, the sizes and a dab have keys; the overlay stays with other to
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('f');
+  await editor.button('Stiffen').click();
   const size = page.getByRole('slider', { name: 'Brush size (%)' });
   const first = Number(await size.inputValue());
   await page.keyboard.press(']');
@@ -81,6 +84,7 @@ test('the eraser, the sizes and a dab have keys; the overlay stays with other to
   expect(Number(await size.inputValue())).toBeLessThan(first);
 
   // Arrows move the brush, Enter paints under it.
+  await page.keyboard.press('f');
   await page.keyboard.press('Shift+ArrowRight');
   await page.keyboard.press('Enter');
   await expect(editor.button('Undo: paint stiffness')).toBeEnabled();
@@ -117,6 +121,7 @@ test('the file keeps the mask, and a project without one has no such key', async
   const plain = JSON.parse((await bytes(await editor.download('Save the project file'))).toString());
   expect('stiffness' in plain).toBe(false);
   await page.keyboard.press('f');
+  await editor.button('Stiffen').click();
   await stroke(editor, [at(440, 640), at(600, 640)]);
   const buffer = await bytes(await editor.download('Save the project file'));
   const painted = await mask(editor);
@@ -158,7 +163,8 @@ test.describe('on a phone', () => {
   test('a finger paints, and the bar lies beside the tools', async ({ page }) => {
     const editor = await Editor.open(page);
     const at = await editor.fromImage('head', [512, 260]);
-    await editor.button('Paint how stiff the picture is').tap();
+    await editor.button('Brush: push, pinch, smooth or stiffen').tap();
+    await editor.button('Stiffen').tap();
     const bar = page.getByRole('group', { name: 'Brush', exact: true });
     await expect(bar).toBeVisible();
     const [box, tools] = [

@@ -282,7 +282,7 @@ export class Painter {
       loaded.edges ??= meshLines(gl, loaded);
       const opacity = lineOpacity((loaded.edges.length * view.scale) / (view.pixelRatio ?? 1));
       const u_colour = MESH_COLOUR.map((part) => part * opacity);
-      const lines = { ...loaded.edges.buffers, attribs: loaded.triangles.attribs };
+      const lines = { ...loaded.edges.buffers, attribs: loaded.triangles.attribs ?? {} };
       drawWith(gl, this.#lineProgram, lines, { ...uniforms, u_colour }, gl.LINES);
     }
   }
