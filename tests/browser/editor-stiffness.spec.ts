@@ -36,7 +36,7 @@ test('a painted arm keeps its form; undo takes back one stroke at a time', async
   const elbow = await editor.settled(() => editor.mapped(260, 470));
   await page.keyboard.press('f');
   await editor.button('Stiffen').click();
-  await expect(editor.button('Brush: push, pinch, smooth or stiffen')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Brush')).toHaveAttribute('aria-pressed', 'true');
   const before = await editor.screenshot(at(512, 640));
 
   // The trunk is unbent, so that places of the original lie under the pointer.
@@ -163,7 +163,7 @@ test.describe('on a phone', () => {
   test('a finger paints, and the bar lies beside the tools', async ({ page }) => {
     const editor = await Editor.open(page);
     const at = await editor.fromImage('head', [512, 260]);
-    await editor.button('Brush: push, pinch, smooth or stiffen').tap();
+    await editor.button('Brush').tap();
     await editor.button('Stiffen').tap();
     const bar = page.getByRole('group', { name: 'Brush', exact: true });
     await expect(bar).toBeVisible();

@@ -13,7 +13,7 @@ export const COMMANDS = {
   bar: { label: 'Draw a bar', keys: ['B'] },
   polygon: { label: 'Draw a polygon', keys: ['G'] },
   lasso: { label: 'Lasso: draw around the part that bends', keys: ['L'] },
-  brush: { label: 'Brush: push, pinch, smooth or stiffen', keys: ['F'] },
+  brush: { label: 'Brush', keys: ['F'] },
   'brush-erase': { label: 'The opposite brush, or the eraser', keys: ['E'] },
   'brush-smaller': { label: 'Smaller brush', keys: ['['] },
   'brush-larger': { label: 'Larger brush', keys: [']'] },
