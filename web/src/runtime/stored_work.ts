@@ -9,6 +9,7 @@
  * fails. The owner hears of it.
  */
 import { bounded } from '../editor/recent';
+import { packed, unpacked } from '../editor/stored_displacements';
 import { isWorkedOn, type WorkSnapshot } from '../editor/work';
 import { inTransaction, type StoredValues } from '../io/storage';
 
@@ -80,9 +81,9 @@ export class StoredWork {
       const { picture, document, recent } = await reading;
       if (!picture || !document) return null;
       [this.#file, this.#mark, this.#version] = [picture.file, picture.mark, document.version];
-      const known = [...recent].sort((a, b) => a.kept - b.kept).map(({ kept: _, ...work }) => work);
+      const known = [...recent].sort((a, b) => a.kept - b.kept).map(({ kept: _, ...work }) => unpacked(work));
       this.#recent = byId(known);
-      return { work: joined(picture, document), recent: bounded(known) };
+      return { work: unpacked(joined(picture, document)), recent: bounded(known) };
     } catch {
       return null;
     }
@@ -121,7 +122,7 @@ export class StoredWork {
     [...now.values()].forEach((work, k) => {
       // A thousandth apart, so that the order survives.
       if (this.#recent.get(work.id) !== work)
-        values.put(this.#nameOf(work.id), { ...work, kept: kept + k / 1000 });
+        values.put(this.#nameOf(work.id), { ...packed(work), kept: kept + k / 1000 });
     });
   }
 
@@ -135,7 +136,7 @@ export class StoredWork {
     }
     // An earlier version of this tab is part of this one.
     values.delete(this.#nameOf(this.#writer));
-    const { id, file, name, thumbnail, record, drawings = [], guarded, ...more } = work;
+    const { id, file, name, thumbnail, record, drawings = [], guarded, ...more } = packed(work);
     const { snapping, edgeSnapping, pixelated, saved, exports, films, engines, maps, exportKind } = more;
     if (file !== this.#file) [this.#file, this.#mark] = [file, unique()];
     const mark = this.#mark;
