@@ -10,6 +10,7 @@ import type { Clip, Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
+import type { Places } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { CellBorders } from './solution';
 
@@ -101,8 +102,8 @@ export interface Pose {
   readonly project: Project;
   /** Sites × 12 for the graphics card, see `MOTION_STRIDE`. */
   readonly motions: Float32Array<ArrayBuffer>;
-  /** Vertices × 2: where the brush has moved the mesh before it is posed; null where it rests. */
-  readonly places: Float32Array<ArrayBuffer> | null;
+  /** Null where the brush has moved nothing. */
+  readonly places: Places | null;
   /** Triangles × 3 in drawing order. Poses of the same order return the same array. */
   readonly triangles: Uint32Array;
   /** Vertices × 2: the posed mesh. */

@@ -23,7 +23,7 @@ import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import { MOST_COVERAGE } from '../geometry/heat';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
-import { siteTurn } from '../geometry/skin';
+import { type Places, siteTurn } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import { createModulePicture, createModulePlayback, type ModulePicture, type ModulePlayback } from './module';
 import type { GroupWay, LimitedPose, Playback, Pose, PosedPicture } from './posed_picture';
@@ -45,7 +45,7 @@ class WasmPicture implements PosedPicture {
   #stiff: StiffPlaces;
   /** How the module has the picture displaced, and the places of its vertices that were asked for last. */
   #displaced: Displacement | undefined;
-  #places: { readonly of: Displacement; readonly values: Float32Array<ArrayBuffer> } | undefined;
+  #places: { readonly of: Displacement; readonly places: Places } | undefined;
   #restOutline: Float32Array<ArrayBuffer> | undefined;
   #stiffness: { readonly of: StiffPlaces; readonly values: Float32Array<ArrayBuffer> } | undefined;
 
@@ -78,13 +78,15 @@ class WasmPicture implements PosedPicture {
     return this.#module;
   }
 
-  /** Vertices × 2 in a pose, before the handles; null where they rest. */
-  placesOf(pose: WasmPose): Float32Array<ArrayBuffer> | null {
+  placesOf(pose: WasmPose): Places | null {
     const { displacement } = pose.project;
     if (!displacement) return null;
-    if (!this.#places || !isSameGrid(this.#places.of, displacement))
-      this.#places = { of: displacement, values: this.holding(pose).displaced_positions() };
-    return this.#places.values;
+    if (!this.#places || !isSameGrid(this.#places.of, displacement)) {
+      const module = this.holding(pose);
+      const feather = module.displaced_points(this.data.featherPositions);
+      this.#places = { of: displacement, places: { mesh: module.displaced_positions(), feather } };
+    }
+    return this.#places.places;
   }
 
   restOutline(): Float32Array<ArrayBuffer> {
@@ -278,7 +280,7 @@ class WasmPose implements Pose {
     return moment ? moment.playback.pose(module, moment.time, rigid) : module.set_pose(this.handles, rigid);
   }
 
-  get places(): Float32Array<ArrayBuffer> | null {
+  get places(): Places | null {
     return this.#picture.placesOf(this);
   }
 

@@ -18,6 +18,14 @@ export interface Skin {
   readonly weights: Float32Array;
 }
 
+/** Where the brush has moved a skin before it is posed, image pixels. */
+export interface Places {
+  /** Vertices × 2. */
+  readonly mesh: Float32Array;
+  /** Vertices of the feather × 2. */
+  readonly feather: Float32Array;
+}
+
 /**
  * Numbers per site in motions. The first four are the matrix a, b, c, d. The next four are rest x, rest y, posed x and
  * posed y. The last four are depth, angle θ, cos θ/2 and sin θ/2.

@@ -9,7 +9,7 @@
 import * as twgl from 'twgl.js';
 import type { Box } from '../geometry/box';
 import type { HeatMap } from '../geometry/heat';
-import { type Blend, MOTION_STRIDE } from '../geometry/skin';
+import { type Blend, MOTION_STRIDE, type Places } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
 import { EdgeLayer } from './edges';
@@ -27,6 +27,7 @@ import {
 import { PictureTexture, setFilters, type TexturePatch, type TextureSource } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import { PixelLayer, type PixelMesh, showsPixels } from './pixel_layer';
+import { PlaceBuffer } from './place_buffer';
 import { drawWith, program } from './program';
 import { RimLayer } from './rim';
 
@@ -44,8 +45,7 @@ interface LoadedMesh {
   edges: MeshLines | undefined;
   /** The content of the index buffer. */
   drawn: Uint32Array;
-  /** Filled once vertices are displaced. */
-  places: WebGLBuffer | undefined;
+  readonly places: PlaceBuffer;
 }
 
 /** The edges of a mesh, and their mean length at rest, image pixels. */
@@ -160,32 +160,21 @@ export class Painter {
       a_row: { numComponents: 2, data: weightRows(mesh.offsets) },
       indices: { numComponents: 3, data: mesh.triangles },
     });
-    const loaded = {
+    return {
       mesh,
       weights,
       motions: createDataTexture(gl, 4, (mesh.siteRest.length / 2) * (MOTION_STRIDE / 4)),
       triangles,
       edges: undefined,
       drawn: mesh.triangles,
-      places: undefined,
+      places: new PlaceBuffer(gl, triangles),
     };
-    place(loaded, null);
-    return loaded;
   }
 
-  /** Vertices × 2: where the mesh lies before it is posed; null where it rests. */
-  setPlaces(places: Float32Array | null): void {
-    const loaded = this.#loaded;
-    if (!loaded) return;
-    if (places) {
-      const gl = this.#gl;
-      const isNew = loaded.places === undefined;
-      loaded.places ??= gl.createBuffer();
-      gl.bindBuffer(gl.ARRAY_BUFFER, loaded.places);
-      if (isNew) gl.bufferData(gl.ARRAY_BUFFER, places, gl.DYNAMIC_DRAW);
-      else gl.bufferSubData(gl.ARRAY_BUFFER, 0, places);
-    }
-    place(loaded, places);
+  /** Sets where the mesh lies before it is posed; null where it rests. */
+  setPlaces(places: Places | null): void {
+    this.#loaded?.places.set(places?.mesh ?? null);
+    this.#rim?.places.set(places?.feather ?? null);
   }
 
   /**
@@ -291,23 +280,13 @@ export class Painter {
     if (!loaded) return;
     loaded.weights.dispose();
     loaded.motions.dispose();
-    this.#gl.deleteBuffer(loaded.places ?? null);
+    loaded.places.dispose();
     const buffers = [loaded.triangles, loaded.edges?.buffers].flatMap((info) => [
       info?.indices,
       ...Object.values(info?.attribs ?? {}).map((attribute) => attribute.buffer),
     ]);
     for (const buffer of new Set(buffers)) this.#gl.deleteBuffer(buffer ?? null);
   }
-}
-
-/** Draws a mesh from its displaced places, or from where it rests. */
-function place(
-  { triangles, places }: Pick<LoadedMesh, 'triangles' | 'places'>,
-  displaced: Float32Array | null,
-): void {
-  const attribs = triangles.attribs ?? {};
-  const rest = attribs.a_rest;
-  if (rest) attribs.a_place = displaced && places ? { ...rest, buffer: places } : rest;
 }
 
 function meshLines(gl: WebGL2RenderingContext, { mesh, triangles }: LoadedMesh): MeshLines {

@@ -6,7 +6,7 @@
  */
 import type { Box } from '../geometry/box';
 import type { HeatMap } from '../geometry/heat';
-import { type Blend, MOTION_STRIDE } from '../geometry/skin';
+import { type Blend, MOTION_STRIDE, type Places } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { unwarpedMesh, type WarpMesh } from './mesh';
 import { Painter } from './painter';
@@ -22,7 +22,7 @@ export class Renderer {
   #patch: TexturePatch | null = null;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
-  #places: Float32Array | null = null;
+  #places: Places | null = null;
   #heat: HeatMap | null = null;
   #blend: Blend = 'linear';
   #triangles: Uint32Array | null = null;
@@ -106,15 +106,17 @@ export class Renderer {
   }
 
   /**
-   * Sets where the mesh lies before it is posed, vertices × 2; null where it rests.
+   * Sets where the mesh lies before it is posed; null where it rests.
    *
    * @throws RangeError unless there is one place per vertex.
    */
-  setPlaces(places: Float32Array | null): void {
+  setPlaces(places: Places | null): void {
     if (places === this.#places) return;
     const numbers = this.#mesh?.positions.length ?? 0;
-    if (places && places.length !== numbers)
-      throw new RangeError(`Expected ${numbers / 2} places, one per vertex, found ${places.length / 2}.`);
+    if (places && places.mesh.length !== numbers)
+      throw new RangeError(
+        `Expected ${numbers / 2} places, one per vertex, found ${places.mesh.length / 2}.`,
+      );
     this.#places = places;
     if (!this.lost) this.#painter?.setPlaces(places);
   }

@@ -7,12 +7,14 @@
 import * as twgl from 'twgl.js';
 import { ownedRows, type WarpMesh, weightRows } from './mesh';
 import pictureFragment from './picture.frag.glsl?raw';
+import { PlaceBuffer } from './place_buffer';
 import { drawWith, program } from './program';
 
 export class RimLayer {
   readonly #gl: WebGL2RenderingContext;
   readonly #program: twgl.ProgramInfo;
   readonly #buffers: twgl.BufferInfo;
+  readonly places: PlaceBuffer;
 
   /** Returns `undefined` for a mesh without a feather. @throws Error if the shader does not compile. */
   static of(gl: WebGL2RenderingContext, mesh: WarpMesh): RimLayer | undefined {
@@ -30,6 +32,7 @@ export class RimLayer {
     this.#gl = gl;
     this.#program = program(gl, pictureFragment, 'RIM');
     this.#buffers = twgl.createBufferInfoFromArrays(gl, arrays);
+    this.places = new PlaceBuffer(gl, this.#buffers);
   }
 
   /** @param uniforms those of the mesh. */
@@ -41,6 +44,7 @@ export class RimLayer {
   }
 
   dispose(): void {
+    this.places.dispose();
     const { indices, attribs } = this.#buffers;
     const buffers = [indices, ...Object.values(attribs ?? {}).map(({ buffer }) => buffer)];
     for (const buffer of buffers) this.#gl.deleteBuffer(buffer ?? null);
