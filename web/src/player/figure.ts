@@ -23,17 +23,18 @@ export interface Figure {
 export function figureOf(gl: WebGL2RenderingContext, rig: Rig, picture: ImageBitmap): Figure {
   const vertices = gl.createVertexArray();
   gl.bindVertexArray(vertices);
-  const buffers = [rig.positions, rig.rows].map((data, location) => {
+  const arrays = [
+    [0, rig.positions],
+    [1, rig.rows],
+    [PLACE, rig.displaced],
+  ] as const;
+  const buffers = arrays.map(([location, data]) => {
     const buffer = gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
     gl.enableVertexAttribArray(location);
     if (data instanceof Float32Array) gl.vertexAttribPointer(location, 2, gl.FLOAT, false, 0, 0);
     else gl.vertexAttribIPointer(location, 2, gl.UNSIGNED_INT, 0, 0);
-    if (location > 0) return buffer;
-    // A rig has no vertices that a brush has moved: they lie where they rest.
-    gl.enableVertexAttribArray(PLACE);
-    gl.vertexAttribPointer(PLACE, 2, gl.FLOAT, false, 0, 0);
     return buffer;
   });
   const textures = [pictureTexture(gl, picture), tableOf(gl)];

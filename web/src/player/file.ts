@@ -10,6 +10,8 @@ const HEADER = 24;
 const ROW = 12;
 /** The checksum is of all bytes from here. */
 const CHECKED = 20;
+/** Versions of the format. The last one displaces the picture before sites move it. */
+const VERSIONS: readonly number[] = [1, 2];
 /** No deflated bytes unpack to more than so many times their number. */
 const MOST_UNPACKED = 1032;
 
@@ -25,11 +27,13 @@ function crc32(data: Uint8Array): number {
 }
 
 /**
- * The unpacked sections of a file, in its order.
+ * The unpacked sections of a file, in its order, and whether it displaces its picture.
  *
- * @throws Error with a sentence for people if the bytes are no rig of version 1, or a damaged one.
+ * @throws Error with a sentence for people if the bytes are no rig of a known version, or a damaged one.
  */
-export async function sectionsOf(file: Uint8Array<ArrayBuffer>): Promise<Section[]> {
+export async function sectionsOf(
+  file: Uint8Array<ArrayBuffer>,
+): Promise<{ readonly sections: readonly Section[]; readonly isDisplaced: boolean }> {
   if (MAGIC.some((byte, at) => file[at] !== byte)) throw new Error('This is not a rig.');
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
   const word = (at: number) => (at + 4 <= file.length ? view.getUint32(at, true) : Number.NaN);
@@ -38,12 +42,13 @@ export async function sectionsOf(file: Uint8Array<ArrayBuffer>): Promise<Section
   };
   const [version, length, checksum, count] = [8, 12, 16, 20].map(word) as [number, number, number, number];
   check(file.length >= HEADER, 'it is cut short');
-  if (version !== 1) throw new Error(`This rig has version ${version} of the format: version 1 is expected.`);
+  if (!VERSIONS.includes(version))
+    throw new Error(`This rig has version ${version} of the format: version 1 or 2 is expected.`);
   check(length === file.length, `it has ${file.length} bytes in place of ${length}`);
   check(checksum === crc32(file.subarray(CHECKED)), 'its checksum differs');
   check(count <= (length - HEADER) / ROW, 'its table is longer than the file');
   let at = HEADER + ROW * count;
-  const sections = Array.from({ length: count }, (_, row) => {
+  const rows = Array.from({ length: count }, (_, row) => {
     const start = HEADER + ROW * row;
     const stored = file.subarray(at, at + word(start + 4));
     at += word(start + 4);
@@ -51,9 +56,10 @@ export async function sectionsOf(file: Uint8Array<ArrayBuffer>): Promise<Section
     return { tag, stored, length: word(start + 8) };
   });
   check(at === length, 'its sections do not fill it');
-  return Promise.all(
-    sections.map(async ({ tag, stored, length }) => ({ tag, data: await unpacked(stored, length) })),
+  const sections = await Promise.all(
+    rows.map(async ({ tag, stored, length }) => ({ tag, data: await unpacked(stored, length) })),
   );
+  return { sections, isDisplaced: version === 2 };
 }
 
 async function unpacked(stored: Uint8Array<ArrayBuffer>, length: number): Promise<Uint8Array<ArrayBuffer>> {

@@ -8,6 +8,8 @@ export interface Mesh {
   readonly triangles: Uint32Array;
   /** Sites × 2: their rest places. */
   readonly rest: Float64Array;
+  /** Places are whole numbers of a pixel over 2 to this. */
+  readonly placeBits: number;
 }
 
 export interface Weights {
@@ -21,19 +23,8 @@ export function readMesh(from: Bytes): Mesh {
   const bits = from.byte();
   from.check(bits <= 16, 'has too fine places');
   const [vertices, triangles, sites] = [from.count(2), from.count(3), from.count(2)];
-  const places = (count: number) => {
-    const values = new Float64Array(2 * count);
-    for (const axis of [0, 1]) {
-      let place = 0;
-      for (let at = axis; at < values.length; at += 2) {
-        place = (place + from.signed()) | 0;
-        values[at] = place / 2 ** bits;
-      }
-    }
-    return values;
-  };
-  const positions = Float32Array.from(places(vertices));
-  const rest = places(sites);
+  const positions = Float32Array.from(readPlaces(from, vertices, bits));
+  const rest = readPlaces(from, sites, bits);
   let seen = 0;
   const corners = Uint32Array.from({ length: 3 * triangles }, () => {
     const back = from.varint();
@@ -41,7 +32,26 @@ export function readMesh(from: Bytes): Mesh {
     return back === 0 ? seen++ : seen - back;
   });
   from.check(seen === vertices, 'has triangles of other vertices');
-  return { positions, triangles: corners, rest };
+  return { positions, triangles: corners, rest, placeBits: bits };
+}
+
+/** Vertices × 2 of a mesh, with the displacement of each. */
+export function readDisplaced(from: Bytes, { positions, placeBits }: Mesh): Float32Array {
+  const by = readPlaces(from, positions.length / 2, placeBits);
+  return positions.map((place, at) => place + (by[at] ?? 0));
+}
+
+/** Numbers × 2 in pixels: first along x, then along y, each as the difference from the one before. */
+function readPlaces(from: Bytes, count: number, bits: number): Float64Array {
+  const values = new Float64Array(2 * count);
+  for (const axis of [0, 1]) {
+    let place = 0;
+    for (let at = axis; at < values.length; at += 2) {
+      place = (place + from.signed()) | 0;
+      values[at] = place / 2 ** bits;
+    }
+  }
+  return values;
 }
 
 export function readWeights(from: Bytes, vertices: number, sites: number): Weights {

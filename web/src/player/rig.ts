@@ -2,7 +2,7 @@
 import { type Bytes, bytesOf } from './bytes';
 import { type RigClip, readClip } from './clip';
 import { sectionsOf } from './file';
-import { type Mesh, readMesh, readWeights, type Weights } from './mesh';
+import { type Mesh, readDisplaced, readMesh, readWeights, type Weights } from './mesh';
 import { readShares, type Shares } from './shares';
 
 export interface Rig extends Mesh, Weights {
@@ -13,6 +13,8 @@ export interface Rig extends Mesh, Weights {
   /** Whether edges are drawn where parts cross. */
   readonly edges: boolean;
   readonly handles: readonly string[];
+  /** Vertices × 2: the places that sites move, image pixels. Texture coordinates are those of `positions`. */
+  readonly displaced: Float32Array;
   /** Null where poses of handles need a solver. */
   readonly shares: Shares | null;
   /** The file of the picture. */
@@ -24,10 +26,12 @@ export interface Rig extends Mesh, Weights {
 /**
  * Reads a rig.
  *
- * @throws Error with a sentence for people if the bytes are no rig of version 1, or a damaged one.
+ * @throws Error with a sentence for people if the bytes are no rig of a known version, or a damaged one.
  */
 export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
-  const known = (await sectionsOf(file)).filter(({ tag }) => /^(HEAD|PICT|MESH|WGHT|SHAR|CLIP)$/.test(tag));
+  const { sections, isDisplaced } = await sectionsOf(file);
+  const tags = isDisplaced ? /^(HEAD|PICT|MESH|WGHT|DISP|SHAR|CLIP)$/ : /^(HEAD|PICT|MESH|WGHT|SHAR|CLIP)$/;
+  const known = sections.filter(({ tag }) => tags.test(tag));
   const next = (wanted: string, part: string) => {
     const { tag, data } = known.shift() ?? {};
     if (!data || tag !== wanted) throw new Error(`This rig is damaged: ${part} is missing.`);
@@ -50,6 +54,9 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   const mesh = read('MESH', 'the mesh', readMesh);
   const sites = mesh.rest.length / 2;
   const weights = read('WGHT', 'the weights', (from) => readWeights(from, mesh.positions.length / 2, sites));
+  const displaced = isDisplaced
+    ? read('DISP', 'the displacement', (from) => readDisplaced(from, mesh))
+    : mesh.positions;
   const shares =
     known[0]?.tag === 'SHAR'
       ? read('SHAR', 'the shares', (from) => readShares(from, head.handles, sites))
@@ -61,5 +68,5 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
       throw new Error('This rig is damaged: two clips have one name.');
     clips.push(clip);
   } while (known.length > 0);
-  return { ...head, ...mesh, ...weights, shares, picture, clips };
+  return { ...head, ...mesh, ...weights, displaced, shares, picture, clips };
 }
