@@ -36,7 +36,7 @@ test('keys hold and push the picture; Alt restores; the bin clears', async ({ pa
   await page.keyboard.press('Enter');
   await expect(editor.button('Undo: push')).toBeEnabled();
   expect(await isDisplaced(editor)).toBe(true);
-  await editor.button('Clear what the brush moved').click();
+  await editor.button('Clear the strokes of the brush').click();
   expect(await isDisplaced(editor)).toBe(false);
   await page.keyboard.down('Alt');
   await editor.drag(at(512, 640), { x: 10, y: 0 });

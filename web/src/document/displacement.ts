@@ -120,7 +120,7 @@ export function displacementAt(field: Field, place: Vec): Vec {
   return [x, y];
 }
 
-/** The first control point that counts at a place, which is measured in spacings, and the weights of it and the next. */
+/** The first control point that counts at a place, measured in spacings, and the weights of it and the next. */
 function basisAt(place: number, count: number): readonly [first: number, weights: readonly number[]] {
   const within = Math.min(Math.max(place, 0), count - BEYOND);
   const first = Math.min(Math.floor(within), count - BEYOND - 1);

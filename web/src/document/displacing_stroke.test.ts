@@ -56,7 +56,7 @@ function leastArea(field: Field): number {
 }
 
 describe('a stroke that displaces', () => {
-  it('pushes what is under its middle along with it, and nothing beyond its radius', () => {
+  it('pushes the place under its middle along, and nothing beyond its radius', () => {
     const pushed = stroke(resting, {}, way([500, 380], [540, 400], 1));
     const [x, y] = at(pushed, [500, 380]);
     expect(Math.hypot(x - 40, y - 20)).toBeLessThan(2.5);

@@ -23,7 +23,7 @@ export interface DisplacingBrush {
   readonly strength: number;
 }
 
-/** What limits a stroke. */
+/** The limits of a stroke. */
 export interface StrokeLimits {
   /** No place is turned over. */
   readonly guarded: boolean;
@@ -45,9 +45,9 @@ export interface DisplacingStroke {
 /** Parts of the radius between dabs, and between the steps of a push. */
 const BETWEEN = 1 / 4;
 const STEP = 1 / 8;
-/** What a dab of full strength does in its middle. */
+/** The effect of a dab of full strength in its middle. */
 const RATES = { pinch: -0.12, bloat: 0.12, smooth: 0.6, restore: 0.3 } as const;
-/** Smoothing compares with places at this part of the radius, so that it levels what the brush covers. */
+/** Smoothing compares with places at this part of the radius, so that it levels all that the brush covers. */
 const SMOOTHED = 1 / 4;
 
 export function beginDisplacing(
@@ -76,7 +76,7 @@ export function ledDisplacing(stroke: DisplacingStroke, from: Vec | null, to: Ve
   return { ...stroke, field, left: next - way };
 }
 
-/** The project with what the stroke has moved. Restoring must come to rest in the end, also by weak strokes. */
+/** The project after the stroke. Restoring must come to rest in the end, also by weak strokes. */
 export const withDisplacing = ({ project, field, brush }: DisplacingStroke): Project =>
   withField(project, field, brush.kind === 'restore' ? towardsRest : undefined);
 
@@ -94,7 +94,7 @@ function dab(stroke: DisplacingStroke, field: Field, middle: Vec, move: Vec): vo
   }
 }
 
-/** What a dab would change; null where it reaches no control point. */
+/** The change by a dab; null where it reaches no control point. */
 function changeOf(
   { brush: { kind, radius, strength }, taken }: DisplacingStroke,
   field: Field,

@@ -1,4 +1,4 @@
-/** What the brush leaves where it is, while the boundary is held: the outline of what bends, and places close to it. */
+/** Places that the brush leaves while the boundary is held: the outline, and those close to it. */
 import type { Vec } from '../geometry/vec';
 import type { Field } from './displacement';
 

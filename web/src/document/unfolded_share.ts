@@ -5,7 +5,7 @@
  * above a bound, and above a part of the mean square of its sides: a long thin one could turn over between the samples.
  * Both are quadratics of the share of the dab, so the first root of their difference is the limit.
  *
- * Cost: linear in the control points. Limit: what lies between the samples is not looked at.
+ * Cost: linear in the control points. Limit: nothing looks between the samples.
  */
 import type { Field } from './displacement';
 

@@ -157,4 +157,4 @@ export const EXPORT_CANCELLED = 'The export was cancelled';
 export const SELECT_ONE = 'This is about one handle: select it first.';
 
 /** All handles were reset, but the brush has moved places too. */
-export const BRUSHED_STILL = 'The handles are at rest. What the brush has moved stays.';
+export const BRUSHED_STILL = 'The handles are at rest. Strokes of the brush stay.';

@@ -72,7 +72,7 @@ export function patched(before: string, runs: Runs): string {
 }
 
 /**
- * Changes each displacement of a work once. Equal objects stay equal objects: a saved project may be one of the history.
+ * Changes each displacement of a work once. The same objects stay the same: a saved project may be one of the history.
  *
  * @param change takes a displacement, and the last one before it as it is in memory.
  */

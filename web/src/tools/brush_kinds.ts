@@ -1,4 +1,4 @@
-/** What the brush does, and what it does with Alt. */
+/** The effects of the brush, and those with Alt. */
 import { DISPLACING } from '../document/displacing_stroke';
 
 export const BRUSH_KINDS = [...DISPLACING, 'stiffen'] as const;

@@ -1,4 +1,4 @@
-/** The bar of the brush: what it does, its size and strength, and the way back from all that it has done. */
+/** The bar of the brush: its effect, its size and strength, and the way back from all that it has done. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { modeOf } from '../document/bending';
@@ -15,7 +15,7 @@ interface Look {
   readonly icon: IconName;
   /** For a person who has not used it yet. */
   readonly hint: string;
-  /** What Alt does. */
+  /** The effect with Alt. */
   readonly alt?: string;
 }
 
@@ -43,15 +43,15 @@ const LOOKS: Readonly<Record<BrushKind, Look>> = {
   },
   smooth: {
     label: 'Smooth',
-    tip: 'Smooth: level what the brush has moved',
+    tip: 'Smooth: level places that the brush has moved',
     icon: 'smooth',
-    hint: 'Drag to level what the brush has moved.',
+    hint: 'Drag to level places that the brush has moved.',
   },
   restore: {
     label: 'Restore',
-    tip: 'Restore: take back what the brush has moved',
+    tip: 'Restore: take back strokes of the brush',
     icon: 'reset',
-    hint: 'Drag to take back what the brush has moved.',
+    hint: 'Drag to take back strokes of the brush.',
     alt: 'Alt pushes.',
   },
   stiffen: {
@@ -71,7 +71,7 @@ export function brushBar(model: EditorModel, dispatch: Dispatch): TemplateResult
   const stiffens = kind === 'stiffen';
   const softOnly = stiffens && modeOf(model.document.project) !== 'rigid';
   return html`<div class="brush-bar card" part="notice" role="group" aria-label="Brush">
-    <div class="segments kinds" role="group" aria-label="What the brush does">
+    <div class="segments kinds" role="group" aria-label="Effect of the brush">
       ${BRUSH_KINDS.map((other) => kindButton(other, other === kind, () => set({ kind: other })))}
     </div>
     ${stiffens ? eraser(settings, model.platform, set) : nothing}
@@ -120,7 +120,7 @@ function clear({ document }: EditorModel, stiffens: boolean, dispatch: Dispatch)
     class="button clear"
     part="button"
     data-tip=${stiffens ? 'Make the picture soft again' : 'Take back all that the brush has moved'}
-    aria-label=${stiffens ? 'Clear stiffness' : 'Clear what the brush moved'}
+    aria-label=${stiffens ? 'Clear stiffness' : 'Clear the strokes of the brush'}
     ?disabled=${(stiffens ? stiffness : displacement) === undefined}
     @click=${() => dispatch({ type: stiffens ? 'stiffness-cleared' : 'displacement-cleared' })}
   >

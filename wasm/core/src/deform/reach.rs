@@ -22,7 +22,8 @@ pub(super) const STEP: f64 = 0.005;
 /// The moves of the handles, for a step of 1, whose poses [`reach`] compares.
 pub(super) const MOVES: [DVec2; 4] = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
 
-/// The reach at each place before the handles move it, from poses with the handles moved by `step` along each of [`MOVES`].
+/// The reach at each place before the handles move it, from poses with the handles moved by `step` along each of
+/// [`MOVES`].
 pub(super) fn reach(places: &[DVec2], weights: &SparseWeights, moved: &[Pose; 4], step: f64) -> Vec<f32> {
     let at = |(row, &p): (usize, &DVec2)| {
         let [right, left, down, up] = moved.each_ref().map(|pose| pose.blended_place(p, weights.row(row)));

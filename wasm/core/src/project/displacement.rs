@@ -11,16 +11,12 @@ use super::cursor::Cursor;
 use super::error::ProjectError;
 use super::grid_values::{count, read_bytes, read_sides};
 use super::path::Path;
-use super::spline::{Spline, control_points};
+use super::spline::{PARTS, SIDE_LEAST, Spline, control_points};
 use super::validate;
 
-/// A cubic spline has four control points at each place.
-pub(super) const SIDE_LEAST: u32 = 4;
 /// 256 segments, of 16 px in a picture of 4,096 px. With more, the text of the grid outgrows the rest of a project.
 const SIDE_MOST: u32 = 259;
 const SIDES: RangeInclusive<u32> = SIDE_LEAST..=SIDE_MOST;
-/// Parts of the spacing that displacements are multiples of.
-pub(super) const PARTS: f64 = 256.0;
 
 /// How places of the picture at rest are moved before the handles pose them: a cubic B-spline over the picture.
 ///

@@ -4,7 +4,10 @@
 
 use glam::{DMat2, DVec2};
 
-use super::displacement::{PARTS, SIDE_LEAST};
+/// A cubic spline has four control points at each place.
+pub(super) const SIDE_LEAST: u32 = 4;
+/// Parts of the spacing that values are multiples of.
+pub(super) const PARTS: f64 = 256.0;
 
 /// Control points over a picture of a size in pixels: pairs of values, rows from top to bottom.
 ///

@@ -1,10 +1,9 @@
-/** The brush: what it does, its size and strength, and the way back from all that it has done. */
+/** The brush: its effect, its size and strength, and the way back from all that it has done. */
 import { withoutDisplacement } from '../../document/displacement';
 import { withoutStiffness } from '../../document/stiffness';
 import { type BrushKind, oppositeBrush } from '../../tools/brush_kinds';
 import { type BrushState, sizeBeside } from '../brush_state';
 import type { Emit } from '../effects';
-import { isBrushing } from '../hit_areas';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, projectOf } from '../state';
 import type { Handlers } from './handlers';
@@ -30,17 +29,11 @@ const WORDS: Readonly<Record<BrushKind, string>> = {
   stiffen: 'The brush stiffens',
 };
 
-/** Switches to what Alt does. */
+/** Switches to the effect of Alt. */
 export function switchBrush(state: EditorState): EditorState {
   const brush = oppositeBrush(state.brush);
   const paints = brush.erases ? 'The brush erases' : 'The brush paints';
   return announce({ ...state, brush }, brush.kind === 'stiffen' ? paints : WORDS[brush.kind]);
-}
-
-/** A stroke has begun. */
-export function noteStroke(state: EditorState): EditorState {
-  const { kind, used } = state.brush;
-  return !isBrushing(state) || used.includes(kind) ? state : withBrush(state, { used: [...used, kind] });
 }
 
 /** Makes the whole picture soft, but for polygons. */
@@ -52,7 +45,7 @@ function clearStiffness(state: EditorState, emit: Emit): EditorState {
 /** Takes back all that the brush has moved. */
 function clearDisplacement(state: EditorState, emit: Emit): EditorState {
   const project = withoutDisplacement(projectOf(state));
-  return step(state, 'Clear what the brush moved', { ...documentOf(state), project }, emit);
+  return step(state, 'Clear the strokes of the brush', { ...documentOf(state), project }, emit);
 }
 
 export const brushHandlers: Handlers<'brush-set' | 'stiffness-cleared' | 'displacement-cleared'> = {

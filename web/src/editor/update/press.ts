@@ -16,7 +16,7 @@ import { documentOf, type EditorState } from '../state';
 import { moveCamera } from '../view';
 import { draftWords, placeWords } from '../wording';
 import { saveWork } from './autosave';
-import { noteStroke } from './brush';
+import { noteStroke } from './brush_use';
 import { committed, guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { look } from './lens';
