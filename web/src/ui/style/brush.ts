@@ -28,6 +28,7 @@ export const brushStyle = css`
     margin: 0;
   }
   .brush-bar .kind {
+    flex: none;
     gap: 5px;
     min-width: 34px;
     padding: 0 7px;
@@ -54,8 +55,11 @@ export const brushStyle = css`
     min-width: 42px;
     font-variant-numeric: tabular-nums;
   }
+  /* A row of their own, as wide as the others make the bar. */
   .brush-bar .words {
-    flex-basis: 100%;
+    flex: none;
+    width: 0;
+    min-width: 100%;
     justify-content: center;
     text-align: center;
     display: flex;

@@ -24,6 +24,9 @@ export const floatingStyle = css`
     :is(.draft-bar, .brush-bar, .hint:not(.bubble)) ~ .notices .notice {
       bottom: 70px;
     }
+    .brush-bar:has(.words) ~ .notices .notice {
+      bottom: 94px;
+    }
   }
   @container ${notPhone} {
     .hint.suggests ~ .notices .notice {
