@@ -4,7 +4,7 @@
  * The module caches one pose. A query about another one poses again, which takes the time of a frame.
  */
 import { blendOf, restingRotation } from '../document/bending';
-import { numbersOf, withoutDisplacement } from '../document/displacement';
+import { isSameDisplacement, numbersOf, withoutDisplacement } from '../document/displacement';
 import {
   anchor,
   atRest,
@@ -39,6 +39,8 @@ class WasmPicture implements PosedPicture {
   readonly data: SolutionData;
   /** The pose that the module holds; null while it rests. */
   #present: WasmPose | null = null;
+  /** What the module has posed, and the answer; null at rest, along a clip, and if the picture is stiff elsewhere now. */
+  #shown: { readonly handles: Float64Array; readonly rigid: boolean; readonly motions: Motions } | null = null;
   #triangles: { readonly version: number; readonly array: Uint32Array };
   #coverage: Float32Array<ArrayBuffer> | undefined;
   /** How stiff the module has the picture, and the stiffness of its vertices that was asked for last. */
@@ -64,10 +66,13 @@ class WasmPicture implements PosedPicture {
   /** Gives the module the stiffness and the displacement of a project, on which its poses depend. */
   #prepared(project: Project): ModulePicture {
     const places = stiffPlaces(project);
-    if (!isSame(this.#stiff, places)) this.#module.set_stiffness(JSON.stringify(places));
+    if (!isSame(this.#stiff, places)) {
+      this.#module.set_stiffness(JSON.stringify(places));
+      this.#shown = null;
+    }
     this.#stiff = places;
     const { displacement } = project;
-    if (!isSameGrid(this.#displaced, displacement)) {
+    if (!isSameDisplacement(this.#displaced, displacement)) {
       if (displacement)
         this.#module.set_displacement(displacement.width, displacement.height, numbersOf(displacement));
       else this.#module.set_displacement(0, 0, NO_NUMBERS);
@@ -81,7 +86,7 @@ class WasmPicture implements PosedPicture {
   placesOf(pose: WasmPose): Places | null {
     const { displacement } = pose.project;
     if (!displacement) return null;
-    if (!this.#places || !isSameGrid(this.#places.of, displacement)) {
+    if (!this.#places || !isSameDisplacement(this.#places.of, displacement)) {
       const module = this.holding(pose);
       const feather = module.displaced_points(this.data.featherPositions);
       this.#places = { of: displacement, places: { mesh: module.displaced_positions(), feather } };
@@ -130,9 +135,21 @@ class WasmPicture implements PosedPicture {
   }
 
   #posed(pose: WasmPose): WasmPose {
-    pose.motions = pose.show(this.#prepared(pose.project));
-    this.#present = pose;
+    pose.motions = this.#show(pose);
     return pose;
+  }
+
+  /** Gives the module a pose. It keeps one that the brush alone has changed: that takes no solve of the motions. */
+  #show(pose: WasmPose): Motions {
+    const module = this.#prepared(pose.project);
+    const { handles, moment } = pose;
+    const rigid = isRigid(pose.project);
+    const last = moment ? null : this.#shown;
+    const motions =
+      last && last.rigid === rigid && isSamePose(last.handles, handles) ? last.motions : pose.show(module);
+    this.#shown = moment ? null : { handles, rigid, motions };
+    this.#present = pose;
+    return motions;
   }
 
   forcing(project: Project): readonly string[] {
@@ -211,10 +228,7 @@ class WasmPicture implements PosedPicture {
 
   /** The module, holding a pose. */
   holding(pose: WasmPose): ModulePicture {
-    if (this.#present !== pose) {
-      pose.show(this.#prepared(pose.project));
-      this.#present = pose;
-    }
+    if (this.#present !== pose) this.#show(pose);
     return this.#module;
   }
 
@@ -249,6 +263,11 @@ class WasmPicture implements PosedPicture {
   }
 }
 
+type Motions = Float32Array<ArrayBuffer>;
+
+const isSamePose = (a: Float64Array, b: Float64Array): boolean =>
+  a.length === b.length && a.every((number, at) => Object.is(number, b[at]));
+
 /** A time of a clip. */
 interface Moment {
   readonly playback: ModulePlayback;
@@ -259,7 +278,7 @@ class WasmPose implements Pose {
   readonly #picture: WasmPicture;
   readonly project: Project;
   readonly handles: Float64Array;
-  readonly #moment: Moment | undefined;
+  readonly moment: Moment | undefined;
   motions = new Float32Array();
   #positions: Float32Array<ArrayBuffer> | undefined;
   #turns: Turns | undefined;
@@ -270,13 +289,13 @@ class WasmPose implements Pose {
     this.#picture = picture;
     this.project = project;
     this.handles = handles;
-    this.#moment = moment;
+    this.moment = moment;
   }
 
   /** Gives the module this pose. Returns the motions. */
-  show(module: ModulePicture): Float32Array<ArrayBuffer> {
+  show(module: ModulePicture): Motions {
     const rigid = isRigid(this.project);
-    const moment = this.#moment;
+    const { moment } = this;
     return moment ? moment.playback.pose(module, moment.time, rigid) : module.set_pose(this.handles, rigid);
   }
 
@@ -404,7 +423,7 @@ const isSame = (a: StiffPlaces, b: StiffPlaces): boolean =>
     return other && placeKey(other) === placeKey(handle) && stiffnessOf(other) === stiffnessOf(handle);
   });
 
-const isSameGrid = (a: Stiffness | Displacement | undefined, b: typeof a): boolean =>
+const isSameGrid = (a: Stiffness | undefined, b: typeof a): boolean =>
   a === b || (a?.width === b?.width && a?.height === b?.height && a?.values === b?.values);
 
 const NO_NUMBERS = new Int16Array();

@@ -45,27 +45,59 @@ const fieldOf = (image: ImageRef, width: number, height: number): Field => ({
 
 /** The displacement read last. Strokes go on from it. */
 let read: { readonly of: Displacement; readonly numbers: Int16Array } | null = null;
+/** The numbers of displacements that have no text yet. */
+const unwritten = new WeakMap<Displacement, Int16Array>();
 
 /** Control points × 2: the numbers of a displacement. */
 export function numbersOf(displacement: Displacement): Int16Array {
-  if (read?.of !== displacement) {
-    const bytes = fromBase64(displacement.values);
-    const view = new DataView(bytes.buffer);
-    const numbers = Int16Array.from({ length: bytes.length / 2 }, (_, at) => view.getInt16(2 * at, true));
-    read = { of: displacement, numbers };
-  }
+  const own = unwritten.get(displacement);
+  if (own) return own;
+  if (read?.of !== displacement) read = { of: displacement, numbers: numbersIn(displacement.values) };
   return read.numbers;
 }
 
+function numbersIn(text: string): Int16Array {
+  const bytes = fromBase64(text);
+  const view = new DataView(bytes.buffer);
+  return Int16Array.from({ length: bytes.length / 2 }, (_, at) => view.getInt16(2 * at, true));
+}
+
+/** A displacement whose text is made when it is first read: a drag makes many that nobody stores. */
 export function displacementOf(width: number, height: number, numbers: Int16Array): Displacement {
+  let text: string | null = null;
+  const displacement: Displacement = {
+    width,
+    height,
+    get values() {
+      if (text === null) {
+        text = textOf(numbers);
+        unwritten.delete(displacement);
+        read = { of: displacement, numbers };
+      }
+      return text;
+    },
+  };
+  unwritten.set(displacement, numbers);
+  return displacement;
+}
+
+function textOf(numbers: Int16Array): string {
   const bytes = new Uint8Array(2 * numbers.length);
   const view = new DataView(bytes.buffer);
   numbers.forEach((number, at) => {
     view.setInt16(2 * at, number, true);
   });
-  const displacement = { width, height, values: toBase64(bytes) };
-  read = { of: displacement, numbers };
-  return displacement;
+  return toBase64(bytes);
+}
+
+/** Whether two displacements move all places alike. */
+export function isSameDisplacement(a: Displacement | undefined, b: Displacement | undefined): boolean {
+  if (a === b || !a || !b) return a === b;
+  if (a.width !== b.width || a.height !== b.height) return false;
+  const isNew = unwritten.has(a) || unwritten.has(b);
+  if (!isNew) return a.values === b.values;
+  const [one, other] = [numbersOf(a), numbersOf(b)];
+  return one.length === other.length && one.every((number, at) => number === other[at]);
 }
 
 /** The field of a project, as fine as {@link restingField}: a coarser one could not hold a stroke. */
@@ -89,10 +121,14 @@ export function withField(
   { width, height, spacing, values }: Field,
   round: (number: number) => number = Math.round,
 ): Project {
-  const numbers = Int16Array.from(values, (value, at) =>
-    Math.min(Math.max(round((PARTS * value) / (spacing[at % 2] ?? 1)), -MOST), MOST),
-  );
-  if (numbers.every((number) => number === 0)) return withoutDisplacement(project);
+  const numbers = new Int16Array(values.length);
+  let moves = false;
+  for (let at = 0; at < values.length; at++) {
+    const number = round((PARTS * (values[at] as number)) / (spacing[at % 2] as number));
+    numbers[at] = Math.min(Math.max(number, -MOST), MOST);
+    moves ||= numbers[at] !== 0;
+  }
+  if (!moves) return withoutDisplacement(project);
   return { ...project, displacement: displacementOf(width, height, numbers) };
 }
 

@@ -176,36 +176,53 @@ interface Reached {
 }
 
 function reachedBy(field: Field, middle: Vec, radius: number): Reached | null {
-  const { width, height, spacing, values } = field;
-  let [left, right, top, bottom] = [width, -1, height, -1];
-  const found: number[] = [];
-  for (let row = 0; row < height; row++)
-    for (let column = 0; column < width; column++) {
-      const at = 2 * (row * width + column);
-      // A control point's own value is close to that of the field there: cheap enough to rule most points out.
-      const x = (column - 1) * spacing[0] + (values[at] as number) - middle[0];
-      const y = (row - 1) * spacing[1] + (values[at + 1] as number) - middle[1];
-      const near = radius + spacing[0] + spacing[1];
-      if (x * x + y * y >= near * near) continue;
-      const px = x + unevenness(field, column, row, 0);
-      const py = y + unevenness(field, column, row, 1);
-      const square = (px * px + py * py) / (radius * radius);
-      if (square >= 1) continue;
-      found.push(column, row, (1 - square) ** 3, px, py);
-      [left, right] = [Math.min(left, column), Math.max(right, column)];
-      [top, bottom] = [Math.min(top, row), Math.max(bottom, row)];
-    }
-  if (right < 0) return null;
-  const [columns, rows] = [right - left + 1, bottom - top + 1];
+  const near = nearTo(field, middle, radius);
+  if (!near) return null;
+  const { width, spacing, values } = field;
+  const { left, top, columns, rows } = near;
   const shares = new Float64Array(columns * rows);
   const away = new Float64Array(2 * columns * rows);
-  for (let k = 0; k < found.length; k += 5) {
-    const own = ((found[k + 1] ?? 0) - top) * columns + (found[k] ?? 0) - left;
-    shares[own] = found[k + 2] ?? 0;
-    away[2 * own] = found[k + 3] ?? 0;
-    away[2 * own + 1] = found[k + 4] ?? 0;
+  for (let row = 0; row < rows; row++)
+    for (let column = 0; column < columns; column++) {
+      const at = 2 * ((top + row) * width + left + column);
+      const own = row * columns + column;
+      const x = (left + column - 1) * spacing[0] + (values[at] as number) - middle[0];
+      const y = (top + row - 1) * spacing[1] + (values[at + 1] as number) - middle[1];
+      const px = x + unevenness(field, left + column, top + row, 0);
+      const py = y + unevenness(field, left + column, top + row, 1);
+      const square = (px * px + py * py) / (radius * radius);
+      if (square >= 1) continue;
+      shares[own] = (1 - square) ** 3;
+      away[2 * own] = px;
+      away[2 * own + 1] = py;
+    }
+  return { ...near, shares, away };
+}
+
+/**
+ * A rectangle of control points that has all within the radius. A control point's own value is close to that of the
+ * field there: cheap enough to rule most points out.
+ */
+function nearTo(
+  { width, height, spacing, values }: Field,
+  middle: Vec,
+  radius: number,
+): Pick<Reached, 'left' | 'top' | 'columns' | 'rows'> | null {
+  const near = (radius + spacing[0] + spacing[1]) ** 2;
+  let [left, right, top, bottom] = [width, -1, height, -1];
+  for (let row = 0, at = 0; row < height; row++) {
+    const below = (row - 1) * spacing[1] - middle[1];
+    for (let column = 0; column < width; column++, at += 2) {
+      const x = (column - 1) * spacing[0] - middle[0] + (values[at] as number);
+      const y = below + (values[at + 1] as number);
+      if (x * x + y * y >= near) continue;
+      if (column < left) left = column;
+      if (column > right) right = column;
+      if (row < top) top = row;
+      bottom = row;
+    }
   }
-  return { left, top, columns, rows, shares, away };
+  return right < 0 ? null : { left, top, columns: right - left + 1, rows: bottom - top + 1 };
 }
 
 /** The field at a control point, less the value of the control point. */

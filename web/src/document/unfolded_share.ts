@@ -29,11 +29,11 @@ const LEAST_PART = 0.1;
 const VALUES = [
   [1 / 6, 4 / 6, 1 / 6, 0],
   [1 / 48, 23 / 48, 23 / 48, 1 / 48],
-] as const;
+].map((weights) => Float64Array.from(weights)) as [Float64Array, Float64Array];
 const SLOPES = [
   [-1 / 2, 0, 1 / 2, 0],
   [-1 / 8, -5 / 8, 5 / 8, 1 / 8],
-] as const;
+].map((weights) => Float64Array.from(weights)) as [Float64Array, Float64Array];
 
 /** From 0 to 1. Where a parallelogram is beyond the bounds already, it must not get worse. */
 export function unfoldedShare(field: Field, change: Change): number {
@@ -117,6 +117,8 @@ function shareAt(down: Float64Array, column: number, half: number, spacing: numb
 
 /** Where a t² + b t + c, which is not negative at 0, first becomes negative; 1 if it does not up to there. */
 function firstRoot(a: number, b: number, c: number): number {
+  // Almost everywhere: a bound of the whole way suffices.
+  if (c + Math.min(b, 0) + Math.min(a, 0) > 0) return 1;
   if (c === 0 && (b < 0 || (b === 0 && a < 0))) return 0;
   const square = b * b - 4 * a * c;
   if (square <= 0 && a >= 0) return 1;

@@ -1,0 +1,73 @@
+/** Times of the main thread of a page, from a trace of Chromium. */
+
+/**
+ * @typedef {object} TraceEvent
+ * @property {string} name
+ * @property {number} pid
+ * @property {number} tid
+ * @property {number} ts Microseconds.
+ * @property {number} [dur]
+ * @property {number} [tdur] Time on the processor, microseconds.
+ * @property {{ name?: string, data?: { type?: string } }} [args]
+ */
+
+/** Events that run scripts. Scripts within one are part of it. */
+const SCRIPTS = ['EventDispatch', 'FireAnimationFrame', 'TimerFire', 'FunctionCall', 'RunMicrotasks'];
+
+/**
+ * Milliseconds of script that each move of the pointer takes: the time on the processor of all scripts from the move to
+ * the next one. That includes uploads of buffers, and calls of WebGL as far as they pass commands on. Another process
+ * draws. Waiting for it takes no time on the processor.
+ * @param {import('@playwright/test').Browser} browser
+ * @param {import('@playwright/test').Page} page
+ * @param {() => Promise<void>} moves
+ * @returns {Promise<{ main: number[], workers: number[] }>} One number for each move.
+ */
+export async function scriptTimes(browser, page, moves) {
+  await browser.startTracing(page, { categories: ['devtools.timeline', 'v8.execute', '__metadata'] });
+  await moves();
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  return timesOf(traceEvents);
+}
+
+/** @param {readonly TraceEvent[]} events */
+export function timesOf(events) {
+  const isMove = (/** @type {TraceEvent} */ { name, args }) =>
+    name === 'EventDispatch' && args?.data?.type === 'pointermove';
+  const begun = events.filter(isMove).sort((a, b) => a.ts - b.ts);
+  const [first] = begun;
+  if (!first) throw new Error('the trace has no move of the pointer');
+  /** @type {Map<string, TraceEvent[]>} */
+  const threads = new Map();
+  for (const event of events) {
+    if (event.pid !== first.pid || event.tdur === undefined || !SCRIPTS.includes(event.name)) continue;
+    const thread = event.tid === first.tid ? 'main' : 'workers';
+    const key = `${thread} ${event.tid}`;
+    threads.set(key, [...(threads.get(key) ?? []), event]);
+  }
+  const times = { main: begun.map(() => 0), workers: begun.map(() => 0) };
+  for (const [key, scripts] of threads) {
+    const own = key.startsWith('main') ? times.main : times.workers;
+    for (const { ts, tdur = 0 } of outermost(scripts)) {
+      const move = begun.findLastIndex((event) => event.ts <= ts);
+      if (move >= 0) own[move] = (own[move] ?? 0) + tdur / 1000;
+    }
+  }
+  return times;
+}
+
+/** @param {readonly TraceEvent[]} events of one thread. */
+function outermost(events) {
+  let end = 0;
+  return [...events]
+    .sort((a, b) => a.ts - b.ts || (b.dur ?? 0) - (a.dur ?? 0))
+    .filter(({ ts, dur = 0 }) => {
+      if (ts < end) return false;
+      end = ts + dur;
+      return true;
+    });
+}
+
+/** @param {readonly number[]} times @param {number} share From 0 to 1. */
+export const quantile = (times, share) =>
+  [...times].sort((a, b) => a - b)[Math.min(times.length - 1, Math.floor(share * times.length))] ?? 0;
