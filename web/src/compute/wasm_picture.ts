@@ -329,9 +329,9 @@ class WasmPose implements Pose {
 
   #findHidden(): HiddenCorners {
     const { handles } = this.project;
-    const found = this.#module.hidden(
-      Float64Array.from(handles.flatMap((handle) => corners(handle, 'rest')).flat()),
-    );
+    const places = Float64Array.from(handles.flatMap((handle) => corners(handle, 'rest')).flat());
+    // Nothing is hidden while no part crosses another: a drag need not look for it.
+    const found = this.#module.crossed() ? this.#module.hidden(places) : new Uint8Array(places.length / 2);
     let next = 0;
     return new Map(
       handles.map((handle) => {

@@ -25,88 +25,108 @@ const LEAST_AREA = 0.06;
 /** The least area, as a part of the mean square of the sides. */
 const LEAST_PART = 0.1;
 
-/** Weights of four control points for the value and the slope: at the second one, and halfway to the third. */
-const VALUES = [
-  [1 / 6, 4 / 6, 1 / 6, 0],
-  [1 / 48, 23 / 48, 23 / 48, 1 / 48],
-].map((weights) => Float64Array.from(weights)) as [Float64Array, Float64Array];
-const SLOPES = [
-  [-1 / 2, 0, 1 / 2, 0],
-  [-1 / 8, -5 / 8, 5 / 8, 1 / 8],
-].map((weights) => Float64Array.from(weights)) as [Float64Array, Float64Array];
-
 /** From 0 to 1. Where a parallelogram is beyond the bounds already, it must not get worse. */
 export function unfoldedShare(field: Field, change: Change): number {
   const { width, height, spacing } = field;
-  let share = 1;
   // A place has control points at most two away.
-  const columns = [Math.max(1, change.left - 2), Math.min(width - 3, change.left + change.columns)] as const;
-  const rows = [Math.max(1, change.top - 2), Math.min(height - 3, change.top + change.rows)] as const;
-  const length = columns[1] - columns[0] + 4;
-  // For each column: values and slopes down of the field in x and y, then those of the change.
-  const down = new Float64Array(8 * Math.max(0, length));
-  for (let row = rows[0]; row <= rows[1]; row++)
-    for (let halfRow = 0; halfRow < 2; halfRow++) {
-      combineDown(field, change, row, halfRow, columns[0] - 1, length, down, spacing[1]);
-      for (let column = 0; column + 3 < length; column++)
-        for (let half = 0; half < 2; half++) share = Math.min(share, shareAt(down, column, half, spacing[0]));
+  const left = Math.max(0, change.left - 3);
+  const top = Math.max(0, change.top - 3);
+  const columns = Math.min(width - 1, change.left + change.columns + 2) - left + 1;
+  const rows = Math.min(height - 1, change.top + change.rows + 2) - top + 1;
+  const both = sideBySide(field, change, { left, top, columns, rows });
+  const down = new Float64Array(8 * columns);
+  let share = 1;
+  for (let row = 0; row + 3 < rows; row++)
+    for (const halfway of [false, true]) {
+      combineDown(both, 4 * row * columns, columns, halfway, spacing[1], down);
+      for (let at = 0; at + 24 < down.length; at += 8) {
+        share = Math.min(share, shareAt(down, at, false, spacing[0]));
+        share = Math.min(share, shareAt(down, at, true, spacing[0]));
+      }
     }
   return share;
 }
 
-function combineDown(
+/** Control points of a window × 4: those of the field in x and y, then those of the change. */
+function sideBySide(
   { width, values }: Field,
   change: Change,
-  row: number,
-  half: number,
-  first: number,
-  length: number,
-  down: Float64Array,
-  spacing: number,
-): void {
-  down.fill(0);
-  for (let k = 0; k < 4; k++) {
-    const value = VALUES[half]?.[k] ?? 0;
-    const slope = (SLOPES[half]?.[k] ?? 0) / spacing;
-    const from = row - 1 + k;
-    const own = from - change.top;
-    const isChanged = own >= 0 && own < change.rows;
-    for (let column = 0; column < length; column++) {
-      const to = 8 * column;
-      const at = 2 * (from * width + first + column);
-      const [x, y] = [values[at] ?? 0, values[at + 1] ?? 0];
-      down[to] = (down[to] as number) + value * x;
-      down[to + 1] = (down[to + 1] as number) + value * y;
-      down[to + 2] = (down[to + 2] as number) + slope * x;
-      down[to + 3] = (down[to + 3] as number) + slope * y;
-      const along = first + column - change.left;
-      if (!isChanged || along < 0 || along >= change.columns) continue;
-      const changed = 2 * (own * change.columns + along);
-      const [dx, dy] = [change.values[changed] ?? 0, change.values[changed + 1] ?? 0];
-      down[to + 4] = (down[to + 4] as number) + value * dx;
-      down[to + 5] = (down[to + 5] as number) + value * dy;
-      down[to + 6] = (down[to + 6] as number) + slope * dx;
-      down[to + 7] = (down[to + 7] as number) + slope * dy;
+  { left, top, columns, rows }: Omit<Change, 'values'>,
+): Float64Array {
+  const both = new Float64Array(4 * columns * rows);
+  for (let row = 0; row < rows; row++)
+    for (let column = 0, to = 4 * row * columns; column < columns; column++, to += 4) {
+      const at = 2 * ((top + row) * width + left + column);
+      both[to] = values[at] as number;
+      both[to + 1] = values[at + 1] as number;
     }
+  for (let row = 0; row < change.rows; row++)
+    for (let column = 0; column < change.columns; column++) {
+      const at = 2 * (row * change.columns + column);
+      const to = 4 * ((change.top - top + row) * columns + change.left - left + column);
+      both[to + 2] = change.values[at] as number;
+      both[to + 3] = change.values[at + 1] as number;
+    }
+  return both;
+}
+
+/** The value and the slope of a spline by four control points: at the second one, or halfway to the third. */
+const valueOf = (a: number, b: number, c: number, d: number, halfway: boolean): number =>
+  halfway ? (a + 23 * (b + c) + d) / 48 : (a + 4 * b + c) / 6;
+const slopeOf = (a: number, b: number, c: number, d: number, halfway: boolean): number =>
+  halfway ? (5 * (c - b) + d - a) / 8 : (c - a) / 2;
+
+/** Columns × 8: the values, then the slopes down, of the four numbers of each column. */
+function combineDown(
+  both: Float64Array,
+  from: number,
+  columns: number,
+  halfway: boolean,
+  spacing: number,
+  down: Float64Array,
+): void {
+  const row = 4 * columns;
+  for (let k = 0; k < row; k++) {
+    const at = from + k;
+    const a = both[at] as number;
+    const b = both[at + row] as number;
+    const c = both[at + 2 * row] as number;
+    const d = both[at + 3 * row] as number;
+    // Four numbers a column, of eight.
+    const to = k + (k & ~3);
+    down[to] = valueOf(a, b, c, d, halfway);
+    down[to + 4] = slopeOf(a, b, c, d, halfway) / spacing;
   }
 }
 
-function shareAt(down: Float64Array, column: number, half: number, spacing: number): number {
-  let [xx, xy, yx, yy] = [1, 0, 0, 1];
-  let [dxx, dxy, dyx, dyy] = [0, 0, 0, 0];
-  for (let k = 0; k < 4; k++) {
-    const at = 8 * (column + k);
-    const value = VALUES[half]?.[k] ?? 0;
-    const slope = (SLOPES[half]?.[k] ?? 0) / spacing;
-    xx += slope * (down[at] as number);
-    yx += slope * (down[at + 1] as number);
-    xy += value * (down[at + 2] as number);
-    yy += value * (down[at + 3] as number);
-    dxx += slope * (down[at + 4] as number);
-    dyx += slope * (down[at + 5] as number);
-    dxy += value * (down[at + 6] as number);
-    dyy += value * (down[at + 7] as number);
-  }
+const valueAt = (down: Float64Array, at: number, halfway: boolean): number =>
+  valueOf(
+    down[at] as number,
+    down[at + 8] as number,
+    down[at + 16] as number,
+    down[at + 24] as number,
+    halfway,
+  );
+
+const slopeAt = (down: Float64Array, at: number, halfway: boolean): number =>
+  slopeOf(
+    down[at] as number,
+    down[at + 8] as number,
+    down[at + 16] as number,
+    down[at + 24] as number,
+    halfway,
+  );
+
+function shareAt(down: Float64Array, at: number, halfway: boolean, spacing: number): number {
+  const dxx = slopeAt(down, at + 2, halfway) / spacing;
+  const dyx = slopeAt(down, at + 3, halfway) / spacing;
+  const dxy = valueAt(down, at + 6, halfway);
+  const dyy = valueAt(down, at + 7, halfway);
+  if (dxx === 0 && dyx === 0 && dxy === 0 && dyy === 0) return 1;
+  const xx = 1 + slopeAt(down, at, halfway) / spacing;
+  const yx = slopeAt(down, at + 1, halfway) / spacing;
+  const xy = valueAt(down, at + 4, halfway);
+  const yy = 1 + valueAt(down, at + 5, halfway);
   const part = LEAST_PART / 2;
   const c = xx * yy - xy * yx - part * (xx * xx + xy * xy + yx * yx + yy * yy) - LEAST_AREA;
   const b =
