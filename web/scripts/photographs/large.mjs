@@ -1,7 +1,7 @@
 /// <reference lib="dom" />
 /** The rocket at 12 megapixels: how long its fill and its export take. */
-import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { enlarged } from './enlarged.mjs';
 import { Hand } from './hand.mjs';
 
 const SIZE = /** @type {const} */ ([4240, 2830]);
@@ -16,20 +16,7 @@ const CALM_MS = 3000;
  */
 export async function large(browser, address, pictures) {
   const file = join(pictures, 'rocket.jpg');
-  const small = await Hand.open(browser, address, file);
-  const enlarged = await small.page.evaluate(
-    async ([base64, [width, height]]) => {
-      const bitmap = await createImageBitmap(await (await fetch(`data:;base64,${base64}`)).blob());
-      const canvas = document.createElement('canvas');
-      [canvas.width, canvas.height] = [width, height];
-      canvas.getContext('2d')?.drawImage(bitmap, 0, 0, width, height);
-      const address = canvas.toDataURL('image/jpeg', 0.9);
-      return address.slice(address.indexOf(',') + 1);
-    },
-    /** @type {const} */ ([readFileSync(file).toString('base64'), SIZE]),
-  );
-  await small.close();
-  const buffer = Buffer.from(enlarged, 'base64');
+  const buffer = await enlarged(browser, address, file, SIZE);
   const hand = await Hand.open(browser, address, { name: 'rocket.jpg', mimeType: 'image/jpeg', buffer });
   const scale = SIZE[0] / 640;
   const [x, y] = [322 * scale, 122 * scale];

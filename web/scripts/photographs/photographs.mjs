@@ -15,6 +15,7 @@ import { large } from './large.mjs';
 import { movingFrame, restingFrame, seam } from './measure.mjs';
 import { opencvPython } from './opencv.mjs';
 import { sheet } from './sheets.mjs';
+import { strokes } from './strokes.mjs';
 
 const PICTURES = join(ROOT, 'tests/quality/photographs/pictures');
 
@@ -63,4 +64,5 @@ async function edits(browser, address, folder) {
     await hand.close();
   }
   console.log(`\nA lasso with fill at 12 megapixels: ${await large(browser, address, PICTURES)}`);
+  console.log(`\nStrokes of the brush at 12 megapixels:\n\n${await strokes(browser, address, PICTURES)}`);
 }

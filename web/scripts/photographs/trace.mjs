@@ -16,8 +16,8 @@ const SCRIPTS = ['EventDispatch', 'FireAnimationFrame', 'TimerFire', 'FunctionCa
 
 /**
  * Milliseconds of script that each move of the pointer takes: the time on the processor of all scripts from the move to
- * the next one. That includes uploads of buffers, and calls of WebGL as far as they pass commands on. Another process
- * draws. Waiting for it takes no time on the processor.
+ * the next one, or to the end of the press. That includes uploads of buffers, and calls of WebGL as far as they pass
+ * commands on. Another process draws. Waiting for it takes no time on the processor.
  * @param {import('@playwright/test').Browser} browser
  * @param {import('@playwright/test').Page} page
  * @param {() => Promise<void>} moves
@@ -32,9 +32,13 @@ export async function scriptTimes(browser, page, moves) {
 
 /** @param {readonly TraceEvent[]} events */
 export function timesOf(events) {
-  const isMove = (/** @type {TraceEvent} */ { name, args }) =>
-    name === 'EventDispatch' && args?.data?.type === 'pointermove';
-  const begun = events.filter(isMove).sort((a, b) => a.ts - b.ts);
+  const dispatched = (/** @type {string} */ type) =>
+    events
+      .filter(({ name, args }) => name === 'EventDispatch' && args?.data?.type === type)
+      .sort((a, b) => a.ts - b.ts);
+  const end = dispatched('pointerup')[0]?.ts ?? Infinity;
+  const begin = dispatched('pointerdown')[0]?.ts ?? 0;
+  const begun = dispatched('pointermove').filter(({ ts }) => ts > begin && ts < end);
   const [first] = begun;
   if (!first) throw new Error('the trace has no move of the pointer');
   /** @type {Map<string, TraceEvent[]>} */
@@ -49,7 +53,7 @@ export function timesOf(events) {
   for (const [key, scripts] of threads) {
     const own = key.startsWith('main') ? times.main : times.workers;
     for (const { ts, tdur = 0 } of outermost(scripts)) {
-      const move = begun.findLastIndex((event) => event.ts <= ts);
+      const move = ts < end ? begun.findLastIndex((event) => event.ts <= ts) : -1;
       if (move >= 0) own[move] = (own[move] ?? 0) + tdur / 1000;
     }
   }

@@ -40,7 +40,8 @@ class WasmPicture implements PosedPicture {
   /** The pose that the module holds; null while it rests. */
   #present: WasmPose | null = null;
   /** What the module has posed, and the answer; null at rest, along a clip, and if the picture is stiff elsewhere now. */
-  #shown: { readonly handles: Float64Array; readonly rigid: boolean; readonly motions: Motions } | null = null;
+  #shown: { readonly handles: Float64Array; readonly rigid: boolean; readonly motions: Motions } | null =
+    null;
   #triangles: { readonly version: number; readonly array: Uint32Array };
   #coverage: Float32Array<ArrayBuffer> | undefined;
   /** How stiff the module has the picture, and the stiffness of its vertices that was asked for last. */

@@ -94,10 +94,10 @@ function textOf(numbers: Int16Array): string {
 export function isSameDisplacement(a: Displacement | undefined, b: Displacement | undefined): boolean {
   if (a === b || !a || !b) return a === b;
   if (a.width !== b.width || a.height !== b.height) return false;
-  const isNew = unwritten.has(a) || unwritten.has(b);
-  if (!isNew) return a.values === b.values;
+  if (!unwritten.has(a) && !unwritten.has(b)) return a.values === b.values;
   const [one, other] = [numbersOf(a), numbersOf(b)];
-  return one.length === other.length && one.every((number, at) => number === other[at]);
+  for (let at = 0; at < one.length; at++) if (one[at] !== other[at]) return false;
+  return true;
 }
 
 /** The field of a project, as fine as {@link restingField}: a coarser one could not hold a stroke. */

@@ -40,6 +40,8 @@ export interface DisplacingStroke {
   readonly taken: Float32Array | null;
   /** The way to the next dab, image pixels. */
   readonly left: number;
+  /** Whether the guard has held the last step back. */
+  readonly stopped: boolean;
 }
 
 /** Parts of the radius between dabs, and between the steps of a push. */
@@ -56,7 +58,7 @@ export function beginDisplacing(
   { guarded, held }: StrokeLimits,
 ): DisplacingStroke {
   const field = fieldForStrokes(project);
-  return { project, brush, guarded, field, taken: held && takenShares(field, held), left: 0 };
+  return { project, brush, guarded, field, taken: held && takenShares(field, held), left: 0, stopped: false };
 }
 
 /** The stroke, led on straight between two moved places; from `null` it begins there. */
@@ -66,24 +68,30 @@ export function ledDisplacing(stroke: DisplacingStroke, from: Vec | null, to: Ve
   const way = from ? distance(from, to) : 0;
   if (kind === 'push') {
     const steps = Math.ceil(way / (STEP * radius));
+    let share = 1;
     for (let k = 0; from && k < steps; k++)
-      dab(stroke, field, lerp(from, to, k / steps), scaled(subtract(to, from), 1 / steps));
-    return { ...stroke, field };
+      share = Math.min(
+        share,
+        dab(stroke, field, lerp(from, to, k / steps), scaled(subtract(to, from), 1 / steps)),
+      );
+    return { ...stroke, field, stopped: share < 1 };
   }
   let next = from ? stroke.left : 0;
+  if (next > way) return { ...stroke, field, left: next - way };
+  let share = 1;
   for (; next <= way; next += BETWEEN * radius)
-    dab(stroke, field, from && way > 0 ? lerp(from, to, next / way) : to, [0, 0]);
-  return { ...stroke, field, left: next - way };
+    share = Math.min(share, dab(stroke, field, from && way > 0 ? lerp(from, to, next / way) : to, [0, 0]));
+  return { ...stroke, field, left: next - way, stopped: share < 1 };
 }
 
 /** The project after the stroke. Restoring must come to rest in the end, also by weak strokes. */
 export const withDisplacing = ({ project, field, brush }: DisplacingStroke): Project =>
   withField(project, field, brush.kind === 'restore' ? towardsRest : undefined);
 
-/** Changes a field by one dab. */
-function dab(stroke: DisplacingStroke, field: Field, middle: Vec, move: Vec): void {
+/** Changes a field by one dab. Returns how much of it the guard takes, from 0 to 1. */
+function dab(stroke: DisplacingStroke, field: Field, middle: Vec, move: Vec): number {
   const change = changeOf(stroke, field, middle, move);
-  if (!change) return;
+  if (!change) return 1;
   const share = stroke.guarded ? unfoldedShare(field, change) : 1;
   for (let row = 0; row < change.rows; row++) {
     const to = 2 * ((change.top + row) * field.width + change.left);
@@ -92,6 +100,7 @@ function dab(stroke: DisplacingStroke, field: Field, middle: Vec, move: Vec): vo
       field.values[to + k] = (field.values[to + k] ?? 0) + own;
     }
   }
+  return share;
 }
 
 /** The change by a dab; null where it reaches no control point. */
@@ -227,6 +236,13 @@ function nearTo(
 
 /** The field at a control point, less the value of the control point. */
 function unevenness({ width, height, values }: Field, column: number, row: number, axis: number): number {
+  if (column > 0 && column < width - 1 && row > 0 && row < height - 1) {
+    const at = 2 * (row * width + column) + axis;
+    const line = 2 * width;
+    const value = (by: number) => values[at + by] as number;
+    const corners = value(-line - 2) + value(-line + 2) + value(line - 2) + value(line + 2);
+    return (corners + 4 * (value(-line) + value(line) + value(-2) + value(2)) - 20 * value(0)) / 36;
+  }
   let sum = 0;
   for (let down = -1; down <= 1; down++) {
     const line = Math.min(Math.max(row + down, 0), height - 1) * width;

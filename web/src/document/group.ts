@@ -21,6 +21,8 @@ export interface GroupTransform {
 export interface PosedDocument {
   readonly document: Document;
   readonly transform?: GroupTransform;
+  /** Of a stroke, which has a guard of its own: whether that has stopped it at a fold. */
+  readonly stopped?: boolean;
 }
 
 export const groupCentre = (handles: readonly Handle[]): Vec =>

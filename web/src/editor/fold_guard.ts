@@ -52,12 +52,14 @@ export function guarded(
   present: Document,
   wanted: PosedDocument,
 ): Guarded {
-  const { document, transform = null } = wanted;
+  const { document, transform = null, stopped = false } = wanted;
+  if (!guard.on) return { document, guard };
   // The brush leaves handles as they are, and has a guard of its own.
   const { handles } = document.project;
   const stays = handles.every((handle, k) => handle === present.project.handles[k]);
-  if (!guard.on || !folds || (stays && handles.length === present.project.handles.length))
-    return { document, guard };
+  if (stays && handles.length === present.project.handles.length)
+    return { document, guard: stopped === guard.holding ? guard : { ...guard, holding: stopped } };
+  if (!folds) return { document, guard };
   const allowed = guard.allowed ?? folds.foldCount(present.project);
   const start = transform && startOf(guard, transform);
   const { project, fraction } =

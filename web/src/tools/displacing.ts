@@ -70,5 +70,6 @@ function moved(
   return outcome(displacing(document, led, { at, moved: now }), {
     type: 'edit',
     document: { ...document, project: withDisplacing(led) },
+    stopped: led.stopped,
   });
 }
