@@ -5,12 +5,12 @@
  *
  * Prints tables and writes sheets of pictures. The crate `c2warp-quality` measures. `npm run quality -- NAME` runs the
  * parts with NAME in their name: poses, `optimum`, `distances`, `maxima`, `continuity`, `suggest` or `fill`. With
- * `photographs`, photographs are edited in the browser, and fills are compared with OpenCV's. The run fails if a part
- * does not build or run, never because of a figure.
+ * `photographs`, photographs are edited in the browser, and fills are compared with OpenCV's; with `photographs brush`,
+ * only strokes of the brush are measured. The run fails if a part does not build or run, never because of a figure.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
-import { photographs } from './photographs/photographs.mjs';
+import { brush, photographs } from './photographs/photographs.mjs';
 import { prepare } from './prepare.mjs';
 import { main, ROOT, step } from './steps.mjs';
 
@@ -20,6 +20,7 @@ const CRATE = ['--release', '--package', 'c2warp-quality'];
 await main(async () => {
   const names = process.argv.slice(2);
   await prepare();
+  if (names.includes('photographs') && names.includes('brush')) return brush();
   if (names.length === 0) rmSync(join(ROOT, OUTPUT), { recursive: true, force: true });
   await step('Build', 'cargo', ['build', ...CRATE], 'The comparison does not build. The reason is above.');
   if (names.includes('photographs')) {

@@ -40,6 +40,21 @@ export async function photographs(output) {
   await step('Fills', 'cargo', ['run', '--quiet', ...args], 'The fills failed. The reason is above.');
 }
 
+/** The strokes of the brush alone. */
+export async function brush() {
+  await prepareChromium();
+  heading('Brush');
+  await withServedEditor(printStrokes);
+}
+
+/**
+ * @param {import('@playwright/test').Browser} browser
+ * @param {string} address
+ */
+async function printStrokes(browser, address) {
+  console.log(`\nStrokes of the brush at 12 megapixels:\n\n${await strokes(browser, address, PICTURES)}`);
+}
+
 /**
  * @param {import('@playwright/test').Browser} browser
  * @param {string} address
@@ -64,5 +79,5 @@ async function edits(browser, address, folder) {
     await hand.close();
   }
   console.log(`\nA lasso with fill at 12 megapixels: ${await large(browser, address, PICTURES)}`);
-  console.log(`\nStrokes of the brush at 12 megapixels:\n\n${await strokes(browser, address, PICTURES)}`);
+  await printStrokes(browser, address);
 }

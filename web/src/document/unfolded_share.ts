@@ -119,7 +119,7 @@ function sideBySide(
 }
 
 /** The value and the slope of a spline by four control points: at the second one, or halfway to the third. */
-const valueOf = (a: number, b: number, c: number, d: number, halfway: boolean): number =>
+const levelOf = (a: number, b: number, c: number, d: number, halfway: boolean): number =>
   halfway ? (a + 23 * (b + c) + d) / 48 : (a + 4 * b + c) / 6;
 const slopeOf = (a: number, b: number, c: number, d: number, halfway: boolean): number =>
   halfway ? (5 * (c - b) + d - a) / 8 : (c - a) / 2;
@@ -142,13 +142,13 @@ function combineDown(
     const d = both[at + 3 * row] as number;
     // Four numbers a column, of eight.
     const to = k + (k & ~3);
-    down[to] = valueOf(a, b, c, d, halfway);
+    down[to] = levelOf(a, b, c, d, halfway);
     down[to + 4] = slopeOf(a, b, c, d, halfway) / spacing;
   }
 }
 
-const valueAt = (down: Float64Array, at: number, halfway: boolean): number =>
-  valueOf(
+const levelAt = (down: Float64Array, at: number, halfway: boolean): number =>
+  levelOf(
     down[at] as number,
     down[at + 8] as number,
     down[at + 16] as number,
@@ -168,13 +168,13 @@ const slopeAt = (down: Float64Array, at: number, halfway: boolean): number =>
 function shareAt(down: Float64Array, at: number, halfway: boolean, spacing: number): number {
   const dxx = slopeAt(down, at + 2, halfway) / spacing;
   const dyx = slopeAt(down, at + 3, halfway) / spacing;
-  const dxy = valueAt(down, at + 6, halfway);
-  const dyy = valueAt(down, at + 7, halfway);
+  const dxy = levelAt(down, at + 6, halfway);
+  const dyy = levelAt(down, at + 7, halfway);
   if (dxx === 0 && dyx === 0 && dxy === 0 && dyy === 0) return 1;
   const xx = 1 + slopeAt(down, at, halfway) / spacing;
   const yx = slopeAt(down, at + 1, halfway) / spacing;
-  const xy = valueAt(down, at + 4, halfway);
-  const yy = 1 + valueAt(down, at + 5, halfway);
+  const xy = levelAt(down, at + 4, halfway);
+  const yy = 1 + levelAt(down, at + 5, halfway);
   const part = LEAST_PART / 2;
   const c = xx * yy - xy * yx - part * (xx * xx + xy * xy + yx * yx + yy * yy) - LEAST_AREA;
   const b =
