@@ -201,7 +201,8 @@ function reachedBy(field: Field, middle: Vec, radius: number): Reached | null {
       const py = y + unevenness(field, left + column, top + row, 1);
       const square = (px * px + py * py) / (radius * radius);
       if (square >= 1) continue;
-      shares[own] = (1 - square) ** 3;
+      const rest = 1 - square;
+      shares[own] = rest * rest * rest;
       away[2 * own] = px;
       away[2 * own + 1] = py;
     }
