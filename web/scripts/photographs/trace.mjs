@@ -15,8 +15,8 @@
 const SCRIPTS = ['EventDispatch', 'FireAnimationFrame', 'TimerFire', 'FunctionCall', 'RunMicrotasks'];
 
 /**
- * Milliseconds of script that each move of the pointer takes: the time on the processor of all scripts from the move to
- * the next one, or to the end of the press. That includes uploads of buffers, and calls of WebGL as far as they pass
+ * Milliseconds of script that each move of the pointer takes, up to the next one or to the end of the press. It is time
+ * on the processor. That includes uploads of buffers, and calls of WebGL as far as they pass
  * commands on. Another process draws. Waiting for it takes no time on the processor.
  * @param {import('@playwright/test').Browser} browser
  * @param {import('@playwright/test').Page} page

@@ -39,7 +39,7 @@ class WasmPicture implements PosedPicture {
   readonly data: SolutionData;
   /** The pose that the module holds; null while it rests. */
   #present: WasmPose | null = null;
-  /** What the module has posed, and the answer; null at rest, along a clip, and if the picture is stiff elsewhere now. */
+  /** What the module has posed, and its answer; null at rest, along a clip, and with stiffness that is new. */
   #shown: { readonly handles: Float64Array; readonly rigid: boolean; readonly motions: Motions } | null =
     null;
   #triangles: { readonly version: number; readonly array: Uint32Array };
