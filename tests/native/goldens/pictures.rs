@@ -13,7 +13,7 @@ use image::RgbaImage;
 use crate::comparison::Comparison;
 
 /// The scenes that have a golden.
-const SCENES: [&str; 6] = ["gingerbread", "tower", "portrait", "moth", "road", "fold"];
+const SCENES: [&str; 7] = ["gingerbread", "brushed", "tower", "portrait", "moth", "road", "fold"];
 
 fn folder(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name)
