@@ -98,7 +98,20 @@ describe('a stroke that displaces', () => {
     expect('displacement' in pushed).toBe(false);
   });
 
-  it('does not turn the field over while it is guarded, however hard one pushes', () => {
+  it('smooths a bump: it takes much of its height, and little of its volume', () => {
+    const across = (project: Project): readonly number[] =>
+      [...fieldForStrokes(project).values].filter((_, at) => at % 2 === 0);
+    const volume = (project: Project) => across(project).reduce((total, value) => total + value, 0);
+    const height = (project: Project) => Math.max(...across(project));
+    const bump = stroke(resting, { radius: 60 }, way([500, 380], [520, 380], 2));
+    const smoothed = stroke(bump, { kind: 'smooth', radius: 250 }, [[510, 380]]);
+    expect(height(smoothed)).toBeLessThan(0.6 * height(bump));
+    expect(Math.abs(volume(smoothed) / volume(bump) - 1)).toBeLessThan(0.15);
+    const again = stroke(smoothed, { kind: 'smooth', radius: 250 }, [[510, 380]]);
+    expect(height(again)).toBeLessThan(height(smoothed));
+  });
+
+  it('turns no field over while it is guarded, however hard one pushes', { timeout: 60_000 }, () => {
     let [free, guarded] = [resting, resting];
     for (let k = 0; k < 6; k++)
       for (const [from, to] of [

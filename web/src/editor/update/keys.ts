@@ -15,6 +15,7 @@ import { awaitsPicture } from '../waiting_input';
 import { finish, focus } from './corners';
 import { nudge, nudgeCorner, turn } from './edits';
 import type { Handlers } from './handlers';
+import { isHeldByKeys, releaseByKeys } from './held_by_keys';
 import { nudgeRingCorner } from './lasso_corners';
 import { moveLens } from './lens';
 import { announce } from './notices';
@@ -66,17 +67,6 @@ function moveCrosshair(state: EditorState, by: Vec, emit: Emit): EditorState {
   const tools = hover(state.tools, pressAt(at), toolContext(state));
   const moved = { ...state, tools, display: { ...state.display, crosshair: at } };
   return announce(moved, `x ${Math.round(at[0])}, y ${Math.round(at[1])}`);
-}
-
-/** Enter has taken hold of the picture with the pushing brush: arrows push it, until Enter lets go. */
-export const isHeldByKeys = (state: EditorState): boolean =>
-  isBrushing(state) && isPressing(state.tools) && state.display.crosshair !== null;
-
-/** Lets go of what keys hold. */
-export function releaseByKeys(state: EditorState, emit: Emit): EditorState {
-  const { crosshair } = state.display;
-  if (!isHeldByKeys(state) || !crosshair) return state;
-  return applyTools(state, pressUp(state.tools, pressAt(crosshair), contextWithoutHandles(state)), emit);
 }
 
 /** A push needs a direction: the picture is held, and arrows lead it. */

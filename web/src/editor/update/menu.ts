@@ -18,6 +18,7 @@ import { awaitsPicture } from '../waiting_input';
 import { selectionName } from '../wording';
 import { focus } from './corners';
 import type { Handlers } from './handlers';
+import { releaseByKeys } from './held_by_keys';
 import { closeMenu } from './menu_closing';
 import { noteKind } from './pointer';
 import { applyTools } from './press';
@@ -102,7 +103,7 @@ function openByKey(state: EditorState, emit: Emit): EditorState {
 export const menuHandlers: Handlers<'menu-asked' | 'menu-key-pressed' | 'menu-command-run'> = {
   'menu-asked': (before, { pointer, resting }, emit) => {
     if (!opensMenu(before, pointer, resting)) return before;
-    const noted = noteKind(before, pointer.coarse);
+    const noted = noteKind(releaseByKeys(before, emit), pointer.coarse);
     const state = applyTools(noted, cancelPress(noted.tools), emit);
     const { at } = pressOf(state, pointer);
     return openMenu(state, partUnder(state, at), at, emit);

@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { ENGINE, WarpError } from '../../error';
 import { FakeRuntime } from '../fake_runtime';
+import { BRUSHED_STILL } from '../notice_texts';
+import { projectOf } from '../state';
 import { beginTask, currentTask, endTask, informOfStep, notify, shownNotice } from './notices';
 
 const ignore = () => {};
@@ -37,6 +39,48 @@ describe('a notice about a step', () => {
     const first = notify(fresh(), { kind: 'info', text: 'One.', ofStep: true, action, passes: true }, ignore);
     const second = informOfStep(informOfStep(first, 'Two.', ignore), 'Two.', ignore);
     expect(shownNotice(second)).toMatchObject({ text: 'One. Two.', action });
+  });
+});
+
+describe('the reset of all handles', () => {
+  /** A handle beside its place at rest, and a push of the brush. */
+  function brushed(): FakeRuntime {
+    const runtime = new FakeRuntime();
+    runtime.open();
+    const handle = { id: 'nose', kind: 'point', rest: [200, 150], posed: [220, 150] } as const;
+    runtime.dispatch({ type: 'handle-added', handle });
+    const values = Buffer.from(new Int16Array(2 * 16).fill(100).buffer).toString('base64');
+    const project = { ...projectOf(runtime.state), displacement: { width: 4, height: 4, values } };
+    runtime.dispatch({ type: 'project-adopted', project });
+    runtime.solve();
+    return runtime;
+  }
+  const reset = (runtime: FakeRuntime, command: 'reset' | 'reset-all') =>
+    runtime.dispatch({ type: 'command-run', command });
+
+  it('says that strokes of the brush stay, and its action clears them', () => {
+    const runtime = brushed();
+    const { displacement } = projectOf(runtime.state);
+    reset(runtime, 'reset-all');
+    expect(projectOf(runtime.state)).toMatchObject({ displacement, handles: [{ posed: [200, 150] }] });
+    const notice = shownNotice(runtime.state);
+    expect(notice).toMatchObject({ text: BRUSHED_STILL, action: { label: 'Take it back' } });
+    runtime.dispatch({ type: 'notice-answered' });
+    expect(projectOf(runtime.state).displacement).toBeUndefined();
+    expect(shownNotice(runtime.state)).toBeNull();
+    runtime.dispatch({ type: 'command-run', command: 'undo' });
+    expect(projectOf(runtime.state).displacement).toEqual(displacement);
+  });
+
+  it('says nothing without strokes, nor does the reset of one handle', () => {
+    const runtime = brushed();
+    runtime.dispatch({ type: 'selection-set', ids: ['nose'] });
+    reset(runtime, 'reset');
+    expect(projectOf(runtime.state).handles).toMatchObject([{ posed: [200, 150] }]);
+    expect(shownNotice(runtime.state)).toBeNull();
+    runtime.dispatch({ type: 'displacement-cleared' });
+    reset(runtime, 'reset-all');
+    expect(shownNotice(runtime.state)).toBeNull();
   });
 });
 

@@ -12,6 +12,7 @@ import { moveCamera } from '../view';
 import { followClip } from './clip_slice';
 import { focus } from './corners';
 import type { Handlers } from './handlers';
+import { releaseByKeys } from './held_by_keys';
 import { removeRingCornerAt } from './lasso_corners';
 import { followPointer } from './lens';
 import { closeMenu } from './menu_closing';
@@ -30,7 +31,8 @@ export const noteKind = (state: EditorState, coarse: boolean): EditorState =>
   state.pointer.coarse === coarse ? state : withPointer(state, { coarse });
 
 function begin(before: EditorState, pointer: StagePointer, pans: boolean, emit: Emit): EditorState {
-  const noted = hideCrosshair(closeMenu(noteKind(stopped(before, pans, emit), pointer.coarse), emit));
+  const released = stopped(releaseByKeys(before, emit), pans, emit);
+  const noted = hideCrosshair(closeMenu(noteKind(released, pointer.coarse), emit));
   // A press whose end was missed must not stay open.
   const state = applyTools(noted, cancelPress(noted.tools), emit);
   const press = pressOf(state, pointer);

@@ -4,14 +4,16 @@ import { COMMANDS } from '../commands';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import { type EditorState, projectOf } from '../state';
+import { releaseByKeys } from './held_by_keys';
 import { wantLuminance } from './luminance';
 import { announce } from './notices';
 import { applyTools } from './press';
 import { select } from './selection';
 
-export function choose(state: EditorState, tool: ToolName, emit: Emit): EditorState {
-  const { posable, readonly } = state.page;
-  if (posable || (readonly && tool !== 'hand' && tool !== 'lens')) return state;
+export function choose(before: EditorState, tool: ToolName, emit: Emit): EditorState {
+  const { posable, readonly } = before.page;
+  if (posable || (readonly && tool !== 'hand' && tool !== 'lens')) return before;
+  const state = releaseByKeys(before, emit);
   let next = applyTools(state, chooseTool(state.tools, tool), emit);
   // Arrow keys move the crosshair of such a tool only while nothing is selected.
   if (draws(tool) || tool === 'brush') {
