@@ -5,8 +5,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
+import { decode, encode } from 'fast-png';
 import type { Project } from '../../web/src/document/project';
 import { builtCommand } from './command';
+import { waved } from './displacements';
 import { expect, test } from './fixtures';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
@@ -223,6 +225,48 @@ test.describe('compared with the command line', () => {
     const { report } = await solvedInPage(page, readFileSync(SAMPLE, 'utf8'));
     expect(report.weights_hash).toMatch(/^[0-9a-f]{8,}$/);
     expect(report.weights_hash).toBe(JSON.parse(told).weights_hash);
+  });
+
+  test('native code and WebAssembly warp a displaced picture equally, bit for bit', async ({ page }) => {
+    const [width, height] = [160, 120];
+    const data = Uint8Array.from({ length: width * height * 3 }, (_, at) => (at * at * 7 + at * 31) % 256);
+    const file = encode({ width, height, data, channels: 3 });
+    const text = JSON.stringify(
+      waved(
+        {
+          format: 'c2warp/1',
+          image: { src: 'noise.png', width, height },
+          domain: { kind: 'image' },
+          samples: 2000,
+          handles: [
+            { id: 'left', kind: 'point', rest: [30, 60], posed: [36, 50], rotation: 15 },
+            { id: 'right', kind: 'point', rest: [130, 60], posed: [120, 70] },
+          ],
+        },
+        4,
+      ),
+    );
+    const dir = mkdtempSync(join(tmpdir(), 'c2warp-'));
+    writeFileSync(join(dir, 'noise.png'), file);
+    writeFileSync(join(dir, 'a.c2warp.json'), text);
+    const expected = (project: string, name: string) => {
+      writeFileSync(join(dir, name), project);
+      native(['warp', join(dir, name), '-o', join(dir, 'out.png')]);
+      return Buffer.from(decode(readFileSync(join(dir, 'out.png'))).data as Uint8Array);
+    };
+    const byCommand = expected(text, 'a.c2warp.json');
+    const { displacement: _, ...resting } = JSON.parse(text) as Project;
+    expect(byCommand.equals(expected(JSON.stringify(resting), 'b.c2warp.json'))).toBe(false);
+    rmSync(dir, { recursive: true });
+    const inPage = await page.evaluate(
+      async ([text, file]) => {
+        const engine = await harness.Engine.start();
+        engine.setPicture(await harness.decodePicture(new Blob([Uint8Array.from(file)])));
+        return [...(await harness.drawnPixels(engine, engine.checkProject(text))).rgba];
+      },
+      [text, [...file]] as const,
+    );
+    expect(Buffer.from(inPage).equals(byCommand)).toBe(true);
   });
 
   test('native code and WebAssembly pose a picture equally, in 32 bits', async ({ page }) => {

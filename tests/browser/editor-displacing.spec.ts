@@ -30,6 +30,22 @@ async function apart(editor: Editor, a: Place, b: Place): Promise<number> {
   return Math.hypot((to?.[0] ?? 0) - (from?.[0] ?? 0), (to?.[1] ?? 0) - (from?.[1] ?? 0));
 }
 
+/** Where a place of the picture is drawn, if nothing moves it. */
+const clientPlace = ({ page }: Editor, place: Place): Promise<Place> =>
+  page
+    .locator('c2-warp')
+    .evaluate((element, place) => (element as C2Warp).imageToClient([...place]) ?? [0, 0], place);
+
+/** The exported picture at a fifth of its size. */
+async function pictureOf({ page }: Editor) {
+  const file = await page
+    .locator('c2-warp')
+    .evaluate(async (element) => [
+      ...new Uint8Array(await (await (element as C2Warp).toBlob(0.2)).arrayBuffer()),
+    ]);
+  return decode(Uint8Array.from(file));
+}
+
 /** The editor with its sample, and the brush in hand. */
 async function brushing(
   page: Editor['page'],
@@ -145,10 +161,7 @@ test('the frame of a photograph stays where the brush pushes across it', async (
   await expect.poll(() => project(editor).then(({ image }) => image.src)).toBe('photograph.png');
   await expect(editor.solved).toContainText('sample');
   await page.keyboard.press('f');
-  const [from, to] = await page.locator('c2-warp').evaluate((element) => {
-    const place = (at: Place) => (element as C2Warp).imageToClient(at) ?? [0, 0];
-    return [place([4, 150]), place([200, 150])] as const;
-  });
+  const [from, to] = [await clientPlace(editor, [4, 150]), await clientPlace(editor, [200, 150])];
   await page.mouse.move(...from);
   await page.mouse.down();
   for (let k = 1; k <= 10; k++)
@@ -206,6 +219,73 @@ test('a displaced picture follows its handles, its clips and exports', async ({ 
   expect(await exported()).toBe(displaced);
   await editor.button('Undo: push').click();
   await expect.poll(exported).not.toBe(displaced);
+});
+
+test('strokes stay while a clip plays, and where its playhead is set', async ({ page }) => {
+  const place: Place = [512, 640];
+  const [editor] = await brushing(page);
+  await page.keyboard.press('t');
+  const playhead = page.getByRole('slider', { name: 'Playhead' });
+  const posedAt = async (steps: number) => {
+    await playhead.focus();
+    await page.keyboard.press('Home');
+    for (let k = 0; k < steps; k++) await page.keyboard.press('Shift+ArrowRight');
+    return editor.settled(() => editor.mapped(...place));
+  };
+  const before = [await posedAt(0), await posedAt(1)];
+  await posedAt(0);
+  await page.keyboard.press('f');
+  const [x = 0, y = 0] = await clientPlace(editor, place);
+  await editor.drag({ x, y }, { x: 30, y: 0 });
+  await expect(editor.button('Undo: push')).toBeEnabled();
+  const stroked = await displacement(editor);
+  for (const [steps, plain] of before.entries()) {
+    const [x = 0] = (await posedAt(steps)) ?? [];
+    expect(x - (plain?.[0] ?? 0)).toBeGreaterThan(15);
+  }
+  await page.keyboard.press('k');
+  for (let k = 0; k < 10; k++) {
+    await editor.waitFrames();
+    const [x = 0] = (await editor.mapped(...place)) ?? [];
+    expect(x - place[0]).toBeGreaterThan(10);
+  }
+  await page.keyboard.press('k');
+  expect(await displacement(editor)).toEqual(stroked);
+});
+
+test('a picture without handles is pushed, exported, saved and opened', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('Delete');
+  await expect(editor.handles).toHaveCount(0);
+  await page.keyboard.press('f');
+  const [from, to] = [await clientPlace(editor, [512, 640]), await clientPlace(editor, [552, 640])];
+  const plain = await pictureOf(editor);
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(...to, { steps: 6 });
+  await page.mouse.up();
+  await expect(editor.button('Undo: push')).toBeEnabled();
+  expect(await editor.mappedDistance([512, 640], [552, 640])).toBeLessThan(4);
+  expect(await editor.mappedDistance([512, 260], [512, 260])).toBeLessThan(1e-5);
+  const stroked = await displacement(editor);
+  expect(stroked).not.toBeNull();
+  const shown = await pictureOf(editor);
+  expect([shown.width, shown.height]).toEqual([plain.width, plain.height]);
+  // Nothing has moved far below the stroke.
+  const row = ({ width, data }: typeof plain, y: number) => [
+    ...data.slice(4 * y * width, 4 * (y + 1) * width),
+  ];
+  expect(row(shown, 128)).not.toEqual(row(plain, 128));
+  expect(row(shown, 200)).toEqual(row(plain, 200));
+  const buffer = await bytes(await editor.download('Save the project file'));
+  await editor.button('Undo: push').click();
+  expect(await displacement(editor)).toBeNull();
+  await expect.poll(() => editor.mappedDistance([512, 640], [512, 640])).toBeLessThan(1e-5);
+  expect(await pictureOf(editor).data).toEqual(plain.data);
+  await editor.chooseFile({ name: 'gingerbread.c2warp.json', mimeType: 'application/json', buffer });
+  await expect.poll(() => displacement(editor)).toEqual(stroked);
+  await expect.poll(() => editor.mappedDistance([512, 640], [552, 640])).toBeLessThan(4);
 });
 
 test.describe('on a phone', () => {

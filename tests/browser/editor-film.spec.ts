@@ -4,8 +4,10 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { decode, encode } from 'fast-png';
 import { unzipSync } from 'fflate';
+import type { Project } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
 import { expectAccessible } from './axe';
+import { waved } from './displacements';
 import { bytes, Editor } from './editor';
 import { png, project } from './files';
 import { apart, decodePicture, decodeVideo, drawnByCommand, type Pixels } from './films';
@@ -40,10 +42,10 @@ async function openFilm(editor: Editor): Promise<void> {
 }
 
 /** Opens the sample with a clip, and the film page with small choices. */
-async function opened(page: Page): Promise<Editor> {
+async function opened(page: Page, change = (project: Project): Project => project): Promise<Editor> {
   await page.route('**/samples/gingerbread.c2warp.json', async (route) => {
     const json = await (await route.fetch()).json();
-    await route.fulfill({ json: { ...json, samples: 1500, clips: [WAVE] } });
+    await route.fulfill({ json: change({ ...json, samples: 1500, clips: [WAVE] }) });
   });
   const editor = await Editor.open(page);
   await openFilm(editor);
@@ -111,6 +113,21 @@ test('GIF, APNG and WebP have the frames of the command', async ({ page }) => {
     expectFrames(shown, wanted, most);
     // The corner is transparent.
     expect(shown[0]?.data[3]).toBe(0);
+  }
+});
+
+test('a film of a displaced picture has its strokes in every frame', async ({ page }) => {
+  await opened(page, (project) => waved(project, 40));
+  const wanted = await expected(page);
+  const { displacement, ...resting } = JSON.parse(await projectText(page));
+  expect(displacement).toBeDefined();
+  await choose(page, 'APNG');
+  const { file } = await exported(page, 'APNG');
+  const { shown } = await decodePicture(page, file, 'image/png', ALL);
+  expectFrames(shown, wanted, 1);
+  for (const [k, frame] of shown.entries()) {
+    const plain = drawnByCommand(JSON.stringify(resting), SAMPLE, 'wave', k / RATE, PERCENT / 100);
+    expect(apart(frame, plain), `frame ${k}`).toBeGreaterThan(3);
   }
 });
 

@@ -10,6 +10,7 @@ import type { Page } from '@playwright/test';
 import type { Project } from '../../web/src/document/project';
 import type { C2WarpPlayer } from '../../web/src/player';
 import { builtCommand } from './command';
+import { waved } from './displacements';
 import { expect, test } from './fixtures';
 import { difference } from './images';
 
@@ -131,6 +132,32 @@ test('frames equal those of the editor, also where arms cross', async ({ page },
     expect(mean, `at ${time} s`).toBeLessThanOrEqual(1);
     expect(close).toBeGreaterThan(0.99);
   }
+});
+
+test('frames of a displaced picture equal those of the editor', async ({ page }, info) => {
+  const displaced = waved(project, 30);
+  await open(page, { 'displaced.c2rig': baked({ ...displaced, clips }), 'wave.c2rig': rig });
+  await added(page, { src: '/displaced.c2rig' }, 'loadeddata');
+  const resting = await frame(page, 0, 512);
+  const picture = async (project: Project, time: number) =>
+    page.evaluate(
+      async ([project, time]) =>
+        harness.drawnTwice(project, await (await fetch('/samples/gingerbread.png')).blob(), 0.5, time),
+      [project, time] as const,
+    );
+  for (const [key, time] of [0, 0.4].entries()) {
+    const handles = displaced.handles.map((handle) => {
+      const posed = KEYS[handle.id as 'left-hand']?.[key]?.[1];
+      return posed ? { ...handle, posed } : handle;
+    });
+    const editor = await picture({ ...displaced, clips, handles } as Project, time);
+    const { mean, close, opaque } = await difference(await frame(page, time, 512), editor.webgl, info);
+    expect(opaque).toBeGreaterThan(10_000);
+    expect(mean, `at ${time} s`).toBeLessThanOrEqual(1);
+    expect(close).toBeGreaterThan(0.99);
+  }
+  const { webgl } = await picture({ ...project, clips } as Project, 0);
+  expect((await difference(resting, webgl, info)).mean).toBeGreaterThan(3);
 });
 
 /** The sample in the harmonic mode, where handles turn as they are told. */

@@ -28,6 +28,7 @@ export async function drawnTwice(project: Project, file: Blob, scale: number, ti
   const fill = await engine.fill(project, () => {});
   if (fill) renderer.setFill(await fillPatch(fill));
   renderer.setSolution(solution);
+  renderer.setPlaces(pose.places);
   const crossed = project.edges ? pose.crossed() : null;
   renderer.setMotions(pose.motions, project.pose?.blend, pose.triangles, crossed);
   const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
