@@ -2,11 +2,12 @@
 
 use std::fs;
 
+use c2warp::project::Displacement;
 use c2warp::rig::Rig;
 use serde_json::json;
 
 use crate::command::{fail, succeed};
-use crate::scene_folder::SceneFolder;
+use crate::scene_folder::{SceneFolder, all_by_24_px};
 
 const BAKE: &str = "bake scene.c2warp.json -o out.c2rig";
 
@@ -31,6 +32,25 @@ fn rig_holds_clips_and_the_smaller_picture() {
     assert!(picture.file.len() <= given.len());
     let decoded = image::load_from_memory(&picture.file).unwrap().into_rgba8();
     assert!(decoded == folder.picture("strip.png"));
+}
+
+#[test]
+fn only_the_rig_of_a_displaced_picture_has_version_2() {
+    let version = |folder: &SceneFolder| {
+        succeed(folder.path(), BAKE);
+        let file = fs::read(folder.file("out.c2rig")).unwrap();
+        let rig = Rig::from_bytes(&file).unwrap();
+        let by = rig.displaced_vertices().iter().zip(rig.vertices()).map(|(a, b)| a.x - b.x).fold(0.0, f64::max);
+        (file[8..12].to_vec(), by.round())
+    };
+    assert_eq!(version(&waving()), (vec![1, 0, 0, 0], 0.0));
+    let displaced = waving().edited(|project| project["displacement"] = all_by_24_px());
+    assert_eq!(version(&displaced), (vec![2, 0, 0, 0], 24.0));
+    let without_handles = SceneFolder::new("untouched").edited(|project| project["displacement"] = all_by_24_px());
+    assert_eq!(version(&without_handles), (vec![2, 0, 0, 0], 24.0));
+    // Numbers of 0 displace nothing.
+    let zeros = serde_json::to_value(Displacement::new(4, 4, vec![0; 32])).unwrap();
+    assert_eq!(version(&waving().edited(|project| project["displacement"] = zeros)), (vec![1, 0, 0, 0], 0.0));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::fs;
 use serde_json::{Value, json};
 
 use crate::command::{command, fail, succeed, succeed_with_closed_pipe};
-use crate::scene_folder::{PROJECT, SceneFolder};
+use crate::scene_folder::{PROJECT, SceneFolder, all_by_24_px};
 
 /// Runs the check with `--json` and returns the severity, path and code of each problem. The exit status is 1 if there
 /// is an error.
@@ -76,6 +76,65 @@ fn what_looks_wrong_is_a_warning() {
         project["handles"].as_array_mut().unwrap().push(bar);
     });
     assert_eq!(problems(&bar), [["warning", "handles[3].rest", "outside"]]);
+}
+
+#[test]
+fn wrong_displacements_are_named_with_what_is_wrong() {
+    let good = all_by_24_px();
+    let values = good["values"].as_str().unwrap();
+    assert_eq!(values.len(), 88);
+    let of = |width: Value, height: Value, values: Value| json!({ "width": width, "height": height, "values": values });
+    for (displacement, path, message) in [
+        (
+            of(json!(4), json!(4), json!("AAAA")),
+            "displacement.values",
+            "expected 88 characters of base64 for 4 × 4 control points, found 4",
+        ),
+        // The numbers of another picture's grid.
+        (
+            of(json!(5), json!(4), json!(values)),
+            "displacement.values",
+            "expected 108 characters of base64 for 5 × 4 control points, found 88",
+        ),
+        (
+            of(json!(4), json!(4), json!("!".repeat(88))),
+            "displacement.values",
+            "expected 4 × 4 × 4 bytes in base64 with its padding",
+        ),
+        (
+            of(json!(4), json!(4), json!("A".repeat(88))),
+            "displacement.values",
+            "expected 4 × 4 × 4 bytes in base64 with its padding",
+        ),
+        (of(json!(4), json!(4), json!([0, 0])), "displacement.values", "expected a string, found a list"),
+        (of(json!(3), json!(4), json!(values)), "displacement.width", "expected a whole number from 4 to 259, found 3"),
+        (
+            of(json!(4), json!(260), json!(values)),
+            "displacement.height",
+            "expected a whole number from 4 to 259, found 260",
+        ),
+        (
+            of(json!(4.5), json!(4), json!(values)),
+            "displacement.width",
+            "expected a whole number from 4 to 259, found 4.5",
+        ),
+        (json!({ "width": 4, "height": 4 }), "displacement.values", "is missing"),
+        (json!([4, 4]), "displacement", "expected an object, found a list"),
+    ] {
+        let folder = SceneFolder::new("strip").at_rest().edited(|project| project["displacement"] = displacement);
+        assert_eq!(problems(&folder), [["error", path, "project"]]);
+        let ended = command(folder.path(), &format!("check {PROJECT}")).output().unwrap();
+        let line = String::from_utf8(ended.stdout).unwrap();
+        assert_eq!(line, format!("error: {path}: {message}\n"));
+        let line = fail(folder.path(), &format!("warp {PROJECT} -o out.png"));
+        assert!(line.starts_with(&format!("{PROJECT}: {path}")) && line.contains(message), "{line}");
+    }
+}
+
+#[test]
+fn a_displaced_picture_without_handles_has_no_problems() {
+    let folder = SceneFolder::new("untouched").edited(|project| project["displacement"] = all_by_24_px());
+    assert_eq!(problems(&folder), [[""; 3]; 0]);
 }
 
 #[test]

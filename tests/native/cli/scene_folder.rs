@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use c2warp::project::Displacement;
 use image::RgbaImage;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -71,4 +72,10 @@ impl SceneFolder {
         names.sort();
         names
     }
+}
+
+/// The displacement of a picture of 96 px in width: everything moves by 24 px to the right.
+pub(crate) fn all_by_24_px() -> Value {
+    let displacement = Displacement::new(4, 4, [64, 0].repeat(16));
+    serde_json::to_value(displacement).unwrap()
 }

@@ -8,7 +8,7 @@ use image::codecs::webp::WebPEncoder;
 use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageReader, RgbImage, Rgba};
 
 use crate::command::{command, fail, succeed};
-use crate::scene_folder::SceneFolder;
+use crate::scene_folder::{SceneFolder, all_by_24_px};
 
 const WARP: &str = "warp scene.c2warp.json -o out.png";
 
@@ -77,6 +77,39 @@ fn handle_moves_the_picture_below_it() {
     let before = folder.picture("strip.png");
     assert!(difference(*after.get_pixel(52, 21), *before.get_pixel(51, 27)) < 12);
     assert!(after != before);
+}
+
+#[test]
+fn displaced_picture_moves_with_and_without_handles() {
+    let displaced = || SceneFolder::new("strip").at_rest().edited(|project| project["displacement"] = all_by_24_px());
+    for folder in [displaced(), displaced().edited(|project| project["handles"] = serde_json::json!([]))] {
+        succeed(folder.path(), WARP);
+        let (before, after) = (folder.picture("strip.png"), folder.picture("out.png"));
+        let difference = |a: &Rgba<u8>, b: &Rgba<u8>| a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap();
+        for (x, y, pixel) in before.enumerate_pixels().filter(|&(x, ..)| x < 72) {
+            assert!(difference(pixel, after.get_pixel(x + 24, y)) <= 1, "at {x}, {y}");
+        }
+        assert!(after.pixels().filter(|pixel| pixel[3] == 0).count() >= 23 * 48);
+        assert_eq!(succeed(folder.path(), &format!("{WARP} --grow")), b"0,0\n");
+        assert_eq!(folder.picture("out.png").dimensions(), (120, 48));
+    }
+}
+
+#[test]
+fn handle_takes_along_what_is_displaced() {
+    let folder = SceneFolder::new("strip").at_rest().edited(|project| {
+        let handles = project["handles"].as_array_mut().unwrap();
+        handles.truncate(1);
+        let [x, y] = [0, 1].map(|axis| handles[0]["rest"][axis].as_f64().unwrap());
+        handles[0]["posed"] = serde_json::json!([x - 24.0, y + 6.0]);
+        project["displacement"] = all_by_24_px();
+    });
+    succeed(folder.path(), WARP);
+    let (before, after) = (folder.picture("strip.png"), folder.picture("out.png"));
+    let difference = |a: &Rgba<u8>, b: &Rgba<u8>| a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap();
+    for (x, y, pixel) in before.enumerate_pixels().filter(|&(_, y, _)| y < 42) {
+        assert!(difference(pixel, after.get_pixel(x, y + 6)) <= 1, "at {x}, {y}");
+    }
 }
 
 #[test]

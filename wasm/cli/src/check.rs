@@ -3,7 +3,7 @@
 //! A part of the project with an error is reported and left out, so that the rest is checked as well.
 
 use c2warp::deform::Pose;
-use c2warp::project::{Clip, LooseParts, Project, ProjectError};
+use c2warp::project::{Clip, Displacement, LooseParts, Project, ProjectError};
 use c2warp::{Error, Solution, Solver};
 use serde_json::{Value, json};
 
@@ -117,13 +117,14 @@ impl Problems {
 
     /// Warns of what can be solved, but looks wrong.
     fn warn(&mut self, loaded: &LoadedProject, solution: &Solution, pose: &Pose) {
-        let Project { clips, handles, loose_parts, .. } = &loaded.project;
+        let Project { clips, handles, loose_parts, displacement, .. } = &loaded.project;
         let domain = solution.domain();
         if let Some(remark) = remark(domain) {
             self.warning("domain", "outline", remark);
         }
         let report = solution.report(pose);
-        if handles.is_empty() {
+        // A displaced picture moves without handles.
+        if handles.is_empty() && displacement.as_ref().is_none_or(Displacement::is_zero) {
             self.warning("handles", "no-handles", "there are no handles: nothing moves".to_owned());
         } else if report.loose_islands > 0 && *loose_parts == LooseParts::Stay {
             let parts = numbered(report.loose_islands, "part of the picture has", "parts of the picture have");

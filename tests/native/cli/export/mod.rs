@@ -63,6 +63,14 @@ fn bars() -> SceneFolder {
     SceneFolder::new("tower")
 }
 
+/// A picture that a brush has moved before its handles do.
+fn brushed() -> SceneFolder {
+    SceneFolder::new("brushed").edited(|project| {
+        let keys = json!([{ "time": 0, "posed": [24, 96] }, { "time": 0.35, "posed": [30, 76] }]);
+        project["clips"] = json!([clip("left-hand", "wave", "repeat", &keys)]);
+    })
+}
+
 /// The printed table: the name of each row with its largest error and the one of 99 %.
 fn errors(report: &[u8]) -> Vec<(String, f64, f64)> {
     let text = String::from_utf8(report.to_vec()).unwrap();
@@ -122,6 +130,7 @@ fn spine_vertices_are_those_of_the_solver() {
     check(&strip(), "out.spine.json", "--influences 32", spine::read);
     check(&figure(), "out.spine.json", "--vertices 150", spine::read);
     check(&bars(), "out.spine.json", "--bones 30", spine::read);
+    check(&brushed(), "out.spine.json", "", spine::read);
 }
 
 #[test]
@@ -129,6 +138,7 @@ fn dragonbones_vertices_are_those_of_the_solver() {
     check(&strip(), "out_ske.json", "", dragonbones::read);
     check(&figure(), "out_ske.json", "--vertices 150", dragonbones::read);
     check(&bars(), "out_ske.json", "--bones 30", dragonbones::read);
+    check(&brushed(), "out_ske.json", "", dragonbones::read);
 }
 
 #[test]
@@ -136,6 +146,7 @@ fn godot_vertices_are_those_of_the_solver() {
     check(&strip(), "out.tscn", "", godot::read);
     check(&figure(), "out.tscn", "--vertices 150", godot::read);
     check(&bars(), "out.tscn", "--bones 30", godot::read);
+    check(&brushed(), "out.tscn", "", godot::read);
 }
 
 #[test]

@@ -47,7 +47,7 @@ pub enum RigError {
     #[error("this is not a rig: it does not begin as one")]
     NotARig,
     /// A later version of the format.
-    #[error("this rig has version {found} of the format, but version 1 is expected")]
+    #[error("this rig has version {found} of the format, but version 1 or 2 is expected")]
     Version {
         /// The version of the file.
         found: u32,
