@@ -118,7 +118,7 @@ fn wrong_displacements_are_named_with_what_is_wrong() {
             "displacement.width",
             "expected a whole number from 4 to 259, found 4.5",
         ),
-        (json!({ "width": 4, "height": 4 }), "displacement.values", "is missing"),
+        (json!({ "width": 4, "height": 4 }), "displacement.values", "missing"),
         (json!([4, 4]), "displacement", "expected an object, found a list"),
     ] {
         let folder = SceneFolder::new("strip").at_rest().edited(|project| project["displacement"] = displacement);

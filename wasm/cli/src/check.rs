@@ -123,12 +123,14 @@ impl Problems {
             self.warning("domain", "outline", remark);
         }
         let report = solution.report(pose);
-        // A displaced picture moves without handles.
-        if handles.is_empty() && displacement.as_ref().is_none_or(Displacement::is_zero) {
-            self.warning("handles", "no-handles", "there are no handles: nothing moves".to_owned());
+        if handles.is_empty() {
+            // A displaced picture moves without them.
+            if displacement.as_ref().is_none_or(Displacement::is_zero) {
+                self.warning("handles", "no-handles", "there are no handles: nothing moves".to_owned());
+            }
         } else if report.loose_islands > 0 && *loose_parts == LooseParts::Stay {
             let parts = numbered(report.loose_islands, "part of the picture has", "parts of the picture have");
-            self.warning("loose_parts", "loose-parts", format!("{parts} no handle: nothing moves there"));
+            self.warning("loose_parts", "loose-parts", format!("{parts} no handle: no pose moves anything there"));
         }
         for part in &report.outside {
             let at = handles.iter().position(|handle| handle.id == part.handle);
