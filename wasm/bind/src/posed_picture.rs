@@ -91,6 +91,16 @@ impl PosedPicture {
         self.0.map(DVec2::new(x, y)).map(numbers)
     }
 
+    /// Points × 2: where rest points are posed, or a pair of NaN outside the mesh.
+    pub fn map_points(&self, points: &[f64]) -> Vec<f64> {
+        flat_or_nan(self.0.map_points(&pairs(points)))
+    }
+
+    /// Points × 2: the rest points that are drawn at places, or a pair of NaN beside the picture.
+    pub fn locate_points(&self, points: &[f64]) -> Vec<f64> {
+        flat_or_nan(self.0.locate_points(&pairs(points)))
+    }
+
     /// The posed course of lines at rest, as places no farther apart than `step` at rest. In both arrays, a pair of NaN
     /// separates lines.
     pub fn posed_lines(&self, lines: &[f64], step: f64) -> Vec<f32> {
@@ -377,6 +387,10 @@ pub(crate) fn pairs(coordinates: &[f64]) -> Vec<DVec2> {
 
 pub(crate) fn flat(points: impl Iterator<Item = DVec2>) -> Vec<f32> {
     points.flat_map(|p| [p.x as f32, p.y as f32]).collect()
+}
+
+fn flat_or_nan(points: Vec<Option<DVec2>>) -> Vec<f64> {
+    points.into_iter().flat_map(|p| p.unwrap_or(DVec2::NAN).to_array()).collect()
 }
 
 fn numbers(found: Correspondence) -> Vec<f64> {

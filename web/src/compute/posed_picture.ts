@@ -119,6 +119,10 @@ export interface Pose {
   creasedTriangles(): Uint32Array<ArrayBuffer>;
   /** Where a point of the original goes; null outside the mesh. */
   map(rest: Vec): MappedPoint | null;
+  /** Points × 2: where points of the original go, or NaN outside the mesh. One walk over the mesh finds all. */
+  mapPoints(rest: Float64Array): Float64Array;
+  /** Points × 2: the points of the original that are drawn at places, or NaN beside the picture. */
+  locatePoints(posed: Float64Array): Float64Array;
   /** The point of the original that is drawn at a place; null beside the picture. */
   locate(posed: Vec): LocatedPoint | null;
   /**

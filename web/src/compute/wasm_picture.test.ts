@@ -122,6 +122,18 @@ describe('a posed picture', () => {
     expect(pose.positions).toHaveLength(2 * picture.coverage().length);
   });
 
+  it('maps many points as it maps each', () => {
+    const pose = picture.pose(moved('right', 3, -4));
+    const points = Float64Array.from({ length: 200 }, (_, at) => ((at * 7919) % 640) / 10 - 2);
+    const [mapped, located] = [pose.mapPoints(points), pose.locatePoints(points)];
+    for (let at = 0; at < points.length; at += 2) {
+      const place = [points[at] ?? 0, points[at + 1] ?? 0] as const;
+      expect([...mapped.subarray(at, at + 2)]).toEqual(pose.map(place)?.posed ?? [Number.NaN, Number.NaN]);
+      expect([...located.subarray(at, at + 2)]).toEqual(pose.locate(place)?.rest ?? [Number.NaN, Number.NaN]);
+    }
+    expect(mapped.some(Number.isNaN)).toBe(true);
+  });
+
   it('answers for a pose after another one was made', () => {
     const first = picture.pose(moved('right', 5, 0));
     const second = picture.pose(moved('right', -5, 0));

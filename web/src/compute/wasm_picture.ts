@@ -351,6 +351,14 @@ class WasmPose implements Pose {
     return asPlacement(this.#module.map(x, y));
   }
 
+  mapPoints(rest: Float64Array): Float64Array {
+    return this.#module.map_points(rest);
+  }
+
+  locatePoints(posed: Float64Array): Float64Array {
+    return this.#module.locate_points(posed);
+  }
+
   locate([x, y]: Vec): LocatedPoint | null {
     return asPlacement(this.#module.locate(x, y));
   }

@@ -20,6 +20,7 @@ use super::{
     fold_guard::fold_limit,
     folds::FoldingMesh,
     hidden::hidden,
+    inverse::rest_points,
     layer::Layers,
     lead::{Lead, lead},
     locate::{locate, triangle_at},
@@ -216,6 +217,18 @@ impl PosedPicture {
         let (triangle, coordinates) = triangle_at(self.drawn_triangles(), &self.mesh.vertices, rest)?;
         let both = [&self.mesh.vertices[..], self.posed_vertices()].map(|points| corners(points, triangle));
         Some(Correspondence::new(rest, interpolate(both[1], coordinates), both))
+    }
+
+    /// The places that points of the picture go to, by one walk over the mesh. See [`map`](Self::map).
+    #[must_use]
+    pub fn map_points(&self, rest: &[DVec2]) -> Vec<Option<DVec2>> {
+        rest_points(self.posed_vertices(), &self.mesh.vertices, self.drawn_triangles(), rest)
+    }
+
+    /// The points of the picture that are drawn at places, by one walk over the mesh. See [`locate`](Self::locate).
+    #[must_use]
+    pub fn locate_points(&self, posed: &[DVec2]) -> Vec<Option<DVec2>> {
+        rest_points(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), posed)
     }
 
     /// The posed course of lines at rest, at points no farther apart than `step` at rest. Beside the mesh its nearest
