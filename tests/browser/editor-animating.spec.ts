@@ -141,7 +141,7 @@ test('an export has the pose at the time of the call', async ({ page }) => {
     const warp = element as C2Warp;
     const frames = [516, 400, 516].map((y) => {
       warp.pose([{ id: 'left-hand', posed: [124, y] }]);
-      return warp.toBlob(0.1);
+      return warp.toBlob({ scale: 0.1 });
     });
     const [first, second, third] = await Promise.all(
       frames.map(async (frame) => String(new Uint8Array(await (await frame).arrayBuffer()))),

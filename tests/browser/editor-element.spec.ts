@@ -57,12 +57,12 @@ test('methods have the same effects as tools', async ({ page }) => {
     warp.undo();
     warp.removeHandle(id);
     warp.selection = ['head'];
-    const png = await warp.toBlob(0.25);
+    const png = await warp.toBlob({ scale: 0.25 });
     const { width, height } = await createImageBitmap(png);
     warp.updateHandle('right-hand', { posed: [1200, 516] });
-    const canvas = await warp.toCanvas(0.25);
+    const canvas = await warp.toCanvas({ scale: 0.25 });
     const alpha = canvas.getContext('2d')?.getImageData(128, 65, 1, 1).data[3];
-    const grown = await createImageBitmap(await warp.toBlob(0.25, { grow: true }));
+    const grown = await createImageBitmap(await warp.toBlob({ scale: 0.25, grow: true }));
     warp.undo();
     return {
       id,
@@ -318,7 +318,7 @@ test('a rejected handle is named, and removed from document and history', async 
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 10, y: -40 });
   await page.locator('c2-warp').evaluate((element) => {
-    (element as C2Warp).addHandle({ kind: 'point', rest: [20, 20], posed: [30, 30] });
+    (element as C2Warp).addHandle({ kind: 'point', rest: [512, 260.001], posed: [30, 30] });
   });
   await expect(editor.notice).toContainText('handle 1');
   await expect(editor.handles).toHaveCount(5);
@@ -341,7 +341,7 @@ test('of several changes by the page only rejected handles are reverted', async 
       told.push(handles.map(({ id }) => id).join(' '));
     });
     warp.updateHandle('head', { rest: [5, 5] });
-    warp.addHandle({ id: 'stray', kind: 'point', rest: [20, 20] });
+    warp.addHandle({ id: 'stray', kind: 'point', rest: [124, 516.001] });
     warp.addHandle({ id: 'heart', kind: 'point', rest: [512, 600] });
     warp.addHandle({ id: 'twin', kind: 'point', rest: [512, 600.001] });
     warp.updateHandle('left-hand', { posed: [150, 420] });
@@ -356,7 +356,7 @@ test('of several changes by the page only rejected handles are reverted', async 
     `${sample} stray heart twin`,
     'handle-outside: head',
     `${sample} heart twin`,
-    'handle-outside: stray',
+    'handles-too-close: left-hand,stray',
     `${sample} heart`,
     'handles-too-close: heart,twin',
   ]);
@@ -375,7 +375,7 @@ test('reverting a rejected handle does not end the drag of another', async ({ pa
   const editor = await Editor.open(page);
   await replies.hold();
   await page.locator('c2-warp').evaluate((element) => {
-    (element as C2Warp).addHandle({ id: 'stray', kind: 'point', rest: [20, 20] });
+    (element as C2Warp).addHandle({ id: 'stray', kind: 'point', rest: [512, 260.001] });
   });
   const hand = await editor.position('right hand');
   await page.mouse.move(hand.x, hand.y);

@@ -35,7 +35,7 @@ const decoded = (page: Page, file: Buffer, at: readonly [number, number] = [0, 0
 const blob = async (page: Page, scale: number, options: BlobOptions) => {
   const [type, data] = await page.locator('c2-warp').evaluate(
     async (element, [scale, options]) => {
-      const file = await (element as C2Warp).toBlob(scale, options);
+      const file = await (element as C2Warp).toBlob({ scale, ...options });
       return [file.type, Array.from(new Uint8Array(await file.arrayBuffer()))] as const;
     },
     [scale, options] as const,
@@ -137,7 +137,7 @@ test('a PNG by toBlob has the bytes that a canvas of the same export rounds', as
   await editor.dragHandle('right hand', { x: 20, y: -60 });
   const { data } = decode((await blob(page, 0.25, {})).data);
   const rounded = await page.locator('c2-warp').evaluate(async (element) => {
-    const canvas = await (element as C2Warp).toCanvas(0.25);
+    const canvas = await (element as C2Warp).toCanvas({ scale: 0.25 });
     return Array.from(canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? []);
   });
   expect(rounded.length).toBe(data.length);
@@ -173,15 +173,18 @@ test('toBlob tells its progress, and a signal stops it', async ({ page }) => {
   const [fractions, reason, after] = await page.locator('c2-warp').evaluate(async (element) => {
     const warp = element as C2Warp;
     const fractions: number[] = [];
-    await warp.toBlob(2, { onProgress: (fraction) => fractions.push(fraction) });
+    await warp.toBlob({ scale: 2, onProgress: (fraction) => fractions.push(fraction) });
     const controller = new AbortController();
-    const stopped = warp.toBlob(2, {
+    const stopped = warp.toBlob({
+      scale: 2,
       signal: controller.signal,
       onProgress: () => controller.abort(new Error('enough')),
     });
     const reason = await stopped.catch((error: Error) => error.message);
-    const early = await warp.toBlob(1, { signal: controller.signal }).catch((error: Error) => error.message);
-    return [fractions, [reason, early], (await warp.toBlob(0.1)).size] as const;
+    const early = await warp
+      .toBlob({ scale: 1, signal: controller.signal })
+      .catch((error: Error) => error.message);
+    return [fractions, [reason, early], (await warp.toBlob({ scale: 0.1 })).size] as const;
   });
   expect(fractions.length).toBeGreaterThan(5);
   expect(fractions).toEqual([...fractions].sort((a, b) => a - b));
@@ -225,7 +228,7 @@ test('handles are solved and dragged while an export is under way', async ({ pag
   const order = await page.locator('c2-warp').evaluate(async (element) => {
     const warp = element as C2Warp;
     const order: string[] = [];
-    const exported = warp.toBlob(3).then(() => order.push('exported'));
+    const exported = warp.toBlob({ scale: 3 }).then(() => order.push('exported'));
     warp.addHandle({ kind: 'point', rest: [512, 700] });
     const { project } = warp;
     const solved = new Promise<void>((done) => {

@@ -92,7 +92,7 @@ test('pixel art keeps its colours in exports, unless switched off', async ({ pag
   // Set by the page's attribute, then by its script.
   const blob = (options?: { pixelated: boolean }) =>
     page.locator('c2-warp').evaluate(async (element, options) => {
-      const file = await (element as C2Warp).toBlob(1, options);
+      const file = await (element as C2Warp).toBlob(options);
       return Array.from(new Uint8Array(await file.arrayBuffer()));
     }, options);
   const ofBlob = async (options?: { pixelated: boolean }) =>
@@ -423,7 +423,7 @@ test('after a reload, reverting a rejected handle keeps later work', async ({ pa
   await replies.hold();
   await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
-    warp.addHandle({ id: 'stray', kind: 'point', rest: [20, 20] });
+    warp.addHandle({ id: 'stray', kind: 'point', rest: [124, 516.001] });
     warp.addHandle({ id: 'heart', kind: 'point', rest: [512, 600] });
   });
   await expect.poll(async () => (await editor.storedWork()).handles?.length).toBe(7);

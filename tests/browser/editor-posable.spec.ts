@@ -403,7 +403,7 @@ test('the page opens another picture, and errors are shown', async ({ page }) =>
   });
   expect(refused).toBe('image-size');
   await rig.element.evaluate((element) => {
-    (element as C2Warp).addHandle({ kind: 'point', rest: [20, 20] });
+    (element as C2Warp).addHandle({ kind: 'point', rest: [512, 260.001] });
   });
   await expect(rig.element.getByRole('alert')).toContainText('handle 1');
   await rig.element.getByRole('button', { name: 'Dismiss' }).click();

@@ -66,7 +66,7 @@ async function tabTo(editor: Editor, wanted: Locator): Promise<void> {
 /** What the editor draws now, as a PNG in base64. */
 const drawn = ({ page }: Editor): Promise<string> =>
   page.locator('c2-warp').evaluate(async (element) => {
-    const file = await (element as C2Warp).toBlob(0.5);
+    const file = await (element as C2Warp).toBlob({ scale: 0.5 });
     let text = '';
     for (const byte of new Uint8Array(await file.arrayBuffer())) text += String.fromCharCode(byte);
     return btoa(text);

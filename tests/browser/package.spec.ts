@@ -22,7 +22,7 @@ test('one script and one tag make a working editor', async ({ page }) => {
   const before = await posed();
   await editor.dragHandle('right hand', { x: 10, y: -40 });
   await expect.poll(posed).not.toEqual(before);
-  const size = await element.evaluate(async (warp) => (await (warp as C2Warp).toBlob(0.1)).size);
+  const size = await element.evaluate(async (warp) => (await (warp as C2Warp).toBlob({ scale: 0.1 })).size);
   expect(size).toBeGreaterThan(1000);
 });
 
@@ -86,7 +86,9 @@ test.describe('without a policy', () => {
     for (const frame of page.frames()) {
       const element = frame.locator('c2-warp');
       await expect(element.locator('.solved')).toContainText('sample');
-      const size = await element.evaluate(async (warp) => (await (warp as C2Warp).toBlob(0.1)).size);
+      const size = await element.evaluate(
+        async (warp) => (await (warp as C2Warp).toBlob({ scale: 0.1 })).size,
+      );
       expect(size).toBeGreaterThan(1000);
     }
   });

@@ -5,7 +5,8 @@
  * |---|---|
  * | `src` | the address of the picture; a new address replaces the open picture |
  * | `project` | the address of the project file for `src`. Both are opened again when either changes |
- * | `tool` | `select`, `point`, `bar`, `polygon`, `lasso`, `hand` or `lens` |
+ * | `tool` | `select`, `point`, `bar`, `polygon`, `lasso`, `brush`, `hand` or `lens` |
+ * | `features` | words: the parts that people get, of `tools`, `open`, `save`, `export`, `animate`; without it all |
  * | `readonly` | people can look, pan and zoom, but change nothing; methods still can |
  * | `disabled` | people can do nothing |
  * | `posable` | only the picture and its handles, for an article; with `readonly`, only the picture |
@@ -24,15 +25,17 @@
  * | event | |
  * |---|---|
  * | `ready` | once after each connection, when the initial content is open, absent, failed or superseded |
- * | `load` | a picture is open and solved, unless a person opened it |
+ * | `load` | a picture is open and solved; `detail.origin`: `page`, `person`, or `restored` for earlier work |
  * | `input` | during a drag; `detail.project` is a copy of the project |
  * | `change` | a step was done, undone or redone, by a person or a method; `detail.project` is a copy of the project |
  * | `selectionchange` | `detail.selection`: the ids, whatever changed the selection |
+ * | `toolchange` | `detail.tool`: the tool in hand |
  * | `historychange` | `detail.undo`, `detail.redo`: labels of the next undo and redo steps, or null |
  * | `titlechange` | `detail.name`: the open picture's, or null; `detail.unsaved`: no file holds the last changes |
  * | `play`, `pause`, `timeupdate`, `ended` | of the clip, as those of `<video>` |
  * | `progress` | `detail.label`: the solver's stage, once a wait is noticeable, or the export; null when done. `detail.fraction`: the part of an export that is done, else null |
  * | `error` | `detail`: an Error that no method call can throw or reject with |
+ * | `beforeopen`, `beforesave`, `beforeexport`, `beforeadd`, `beforeremove` | a person is about to do so, unless prevented |
  *
  * `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a document.
  *
@@ -40,6 +43,7 @@
  *
  * | code | |
  * |---|---|
+ * | `attribute` | a value of `tool`, `theme` or `features` that means nothing |
  * | `address` | there is no such file, or no network |
  * | `file` | a folder, or a file that no longer exists |
  * | `picture` | not a picture, or not a readable one |
@@ -61,6 +65,7 @@ import type { Drawing } from './compute/drawing';
 import { handleById } from './document/document';
 import { freeId } from './document/edits';
 import { checkedHandle } from './document/handle';
+import { redoLabel, undoLabel } from './document/history';
 import {
   deepCopy,
   type Handle,
@@ -70,19 +75,33 @@ import {
   posedHandle,
 } from './document/project';
 import type { PageNotification } from './editor/effects';
-import { attributesPending, type Carried, nothingCarried } from './editor/opening_state';
+import { featuresOf } from './editor/features';
+import { attributesPending, type Carried, isOpening, nothingCarried } from './editor/opening_state';
 import type { Media, PageAttributes, Sample } from './editor/page';
-import type { NamedFile } from './editor/picture';
+import type { PageQuestion } from './editor/page_question';
 import { hasEnded, playedClip, playedDuration } from './editor/played_clip';
 import { documentOf, filedProject, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
-import type { BlobOptions, HandlePose, LoadOptions, NewHandle, WarpOptions } from './element/api';
-import { areaOf, blobSettings } from './element/blob_settings';
+import type {
+  BlobOptions,
+  HandlePose,
+  LoadOptions,
+  NewHandle,
+  PictureSource,
+  WarpOptions,
+} from './element/api';
+import { attributeFaults } from './element/attribute_faults';
+import { checkedPairs } from './element/checked_pairs';
 import { emitter, TypedElement } from './element/events';
+import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
+import { loadOf } from './element/load_of';
+import { namedSource } from './element/picture_source';
+import { ask } from './element/questions';
+import { WarpError } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
-import { isToolName } from './tools/machine';
+import { isToolName, type ToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
 
@@ -94,6 +113,7 @@ export type {
   HandlePose,
   LoadOptions,
   NewHandle,
+  PictureSource,
   WarpOptions,
 } from './element/api';
 export type { C2WarpEventMap } from './element/events';
@@ -104,7 +124,7 @@ export class C2Warp extends TypedElement {
   static override properties = {
     src: {},
     projectSource: { attribute: 'project' },
-    tool: {},
+    toolSource: { attribute: 'tool' },
     readonly: { type: Boolean, reflect: true },
     disabled: { type: Boolean, reflect: true },
     posable: { type: Boolean, reflect: true },
@@ -117,11 +137,12 @@ export class C2Warp extends TypedElement {
     hintFor: { attribute: 'hint-for' },
     autosave: {},
     samples: { attribute: false },
+    features: {},
   };
 
   declare src: string | null;
   declare projectSource: string | null;
-  declare tool: string | null;
+  declare toolSource: string | null;
   declare readonly: boolean;
   declare disabled: boolean;
   declare posable: boolean;
@@ -135,8 +156,12 @@ export class C2Warp extends TypedElement {
   declare autosave: string | null;
   /** Pictures that the menu beside Open offers. */
   declare samples: readonly Sample[];
+  /** The parts that people get: words of `tools`, `open`, `save`, `export` and `animate`; null for all. */
+  declare features: string | null;
 
   readonly #emit = emitter(this);
+  /** Calls of `load()`. */
+  #asked = 0;
   /** Runs while the element is connected. */
   #runtime: EditorRuntime | null = null;
   /** What a runtime starts with: what the page set before, and what the last runtime left. */
@@ -150,7 +175,7 @@ export class C2Warp extends TypedElement {
     super();
     this.src = null;
     this.projectSource = null;
-    this.tool = null;
+    this.toolSource = null;
     this.readonly = false;
     this.disabled = false;
     this.posable = false;
@@ -163,8 +188,10 @@ export class C2Warp extends TypedElement {
     this.hintFor = null;
     this.autosave = null;
     this.samples = [];
+    this.features = null;
     this.#adopt('project');
     this.#adopt('selection');
+    this.#adopt('tool');
   }
 
   /**
@@ -210,35 +237,54 @@ export class C2Warp extends TypedElement {
   }
 
   /**
+   * The tool in hand, by whoever chose it. Setting one chooses it, where people could. A name that is none changes
+   * nothing and emits an `error`.
+   */
+  get tool(): ToolName {
+    const { toolSource } = this;
+    return this.#runtime?.state.tools.tool ?? (isToolName(toolSource) ? toolSource : 'select');
+  }
+
+  set tool(name: string | null | undefined) {
+    const before = this.toolSource;
+    this.toolSource = name ?? null;
+    // The attribute has named it before, and a person has chosen another one since.
+    if (name === before && isToolName(name)) this.#takeTool(name);
+  }
+
+  /**
    * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
    * With `notice`, a failure is told to the person too.
    *
    * @throws Error with a `code` if the picture cannot be opened. The previous one stays open. If there was none, the
    *   picture stays without the handles that the solver refuses.
    * @throws DOMException AbortError if another picture is opened or the element is removed first.
-   * @throws TypeError if `source` is neither an address nor a Blob.
+   * @throws TypeError if `source` is none of these.
    */
   async load(
-    source: string | URL | Blob,
+    source: PictureSource,
     project?: string | URL | ProjectFile | null,
     { notice = false }: LoadOptions = {},
   ): Promise<void> {
     const runtime = this.#present;
-    const picture = source instanceof URL ? source.href : source;
-    if (typeof picture !== 'string' && !(picture instanceof Blob)) {
-      throw new TypeError('load: expected the address of a picture, or a Blob such as a File');
-    }
     const given = project instanceof URL ? project.href : (project ?? null);
     // Copied now: the page may change its object later.
     const copied = typeof given === 'object' && given ? deepCopy(given) : given;
-    await runtime.load(named(picture), copied, notice);
+    const asked = ++this.#asked;
+    const named = namedSource(source);
+    // An address or a file is asked for at once.
+    const picture = named instanceof Promise ? await named : named;
+    if (asked !== this.#asked || runtime !== this.#runtime)
+      throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
+    await runtime.load(picture, copied, notice);
   }
 
   /**
    * Adds a handle, with a generated id if it has none, and returns the id. The solver may refuse the handle
-   * later, for example outside the picture. Then an `error` follows, and a `change` that removes this handle alone.
+   * later, for example too close to another. Then an `error` follows, and a `change` that removes this handle alone.
    *
-   * @throws RangeError if the id exists already, the handle is invalid, or no picture is open.
+   * @throws RangeError if the id exists already, the handle is invalid, or no picture is open; Error `handle-outside`
+   *   for a point outside the picture.
    */
   addHandle(handle: NewHandle): string {
     const { state, dispatch } = this.#present;
@@ -247,6 +293,14 @@ export class C2Warp extends TypedElement {
     const id = handle.id ?? freeId(projectOf(state));
     if (handleById(documentOf(state), id)) throw new RangeError(`there is a handle "${id}" already`);
     const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
+    if (added.kind === 'point' && this.#present.isOutside(added.rest))
+      throw new WarpError(
+        'handle-outside',
+        `handle "${id}": ${added.rest.join(', ')} is outside the picture`,
+        {
+          handles: [id],
+        },
+      );
     dispatch({ type: 'handle-added', handle: added });
     return id;
   }
@@ -346,6 +400,26 @@ export class C2Warp extends TypedElement {
   }
 
   /**
+   * The posed places of many points of the original: points × 2, image pixels, and NaN outside the warped area. All are
+   * found in one walk over the mesh, which costs hardly more than that for a single point.
+   *
+   * @throws TypeError unless `points` is a Float64Array of pairs.
+   */
+  mapPoints(points: Float64Array): Float64Array {
+    return this.#present.mapAll(checkedPairs('mapPoints', points));
+  }
+
+  /**
+   * The points of the original that are drawn at many places of the warped picture: the inverse of `mapPoints`. NaN
+   * where nothing is drawn. Where the picture covers itself, it is the part on top.
+   *
+   * @throws as `mapPoints`.
+   */
+  unmapPoints(places: Float64Array): Float64Array {
+    return this.#present.locateAll(checkedPairs('unmapPoints', places));
+  }
+
+  /**
    * The place of the shown picture, image pixels, under a place in the window such as `[event.clientX, event.clientY]`.
    * It may lie beside the picture. Null without a picture.
    */
@@ -369,13 +443,15 @@ export class C2Warp extends TypedElement {
    * is shown. `signal` stops it.
    *
    * @throws Error if no picture is open, the element is not connected, or the result would be empty or too large.
-   * @throws RangeError that names an invalid option.
+   * @throws TypeError for anything but an object of options, and for an unknown one; RangeError that names an invalid
+   *   option.
    * @throws DOMException AbortError if another picture is opened, or the element is removed, first. The reason of
    *   `signal` if that is aborted.
    */
-  async toBlob(scale = 1, options: BlobOptions = {}): Promise<Blob> {
-    const settings = blobSettings(options);
-    return writtenFile(this.#drawing(scale, options), settings, options);
+  async toBlob(options: BlobOptions = {}): Promise<Blob> {
+    checkWritten(options);
+    const settings = fileSettings(options);
+    return writtenFile(this.#drawing(options), settings, options);
   }
 
   /**
@@ -383,10 +459,55 @@ export class C2Warp extends TypedElement {
    *
    * @throws as `toBlob`.
    */
-  async toCanvas(scale = 1, options: WarpOptions = {}): Promise<HTMLCanvasElement> {
+  async toCanvas(options: WarpOptions = {}): Promise<HTMLCanvasElement> {
+    checkDrawn(options);
     const canvas = this.ownerDocument.createElement('canvas');
-    await drawOn(canvas, this.#drawing(scale, options), options.signal);
+    await drawOn(canvas, this.#drawing(options), options.signal);
     return canvas;
+  }
+
+  /** The size of the open picture, pixels; 0 without one. */
+  get naturalWidth(): number {
+    return this.#runtime?.state.picture?.width ?? 0;
+  }
+
+  get naturalHeight(): number {
+    return this.#runtime?.state.picture?.height ?? 0;
+  }
+
+  /** CSS pixels per pixel of the picture, from 0.01 to 64. Setting it keeps the middle of the view. */
+  get zoom(): number {
+    return this.#runtime?.state.view.camera.scale ?? 1;
+  }
+
+  set zoom(scale: number) {
+    if (!(Number.isFinite(scale) && scale > 0)) throw new RangeError('zoom: expected a number above 0');
+    this.#present.dispatch({ type: 'zoom-asked', scale });
+  }
+
+  get canUndo(): boolean {
+    return this.#runtime !== null && undoLabel(this.#runtime.state.document.history) !== null;
+  }
+
+  get canRedo(): boolean {
+    return this.#runtime !== null && redoLabel(this.#runtime.state.document.history) !== null;
+  }
+
+  /**
+   * Resolves once a picture is open and solved, at once if one is.
+   *
+   * @throws Error as an `error` event has it, if the picture of `src` cannot be opened and there is no other one.
+   */
+  get loaded(): Promise<void> {
+    const state = this.#runtime?.state;
+    const isOpen = state?.picture && state.solution.ready && !isOpening(state.opening);
+    return isOpen ? Promise.resolve() : loadOf(this);
+  }
+
+  /** Tells the editor that the page has stored the present project, as after `beforesave`. */
+  markSaved(): void {
+    const { state, dispatch } = this.#present;
+    dispatch({ type: 'project-saved', project: projectOf(state) });
   }
 
   /** Fits the whole picture into view. */
@@ -413,6 +534,7 @@ export class C2Warp extends TypedElement {
       render: () => this.requestUpdate(),
       rendered: () => this.updateComplete,
       notifyPage: (notification: PageNotification) => this.#notify(notification),
+      ask: (question: PageQuestion) => ask(question, this.#emit),
       setTheme: (theme: 'light' | 'dark') => {
         this.theme = theme;
       },
@@ -477,9 +599,9 @@ export class C2Warp extends TypedElement {
     const freed = changes.has('readonly') || changes.has('posable');
     if (!isFirst && (changes.has('posable') || (this.posable && changes.has('readonly'))))
       runtime.rearrange();
-    if (isToolName(this.tool) && (isFirst || freed || changes.has('tool'))) {
-      runtime.dispatch({ type: 'tool-set', tool: this.tool });
-    }
+    if (isToolName(this.toolSource) && (isFirst || freed || changes.has('toolSource')))
+      this.#takeTool(this.toolSource);
+    for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
     else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
@@ -502,9 +624,10 @@ export class C2Warp extends TypedElement {
     return named && Boolean(this.src);
   }
 
-  async #drawing(scale: number, options: WarpOptions): Promise<Drawing> {
+  async #drawing(options: WarpOptions): Promise<Drawing> {
+    const settings = drawingSettings(options);
     options.signal?.throwIfAborted();
-    return this.#present.drawing(scale, areaOf(options), options.pixelated);
+    return this.#present.drawing(settings, options.pixelated);
   }
 
   #handle(id: string): Handle {
@@ -524,14 +647,19 @@ export class C2Warp extends TypedElement {
     return changed;
   }
 
+  #takeTool(tool: ToolName): void {
+    this.#runtime?.dispatch({ type: 'tool-set', tool });
+  }
+
   get #present(): EditorRuntime {
     if (!this.#runtime) throw new Error('<c2-warp> is not on a page, and has no picture there');
     return this.#runtime;
   }
 
   get #attributes(): PageAttributes {
-    const { readonly, disabled, posable, clip, autoplay, loop, tool, alt, src, projectSource, samples } =
-      this;
+    const { readonly, disabled, posable, clip, autoplay, loop, alt, src, projectSource, samples } = this;
+    const tool = this.toolSource;
+    const features = featuresOf(this.features);
     const hint = this.hint ? { text: this.hint, handle: this.hintFor } : null;
     return {
       readonly,
@@ -546,6 +674,7 @@ export class C2Warp extends TypedElement {
       src,
       projectSource,
       samples,
+      features,
     };
   }
 
@@ -565,8 +694,13 @@ export class C2Warp extends TypedElement {
   #notify(notification: PageNotification): void {
     const { type } = notification;
     switch (type) {
-      case 'ready':
       case 'load':
+        this.#emit(type, { origin: notification.origin });
+        break;
+      case 'toolchange':
+        this.#emit(type, { tool: notification.tool });
+        break;
+      case 'ready':
       case 'play':
       case 'pause':
       case 'timeupdate':
@@ -606,19 +740,13 @@ export class C2Warp extends TypedElement {
   }
 
   /** Sets a property again that the page set before the element was upgraded: it would hide the accessor. */
-  #adopt(name: 'project' | 'selection'): void {
+  #adopt(name: 'project' | 'selection' | 'tool'): void {
     if (!Reflect.getOwnPropertyDescriptor(this, name)) return;
     const value = Reflect.get(this, name);
     Reflect.deleteProperty(this, name);
     Reflect.set(this, name, value);
   }
 }
-
-/** An address, or a file with its name. */
-const named = (source: string | Blob): string | NamedFile =>
-  typeof source === 'string'
-    ? source
-    : { name: source instanceof File ? source.name : 'picture.png', file: source };
 
 if (typeof customElements !== 'undefined' && !customElements.get('c2-warp')) {
   customElements.define('c2-warp', C2Warp);

@@ -6,6 +6,7 @@ import { redoLabel, undoLabel } from '../document/history';
 import type { Handle } from '../document/project';
 import { draftOf, hasTakenCorners } from '../tools/machine';
 import type { CommandName } from './commands';
+import { type Feature, hasFeature } from './features';
 import { openClip } from './open_clip';
 import { isOpaque } from './picture';
 import {
@@ -14,6 +15,7 @@ import {
   cornersNeededText,
   DISABLED,
   IN_FRONT,
+  LEFT_OUT,
   NO_HANDLES,
   NO_LASSO,
   NO_LINE,
@@ -36,8 +38,37 @@ export const canRun = (state: EditorState, command: CommandName): boolean =>
 
 /** Why a command cannot run now; null if it can. */
 export function reasonAgainst(state: EditorState, command: CommandName): string | null {
-  return state.page.disabled ? DISABLED : (REASONS[command]?.(state) ?? null);
+  if (state.page.disabled) return DISABLED;
+  return offers(state, command) ? (REASONS[command]?.(state) ?? null) : LEFT_OUT;
 }
+
+/** Whether the page offers a command at all. */
+export const offers = ({ page }: EditorState, command: CommandName): boolean => {
+  const feature = FEATURE_OF[command];
+  return !feature || hasFeature(page.features, feature);
+};
+
+const FEATURE_OF: Partial<Readonly<Record<CommandName, Feature>>> = {
+  select: 'tools',
+  point: 'tools',
+  bar: 'tools',
+  polygon: 'tools',
+  lasso: 'tools',
+  brush: 'tools',
+  hand: 'tools',
+  lens: 'tools',
+  suggest: 'tools',
+  'turn-part': 'tools',
+  'add-point': 'tools',
+  timeline: 'animate',
+  open: 'open',
+  save: 'save',
+  'save-whole': 'save',
+  export: 'export',
+  'export-as': 'export',
+  'export-all': 'export',
+  'export-whole': 'export',
+};
 
 type Reason = (state: EditorState) => string | null;
 

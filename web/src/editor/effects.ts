@@ -3,6 +3,7 @@ import type { RingCorner } from '../document/lasso_corners';
 import type { MapFile } from '../document/map_file';
 import type { Clip, Project, ProjectFile } from '../document/project';
 import type { Vec } from '../geometry/vec';
+import type { ToolName } from '../tools/machine';
 import type { EngineChoices } from './engine_choices';
 import type { EditorEvent } from './events';
 import type { ExportChoices } from './export_choices';
@@ -26,9 +27,14 @@ export interface FocusTarget {
 /** Controls that the editor focuses by itself. */
 export type ControlName = 'name' | 'clip-name' | 'timeline' | 'overlays' | 'overlay-button' | 'code';
 
+/** Who had a picture opened: the page, a person, or the editor itself, which brings earlier work back. */
+export type Origin = 'page' | 'person' | 'restored';
+
 /** The DOM events of the element. */
 export type PageNotification =
-  | { readonly type: 'ready' | 'load' | 'play' | 'pause' | 'timeupdate' | 'ended' }
+  | { readonly type: 'ready' | 'play' | 'pause' | 'timeupdate' | 'ended' }
+  | { readonly type: 'load'; readonly origin: Origin }
+  | { readonly type: 'toolchange'; readonly tool: ToolName }
   | { readonly type: 'input' | 'change'; readonly project: Project }
   | { readonly type: 'selectionchange'; readonly selection: readonly string[] }
   | { readonly type: 'historychange'; readonly undo: string | null; readonly redo: string | null }

@@ -70,6 +70,8 @@ type PageEvent =
   | { readonly type: 'play-asked' | 'pause-asked' | 'autoplay-asked' }
   | { readonly type: 'seek-asked'; readonly time: number }
   | { readonly type: 'rate-asked'; readonly rate: number }
+  /** CSS pixels per pixel of the picture. */
+  | { readonly type: 'zoom-asked'; readonly scale: number }
   | { readonly type: 'undo-asked' | 'redo-asked' | 'reset-asked' | 'fit-asked' };
 
 type PointerEvent =

@@ -45,6 +45,7 @@ export const PAGE: PageAttributes = {
   src: null,
   projectSource: null,
   samples: [],
+  features: null,
 };
 
 export const MEDIA: Media = { dark: false, coarse: false, still: false, platform: 'Linux', folders: false };

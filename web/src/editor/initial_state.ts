@@ -34,7 +34,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       posedByPage: [],
       crossing: NO_CROSSING,
       touched: false,
-      reported: { selection: [], undo: null, redo: null, title: null },
+      reported: { selection: [], undo: null, redo: null, title: null, tool: 'select' },
     },
     tools: initialTools,
     luminance: null,

@@ -1,5 +1,7 @@
 /** The surroundings of the editor: the attributes of its element, and the device. */
 
+import type { Feature } from './features';
+
 /** The attributes of the element that the editor goes by. */
 export interface PageAttributes {
   /** People can look, pan and zoom, but change nothing. */
@@ -22,6 +24,8 @@ export interface PageAttributes {
   /** The addresses of the picture and its project; null where the page names none. */
   readonly src: string | null;
   readonly projectSource: string | null;
+  /** The parts of the editor that people get; null for all. */
+  readonly features: readonly Feature[] | null;
   /** Pictures that the page offers to open. */
   readonly samples: readonly Sample[];
 }

@@ -1,4 +1,5 @@
 /** What people may do now, by the attributes `readonly`, `disabled` and `posable` and by whether a picture is open. */
+import { hasFeature } from './features';
 import type { EditorState } from './state';
 
 /** Whether people may open and change something. */
@@ -8,7 +9,8 @@ export const mayChange = ({ page }: EditorState): boolean => !page.readonly && !
 export const mayEdit = (state: EditorState): boolean => mayChange(state) && state.picture !== null;
 
 /** Whether files are accepted by drop and paste. */
-export const mayReceive = (state: EditorState): boolean => mayChange(state) && !state.page.posable;
+export const mayReceive = (state: EditorState): boolean =>
+  mayChange(state) && !state.page.posable && hasFeature(state.page.features, 'open');
 
 /** Whether handles are visible and editable. */
 export const handlesAreShown = (state: EditorState): boolean =>

@@ -1,6 +1,7 @@
 /** Why a command cannot run now, in a few words: for menus and screen readers. */
 
 export const DISABLED = 'The editor is disabled';
+export const LEFT_OUT = 'This page leaves it out';
 export const VIEW_ONLY = 'This picture is for viewing only';
 export const NO_PICTURE = 'Open a picture first';
 export const NO_HANDLES = 'There is no handle yet';

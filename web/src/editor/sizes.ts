@@ -6,8 +6,11 @@ export const PHONE = 640;
 export const LOW = { wide: 416, phone: 372 } as const;
 export const LOWEST = 316;
 
-/** Default height of the element, unless the picture sets another. */
+/** The element is no lower than this, unless the page says so. */
 export const LEAST_HEIGHT = 240;
+
+/** Height of the editor if the page sets none: a picture has room between the bars. */
+export const OWN_HEIGHT = 480;
 
 /** Width of the element if the page sizes it by content, as in a flex row. */
 export const OWN_WIDTH = 320;

@@ -16,7 +16,7 @@ import type { Crease } from '../geometry/crease';
 import type { Guide } from '../geometry/guides';
 import type { Luminance } from '../geometry/luminance';
 import type { Vec } from '../geometry/vec';
-import type { Tools } from '../tools/machine';
+import type { ToolName, Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
 import type { BrushState } from './brush_state';
@@ -96,7 +96,7 @@ export interface DocumentState {
   readonly crossing: Crossing;
   /** Whether the document was ever changed: the page's hint ends then. */
   readonly touched: boolean;
-  /** What the page was last told of the selection, the history and the title. */
+  /** What the page was last told of the selection, the history, the title and the tool. */
   readonly reported: Reported;
 }
 
@@ -105,6 +105,7 @@ export interface Reported {
   readonly undo: string | null;
   readonly redo: string | null;
   readonly title: Title | null;
+  readonly tool: ToolName;
 }
 
 /** The name of the open picture, and whether its project has changes that no file holds. */

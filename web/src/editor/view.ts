@@ -115,15 +115,15 @@ export function refitView(state: EditorState): EditorState {
 /** Whether the layout has the panel as a sheet, which shows one thing at a time. */
 export const hasSheet = ({ stage }: EditorState): boolean => stage.width < PHONE;
 
+/** @param scale CSS pixels per image pixel, within the limits of the camera. */
+export const zoomTo = (state: EditorState, scale: number): EditorState =>
+  moveCamera(state, scaledAt(state.view.camera, scale, viewMiddle(state)));
+
 /** Zooms to 100 %: one image pixel for one CSS pixel. */
-export const showActualSize = (state: EditorState): EditorState =>
-  moveCamera(state, scaledAt(state.view.camera, 1, viewMiddle(state)));
+export const showActualSize = (state: EditorState): EditorState => zoomTo(state, 1);
 
 export const zoom = (state: EditorState, notches: number): EditorState =>
-  moveCamera(
-    state,
-    scaledAt(state.view.camera, state.view.camera.scale * NOTCH ** notches, viewMiddle(state)),
-  );
+  zoomTo(state, state.view.camera.scale * NOTCH ** notches);
 
 /** Zooms to a box of the picture with as much again around it. */
 export function showBox(state: EditorState, { min, max }: Box): EditorState {

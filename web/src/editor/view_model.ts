@@ -17,7 +17,7 @@ import { ringedHandle } from '../tools/hit';
 import { draftOf, hasTakenCorners, isPressing, places, type ToolName, waitingDrafts } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
 import { type BrushState, brushSizes, sizeOf } from './brush_state';
-import { canRun, reasonAgainst } from './can_run';
+import { canRun, offers, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
@@ -174,6 +174,8 @@ export interface EditorModel {
   /** The posed course of lines at rest, at places no farther apart than `step` at rest. */
   posedLines(lines: readonly (readonly Vec[])[], step: number): readonly (readonly Vec[])[];
   canRun(command: CommandName): boolean;
+  /** Whether the page offers a command at all. */
+  offers(command: CommandName): boolean;
   /** Why a command cannot run now; null if it can. */
   reasonAgainst(command: CommandName): string | null;
 }
@@ -337,6 +339,7 @@ export function viewModel(state: EditorState): EditorModel {
     },
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),
+    offers: (command) => offers(state, command),
     reasonAgainst: (command) => reasonAgainst(state, command),
   };
 }

@@ -33,8 +33,21 @@ export interface LoadOptions {
   readonly notice?: boolean;
 }
 
+/** A picture for `load()`: an address, a file, or pixels. Pixels of a canvas or a bitmap are kept as a PNG. */
+export type PictureSource =
+  | string
+  | URL
+  | Blob
+  | HTMLImageElement
+  | HTMLCanvasElement
+  | OffscreenCanvas
+  | ImageBitmap
+  | ImageData;
+
 /** How a warped picture is drawn. */
 export interface WarpOptions {
+  /** Pixels per pixel of the original. By default 1. */
+  readonly scale?: number | undefined;
   /** Enlarges the result to hold the parts that are bent beyond the picture. */
   readonly grow?: boolean;
   /** Crops the result to all that is drawn, parts bent beyond the picture included. Replaces `grow`. */

@@ -1,11 +1,15 @@
 /** The events of `<c2-warp>` and their types, for emitters and listeners. */
 import { LitElement } from 'lit';
-import type { Project } from '../document/project';
+import type { Handle, Project } from '../document/project';
+import type { Origin } from '../editor/effects';
+import type { ExportKind } from '../editor/export_choices';
+import type { ToolName } from '../tools/machine';
 
 /** The `detail` of each event; null if it has none. */
-export interface EventDetails {
+export interface EventDetails extends QuestionDetails {
   readonly ready: null;
-  readonly load: null;
+  readonly load: { readonly origin: Origin };
+  readonly toolchange: { readonly tool: ToolName };
   readonly play: null;
   readonly pause: null;
   readonly timeupdate: null;
@@ -19,6 +23,17 @@ export interface EventDetails {
   readonly error: Error;
 }
 
+/** The events that come before an act of a person. Without their default the editor does nothing. */
+export interface QuestionDetails {
+  /** `address` is null for files, and the files are none for an address. */
+  readonly beforeopen: { readonly files: readonly File[]; readonly address: string | null };
+  /** `picture` is to be in the file too, or is null. */
+  readonly beforesave: { readonly name: string; readonly project: Project; readonly picture: File | null };
+  readonly beforeexport: { readonly name: string; readonly kind: ExportKind };
+  readonly beforeadd: { readonly handles: readonly Handle[] };
+  readonly beforeremove: { readonly handles: readonly Handle[] };
+}
+
 export type EventName = keyof EventDetails;
 
 export type C2WarpEventMap = { [T in EventName]: CustomEvent<EventDetails[T]> };
@@ -26,14 +41,16 @@ export type C2WarpEventMap = { [T in EventName]: CustomEvent<EventDetails[T]> };
 /** Events of other names keep their standard types. */
 type EventMap = Omit<HTMLElementEventMap, EventName> & C2WarpEventMap;
 
-export type Emit = <T extends EventName>(type: T, detail: EventDetails[T]) => void;
+/** Returns whether nobody has prevented the default. */
+export type Emit = <T extends EventName>(type: T, detail: EventDetails[T]) => boolean;
 
 /** `input` and `change` bubble like those of form controls: some frameworks listen for these on the document. */
 export const emitter =
   (element: EventTarget): Emit =>
   (type, detail) => {
     const bubbles = type === 'input' || type === 'change';
-    element.dispatchEvent(new CustomEvent(type, { detail, bubbles }));
+    const cancelable = type.startsWith('before');
+    return element.dispatchEvent(new CustomEvent(type, { detail, bubbles, cancelable }));
   };
 
 type Listener<T extends keyof EventMap> = (event: EventMap[T]) => unknown;

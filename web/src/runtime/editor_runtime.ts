@@ -3,6 +3,8 @@
  * its effects. `dispose` releases all of them.
  */
 import type { Drawing } from '../compute/drawing';
+import type { DrawingOptions } from '../compute/messages';
+import type { Pose } from '../compute/posed_picture';
 import type { ProjectFile } from '../document/project';
 import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorEvent } from '../editor/events';
@@ -11,13 +13,13 @@ import { initialState } from '../editor/initial_state';
 import { NOTHING_DROPPED } from '../editor/notice_texts';
 import { type Carried, initialOpening } from '../editor/opening_state';
 import type { Media, PageAttributes } from '../editor/page';
+import { type PageQuestion, questionsOf } from '../editor/page_question';
 import { mayReceive } from '../editor/permissions';
 import { misfit, type NamedFile } from '../editor/picture';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
 import { drawn } from '../editor/update/drawn';
 import { asError } from '../error';
-import type { Area } from '../geometry/area';
 import { deviceView } from '../geometry/camera';
 import type { HeatMap } from '../geometry/heat';
 import type { MappedPoint } from '../geometry/place';
@@ -57,10 +59,21 @@ export interface EditorElement {
   /** Resolves once the last state is rendered. */
   rendered(): Promise<unknown>;
   notifyPage(notification: PageNotification): void;
+  /** Whether the page lets a person go on. */
+  ask(question: PageQuestion): boolean;
   setTheme(theme: 'light' | 'dark'): void;
   /** The system switched between light and dark colours. */
   schemeChanged(): void;
 }
+
+/** From a place to itself and to places a pixel away. */
+const BESIDE: readonly Vec[] = [
+  [0, 0],
+  [1, 0],
+  [-1, 0],
+  [0, 1],
+  [0, -1],
+];
 
 export class EditorRuntime {
   readonly canvas = document.createElement('canvas');
@@ -94,6 +107,8 @@ export class EditorRuntime {
     this.#element = element;
     this.#store = new Store(initialState(page, media, initialOpening(carried)), {
       changed: (state, event) => this.#changed(state, event),
+      admits: (before, after, event) =>
+        questionsOf(before, after, event).every((question) => element.ask(question)),
       carryOut: (effect) => carryOut(effect, resources),
     });
     const { dispatch } = this.#store;
@@ -209,6 +224,24 @@ export class EditorRuntime {
     return shown && this.#solver.deformationOf(shown).map(projectOf(this.state), rest);
   }
 
+  /** Whether a point of the original surely lies outside what bends. The solver has the last word near the outline. */
+  isOutside([x, y]: Vec): boolean {
+    const { shown, ready } = this.state.solution;
+    if (!shown || !ready) return false;
+    const deformation = this.#solver.deformationOf(shown);
+    return !BESIDE.some(([right, down]) => deformation.bends([x + right, y + down]));
+  }
+
+  /** Points × 2: where points of the original are posed, or NaN outside the warped area. */
+  mapAll(rest: Float64Array): Float64Array {
+    return this.#pose?.mapPoints(rest) ?? rest.map(() => Number.NaN);
+  }
+
+  /** Points × 2: the points of the original that are drawn at places, or NaN beside the picture. */
+  locateAll(posed: Float64Array): Float64Array {
+    return this.#pose?.locatePoints(posed) ?? posed.map(() => Number.NaN);
+  }
+
   /** Null without a picture. */
   imageAt(client: Vec): Vec | null {
     return (this.state.picture && this.#view?.imageAt(client)) ?? null;
@@ -220,11 +253,11 @@ export class EditorRuntime {
   }
 
   /** The warped picture, ready to be drawn, see `Engine.draw`; by default as pixel art if it is shown so. */
-  async drawing(scale: number, area: Area, pixelated = this.#isPixelated): Promise<Drawing> {
+  async drawing(asked: Omit<DrawingOptions, 'pixelated'>, pixelated = this.#isPixelated): Promise<Drawing> {
     if (!this.state.picture) throw new RangeError('There is no picture yet.');
     // The pose of this moment: the page may go on to the next one meanwhile.
     const { project, moment } = drawn(this.state);
-    return this.#solver.draw(project, { scale, area, pixelated }, moment);
+    return this.#solver.draw(project, { ...asked, pixelated }, moment);
   }
 
   /** What the next runtime of the element continues with. */
@@ -256,6 +289,11 @@ export class EditorRuntime {
     for (const { reject } of this.#loads.values())
       reject(new DOMException('the editor is gone', 'AbortError'));
     this.#loads.clear();
+  }
+
+  get #pose(): Pose | null {
+    const { shown } = this.state.solution;
+    return shown && this.#solver.deformationOf(shown).pose(projectOf(this.state));
   }
 
   #changed(state: EditorState, event: EditorEvent): void {
@@ -377,6 +415,7 @@ export class EditorRuntime {
       timers: this.#timers,
       rendered: () => element.rendered(),
       notifyPage: (notification) => element.notifyPage(notification),
+      ask: (question) => element.ask(question),
       settleLoad: (reply, error) => this.#settleLoad(reply, error),
       adoptPageProject: (effect) => this.#adoptPageProject(effect),
       setTheme: (theme) => element.setTheme(theme),

@@ -1,6 +1,7 @@
 /** Carries out the effects of the editor: one line per effect names who does it. */
 import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { Dispatch } from '../editor/events';
+import { type PageQuestion, questionOf } from '../editor/page_question';
 import type { EditorState } from '../editor/state';
 import { prepareEncoder } from '../io/encoder';
 import { focusExport, toggleExport } from '../ui/export/menu';
@@ -43,6 +44,8 @@ export interface Resources {
   /** Resolves once the page shows the state. */
   rendered(): Promise<unknown>;
   notifyPage(notification: PageNotification): void;
+  /** Whether the page lets a person go on. */
+  ask(question: PageQuestion): boolean;
   settleLoad(reply: number, error: Error | 'superseded' | null): void;
   adoptPageProject(effect: Extract<EditorEffect, { type: 'adopt-page-project' }>): void;
   setTheme(theme: 'light' | 'dark'): void;
@@ -121,6 +124,12 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
 export function carryOut(effect: EditorEffect, resources: Resources): void {
   // `update` reduces follow-ups itself.
   if (effect.type === 'follow-up') return;
+  const question = questionOf(effect);
+  if (question && !resources.ask(question)) {
+    if (question.type === 'beforeexport')
+      resources.dispatch({ type: 'export-ended', saved: null, error: null });
+    return;
+  }
   // Each entry takes the effects of its own type, which the compiler cannot relate.
   const run = CARRY_OUT[effect.type] as (effect: EditorEffect, resources: Resources) => unknown;
   run(effect, resources);

@@ -7,6 +7,8 @@ import { update } from '../editor/update';
 export interface StoreListener {
   /** Called before the effects of the event. Effects may dispatch further events. */
   changed(state: EditorState, event: EditorEvent): void;
+  /** Whether the page lets an event lead to the next state. It may dispatch events of its own meanwhile. */
+  admits(before: EditorState, after: EditorState, event: EditorEvent): boolean;
   carryOut(effect: EditorEffect): void;
 }
 
@@ -26,7 +28,12 @@ export class Store {
 
   readonly dispatch = (event: EditorEvent): void => {
     if (this.#disposed) return;
-    const { state, effects } = update(this.#state, event);
+    const before = this.#state;
+    let next = update(before, event);
+    if (!this.#listener.admits(before, next.state, event)) return;
+    // The page has changed something in its answer.
+    if (this.#state !== before) next = update(this.#state, event);
+    const { state, effects } = next;
     this.#state = state;
     this.#listener.changed(state, event);
     for (const effect of effects) if (!this.#disposed) this.#listener.carryOut(effect);

@@ -21,7 +21,7 @@ export const TOOLS = { select, point, bar, polygon, lasso, brush, hand, lens } s
 
 export type ToolName = keyof typeof TOOLS;
 
-const NAMES = Object.keys(TOOLS) as ToolName[];
+export const TOOL_NAMES = Object.keys(TOOLS) as ToolName[];
 
 /** Unfinished drawings, at most one of each tool. */
 export type Drawings = readonly Draft[];
@@ -64,7 +64,7 @@ export const draftOf = ({ tool, resting, current }: Tools): Draft | null =>
 
 /** All unfinished drawings, for `restoreDrawings`, without the current press. */
 export const drawingsOf = ({ resting }: Tools): Drawings =>
-  NAMES.flatMap((name) => resting[name].draft ?? []);
+  TOOL_NAMES.flatMap((name) => resting[name].draft ?? []);
 
 /** Unfinished drawings of the other tools. */
 export const waitingDrafts = (tools: Tools): Drawings =>

@@ -20,13 +20,14 @@ export interface Look {
 export const captionOf = (word: string | undefined): TemplateResult | typeof nothing =>
   word === undefined ? nothing : html`<span class="caption" aria-hidden="true">${word}</span>`;
 
-/** A button that runs a command, with the table's label, icon and keys. */
+/** A button that runs a command, with the table's label, icon and keys. None where the page leaves the command out. */
 export function commandButton(
   name: CommandName,
   model: EditorModel,
   dispatch: Dispatch,
   look: Look = {},
-): TemplateResult {
+): TemplateResult | typeof nothing {
+  if (!model.offers(name)) return nothing;
   const label = look.label ?? COMMANDS[name].label;
   return html`<button
     type="button"

@@ -7,7 +7,7 @@ export function emptyStage(model: EditorModel, dispatch: Dispatch): TemplateResu
   if (model.task) return html``;
   if (model.opening)
     return html`<div class="empty opening"><span class="spinner" aria-hidden="true"></span>Opening…</div>`;
-  if (model.readonly || model.posable) return html``;
+  if (model.readonly || model.posable || !model.offers('open')) return html``;
   return html`<div class="empty">
     <p>Drop a picture here, paste one, or</p>
     <button type="button" class="primary" @click=${() => dispatch({ type: 'command-run', command: 'open' })}>Open a picture</button>

@@ -1,5 +1,5 @@
 /** The menu of a phone, for commands that its bar has no room for. */
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { COMMANDS } from '../editor/commands';
 import type { Dispatch, EditorEvent } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
@@ -41,13 +41,13 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
       aria-label="More"
       @beforetoggle=${placeBelowButton}
     >
-      ${entry('timeline', COMMANDS.timeline.label, timeline, model.canRun('timeline'))}
-      ${entry('suggest', COMMANDS.suggest.label, suggest, model.canRun('suggest'))}
+      ${model.offers('timeline') ? entry('timeline', COMMANDS.timeline.label, timeline, model.canRun('timeline')) : nothing}
+      ${model.offers('suggest') ? entry('suggest', COMMANDS.suggest.label, suggest, model.canRun('suggest')) : nothing}
       ${entry('without-folds', COMMANDS['without-folds'].label, unfold, model.canRun('without-folds'))}
       ${entry('reset', COMMANDS['reset-all'].label, reset, model.canRun('reset-all'))}
       ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
-      ${entry('hand', COMMANDS.hand.label, hand)}
-      ${entry('lens', COMMANDS.lens.label, lens, model.canRun('lens'))}
+      ${model.offers('hand') ? entry('hand', COMMANDS.hand.label, hand) : nothing}
+      ${model.offers('lens') ? entry('lens', COMMANDS.lens.label, lens, model.canRun('lens')) : nothing}
       ${entry('keys', COMMANDS.keys.label, keys)}
     </div>
   </div>`;

@@ -1,7 +1,7 @@
 /** The whole editor as one template. A page that plays shows only a few of its parts. */
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Dispatch } from '../editor/events';
-import { LEAST_HEIGHT } from '../editor/sizes';
+import { LEAST_HEIGHT, OWN_HEIGHT } from '../editor/sizes';
 import type { EditorModel } from '../editor/view_model';
 import { brushBar } from './brush_bar';
 import { bubble } from './bubble';
@@ -40,12 +40,12 @@ export function shell(
 ): TemplateResult {
   const { posable } = model;
   const studying = study !== null && model.study.page !== null && !posable;
-  return html`${posable ? room(model) : nothing}
+  return html`${room(model)}
   <div class="shell" lang="en" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
     ${posable ? nothing : topBar(model, dispatch, exportPages)}
     <div class="middle ${studying ? `studying on-${model.study.page}` : ''}">
       ${stage(model, dispatch, canvas, studying ? study.marks(model) : nothing)} ${model.picture ? nothing : emptyStage(model, dispatch)}
-      ${posable ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
+      ${posable ? nothing : html`${model.offers('select') ? toolStrip(model, dispatch) : nothing} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
       ${model.task ? progressBar(model.task) : nothing}
       ${model.hint && !model.preview && !studying ? bubble(model.hint, model.camera) : nothing}
       ${posable ? nothing : html`${draftBar(model, dispatch)} ${brushBar(model, dispatch)} ${toolHint(model, dispatch)} ${legends(model)}`}
@@ -59,8 +59,9 @@ export function shell(
   ${model.disabled ? disabledStage(model) : nothing}`;
 }
 
-/** The height of the element if the page sets none: that of the picture, or enough for a notice. */
-function room({ picture }: EditorModel): TemplateResult {
+/** The height of the element if the page sets none: that of the picture, or enough for the editor. */
+function room({ posable, picture }: EditorModel): TemplateResult {
+  if (!posable) return html`<div .style=${`height: ${OWN_HEIGHT}px`}></div>`;
   const size = picture
     ? `aspect-ratio: ${picture.width} / ${picture.height}`
     : `min-height: ${LEAST_HEIGHT}px`;

@@ -19,9 +19,9 @@ export function topBar(model: EditorModel, dispatch: Dispatch, pages: ExportPage
   return html`<div class="top" part="toolbar" role="group" aria-label="Document">
     <span class="brand" aria-hidden="true">c<sup>2</sup>warp</span>
     <div class="group">
-      ${command('open', { text: 'Open' })} ${filesMenu(model, dispatch)}
+      ${command('open', { text: 'Open' })} ${model.offers('open') ? filesMenu(model, dispatch) : nothing}
       ${command('save', { text: 'Save' })}
-      ${exportMenu(model, dispatch, pages)}
+      ${model.offers('export') ? exportMenu(model, dispatch, pages) : nothing}
     </div>
     <div class="group">
       ${command('undo', { label: told('Undo', model.undo), caption: 'Undo' })}

@@ -48,6 +48,7 @@ import { endMerging } from './steps';
 import { studyHandlers } from './study';
 import { showSuggesting, suggestionHandlers, withoutStaleSuggestion } from './suggesting';
 import { reportTitle } from './title';
+import { reportTool } from './tool_report';
 import { trialHandlers } from './trial';
 import { askForRelease, keepWaiting, waitingHandlers } from './waiting';
 import { webPageHandlers } from './web_page';
@@ -142,12 +143,12 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
 
 /**
  * Follows from any state: the pose at the playhead, the hover under a moved camera, content of cards, input to be
- * released, guides that end, the title.
+ * released, guides that end, the title, the tool.
  */
 const settled = (before: EditorState, emit: Emit): EditorState => {
   const posed = withoutStaleSuggestion(followClip(withoutGuides(before), emit), emit);
   const shown = requestStudy(requestBorders(followCamera(posed), emit), emit);
-  return reportTitle(askForRelease(shown, emit), emit);
+  return reportTool(reportTitle(askForRelease(shown, emit), emit), emit);
 };
 
 /** Guides end with their press. */

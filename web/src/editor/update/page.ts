@@ -6,7 +6,7 @@ import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import type { PageAttributes } from '../page';
 import { documentOf, type EditorState } from '../state';
-import { fitView, resize } from '../view';
+import { fitView, resize, zoomTo } from '../view';
 import { holdPreview } from './display';
 import { withDocument } from './document_slice';
 import { reset } from './edits';
@@ -71,6 +71,7 @@ export const pageHandlers: Handlers<
   | 'redo-asked'
   | 'reset-asked'
   | 'fit-asked'
+  | 'zoom-asked'
 > = {
   'page-changed': (state, { page }, emit) => changePage(state, page, emit),
   'media-changed': (state, { media }) => ({ ...state, media }),
@@ -109,4 +110,5 @@ export const pageHandlers: Handlers<
   'redo-asked': (state, _, emit) => redo(state, emit),
   'reset-asked': (state, _, emit) => reset(state, true, emit),
   'fit-asked': (state) => fitView(state),
+  'zoom-asked': (state, { scale }) => zoomTo(state, scale),
 };

@@ -1,6 +1,6 @@
 /** The ends of requests: the asker is told, and the first content goes on. */
 import { codeOf, isAbort, isEngineFailure } from '../../error';
-import type { Emit } from '../effects';
+import type { Emit, Origin } from '../effects';
 import { movesText, notOpenedText } from '../notice_texts';
 import type { OpenOutcome, OpenRequest, Purpose, Restoring } from '../opening_state';
 import { attributesPending } from '../opening_state';
@@ -15,10 +15,10 @@ import { inform, report } from './notices';
 import { requestAttributes, restore, withOpening } from './requests';
 import { chooseByHandles } from './tool_choice';
 
-/** A picture of the page is open. */
-function notifyLoad(emit: Emit): void {
-  emit({ type: 'notify-page', notification: { type: 'load' } });
-  emit({ type: 'follow-up', event: { type: 'autoplay-asked' } });
+/** A picture is open. One that a person did not choose may play by itself. */
+function notifyLoad(origin: Origin, emit: Emit): void {
+  emit({ type: 'notify-page', notification: { type: 'load', origin } });
+  if (origin !== 'person') emit({ type: 'follow-up', event: { type: 'autoplay-asked' } });
 }
 
 function endRequest(
@@ -29,18 +29,20 @@ function endRequest(
 ): EditorState {
   switch (purpose.by) {
     case 'person':
+      if (outcome === 'opened') notifyLoad('person', emit);
       return outcome === 'opened'
         ? filesOpened(withFirstFrame(state, emit), purpose.received, emit)
         : failed(state, outcome, emit);
     case 'back':
+      if (outcome === 'opened') notifyLoad('person', emit);
       return outcome === 'opened' ? filesOpened(state, [], emit) : failed(state, outcome, emit);
     case 'load':
       return endLoad(state, purpose, outcome, emit);
     case 'retry':
-      if (outcome === 'opened') notifyLoad(emit);
+      if (outcome === 'opened') notifyLoad('page', emit);
       return failed(state, outcome, emit);
     case 'attributes': {
-      if (outcome === 'opened') notifyLoad(emit);
+      if (outcome === 'opened') notifyLoad('page', emit);
       const told = failed(withOpening(state, { openedRevision: purpose.revision }), outcome, emit);
       const { startup, overtaken } = told.opening;
       if (startup.phase !== 'attributes' || startup.id !== id) return told;
@@ -61,7 +63,7 @@ function endLoad(
   emit: Emit,
 ): EditorState {
   if (outcome === 'opened') {
-    notifyLoad(emit);
+    notifyLoad('page', emit);
     emit({ type: 'settle-load', reply, error: null });
     return before;
   }
@@ -108,7 +110,7 @@ function endRestore(
       // The solver refused the last stored step: store the work without it.
       if (documentOf(state) !== work.record.present) state = saveWork(state, emit);
     }
-    notifyLoad(emit);
+    notifyLoad('restored', emit);
     return finishStartup(state, null, emit);
   }
   // Without a solver nothing can be opened.

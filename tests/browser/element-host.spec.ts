@@ -1,0 +1,305 @@
+/** A page in control of `<c2-warp>`: questions, features, the tool in hand, sources, and points by thousands. */
+import type { C2Warp } from '../../web/src/element';
+import { Editor } from './editor';
+import { expect, test } from './fixtures';
+
+const SAMPLE = '/samples/gingerbread.png';
+
+/** Notes events of the element with their details, and prevents the default of some. */
+const listen = ({ page }: Editor, types: readonly string[], refused: readonly string[] = []) =>
+  page.locator('c2-warp').evaluate(
+    (element, [types, refused]) => {
+      const heard: unknown[] = [];
+      Object.assign(globalThis, { heard });
+      for (const type of types)
+        element.addEventListener(type, (event) => {
+          heard.push([type, JSON.parse(JSON.stringify((event as CustomEvent).detail))]);
+          if (refused.includes(type)) event.preventDefault();
+        });
+    },
+    [types, refused] as const,
+  );
+
+const heard = ({ page }: Editor) => page.evaluate(() => Reflect.get(globalThis, 'heard') as unknown[]);
+
+const tool = ({ page }: Editor) => page.locator('c2-warp').evaluate((element) => (element as C2Warp).tool);
+
+test('the tool property follows the hand, and nonsense is refused', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await listen(editor, ['toolchange', 'error']);
+  await page.keyboard.press('b');
+  expect(await tool(editor)).toBe('bar');
+  await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    warp.tool = 'hand';
+  });
+  await expect.poll(() => tool(editor)).toBe('hand');
+  await page.keyboard.press('v');
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).tool = 'hand';
+  });
+  await expect.poll(() => tool(editor)).toBe('hand');
+  await page.locator('c2-warp').evaluate(async (element) => {
+    (element as C2Warp).addEventListener('error', ({ detail }) =>
+      Object.assign(globalThis, { code: Reflect.get(detail, 'code') }),
+    );
+    element.setAttribute('tool', 'hammer');
+    element.setAttribute('theme', 'blue');
+    element.setAttribute('features', 'tools shop');
+  });
+  await expect.poll(() => page.evaluate(() => Reflect.get(globalThis, 'code'))).toBe('attribute');
+  expect(await tool(editor)).toBe('hand');
+  const changes = (await heard(editor)).filter((event) => (event as string[])[0] === 'toolchange');
+  expect(changes).toEqual(['bar', 'hand', 'select', 'hand'].map((tool) => ['toolchange', { tool }]));
+});
+
+test('a page may refuse to open, save, export, add and remove', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const types = ['beforeopen', 'beforesave', 'beforeexport', 'beforeadd', 'beforeremove'];
+  await listen(editor, [...types, 'change', 'load'], types);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('p');
+  const { x, y } = at(512, 700);
+  await page.mouse.click(x, y);
+  await page.keyboard.press('v');
+  await editor.handle('head').click();
+  await page.keyboard.press('Delete');
+  await editor.button('Save').click();
+  await page.keyboard.press('Control+e');
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File(['x'], 'other.png', { type: 'image/png' }));
+    const target = document.querySelector('c2-warp') as Element;
+    target.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  });
+  await expect.poll(async () => (await heard(editor)).length).toBe(5);
+  expect(await heard(editor)).toEqual([
+    ['beforeadd', { handles: [expect.objectContaining({ kind: 'point' })] }],
+    ['beforeremove', { handles: [expect.objectContaining({ id: 'head' })] }],
+    ['beforesave', expect.objectContaining({ name: 'gingerbread.c2warp.json', picture: null })],
+    ['beforeexport', { name: 'gingerbread-warped.png', kind: 'picture' }],
+    ['beforeopen', { files: [{}], address: null }],
+  ]);
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
+test('methods of the page and undo ask nothing', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await listen(editor, ['beforeadd', 'beforeremove', 'beforeopen', 'load']);
+  await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    warp.addHandle({ id: 'heart', kind: 'point', rest: [512, 600] });
+    warp.undo();
+    warp.redo();
+    warp.removeHandle('heart');
+    await warp.load('/samples/gingerbread.png', '/samples/gingerbread.c2warp.json');
+  });
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('p');
+  const { x, y } = at(512, 700);
+  await page.mouse.click(x, y);
+  await expect(editor.handles).toHaveCount(6);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+Shift+z');
+  await expect(editor.handles).toHaveCount(6);
+  expect(await heard(editor)).toEqual([
+    ['load', { origin: 'page' }],
+    ['beforeadd', { handles: [expect.objectContaining({ rest: expect.any(Array) })] }],
+  ]);
+});
+
+test('a page is told of pictures that people open, and stores work itself', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await listen(editor, ['load', 'beforesave', 'titlechange'], ['beforesave']);
+  const buffer = Buffer.from(await (await page.request.get(SAMPLE)).body());
+  await editor.chooseFile({ name: 'mine.png', mimeType: 'image/png', buffer });
+  await expect
+    .poll(async () => (await heard(editor)).some((event) => (event as unknown[])[0] === 'load'))
+    .toBe(true);
+  expect(await heard(editor)).toContainEqual(['load', { origin: 'person' }]);
+  await expect(editor.solved).toContainText('1024 × 1280');
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).addHandle({ id: 'heart', kind: 'point', rest: [512, 600] });
+  });
+  await expect.poll(() => heard(editor)).toContainEqual(['titlechange', { name: 'mine.png', unsaved: true }]);
+  await page.keyboard.press('Control+s');
+  await expect
+    .poll(async () => (await heard(editor)).some((event) => (event as unknown[])[0] === 'beforesave'))
+    .toBe(true);
+  await page.locator('c2-warp').evaluate((element) => (element as C2Warp).markSaved());
+  await expect
+    .poll(async () => (await heard(editor)).at(-1))
+    .toEqual(['titlechange', { name: 'mine.png', unsaved: false }]);
+});
+
+test('features that a page leaves out are not there, nor are their keys', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.locator('c2-warp').evaluate((element) => element.setAttribute('features', 'save'));
+  await expect(editor.button('Save')).toBeVisible();
+  await expect(page.getByRole('group', { name: 'Tools' })).toBeHidden();
+  for (const name of ['Open a picture or a project', 'Export', 'Animate'])
+    await expect(page.getByRole('button', { name, exact: true })).toBeHidden();
+  await page.keyboard.press('p');
+  expect(await tool(editor)).toBe('select');
+  // Handles are posed as before.
+  await editor.dragHandle('right hand', { x: 10, y: -40 });
+  await expect(editor.button('Undo: move right hand')).toBeEnabled();
+  await page.locator('c2-warp').evaluate((element) => element.removeAttribute('features'));
+  await expect(page.getByRole('group', { name: 'Tools' })).toBeVisible();
+});
+
+test('pictures come from images, canvases, bitmaps and pixels', async ({ page }) => {
+  await Editor.open(page);
+  const sizes = await page.locator('c2-warp').evaluate(async (element, sample) => {
+    const warp = element as C2Warp;
+    const image = new Image();
+    image.src = sample;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [60, 40];
+    const pen = canvas.getContext('2d') as CanvasRenderingContext2D;
+    pen.fillRect(0, 0, 60, 40);
+    const sources = [image, canvas, await createImageBitmap(canvas), pen.getImageData(0, 0, 30, 20)];
+    const sizes: unknown[] = [];
+    for (const source of sources) {
+      await warp.load(source);
+      await warp.loaded;
+      sizes.push([warp.naturalWidth, warp.naturalHeight, warp.project.image.src]);
+    }
+    sizes.push(await warp.load(document.createElement('p') as never).catch((error) => error.message));
+    sizes.push(await warp.load(document.createElement('canvas')).catch(() => 'refused'));
+    const empty = document.createElement('canvas');
+    empty.width = 0;
+    sizes.push(await warp.load(empty).catch((error) => [error.code, error.message]));
+    sizes.push(await warp.load(new Image()).catch((error) => error.code));
+    // The newest call wins, also if an older one has to write a file first.
+    const older = warp.load(canvas).catch((error) => error.name);
+    await warp.load(sample);
+    sizes.push(await older, warp.naturalWidth);
+    return sizes;
+  }, SAMPLE);
+  expect(sizes).toEqual([
+    [1024, 1280, 'gingerbread.png'],
+    [60, 40, 'picture.png'],
+    [60, 40, 'picture.png'],
+    [30, 20, 'picture.png'],
+    expect.stringContaining('expected an address'),
+    expect.anything(),
+    ['picture', 'load: the picture has 0 × 150 pixels'],
+    'picture',
+    'AbortError',
+    1024,
+  ]);
+});
+
+test('thousands of points map in one call, and back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('right hand', { x: 10, y: -40 });
+  await editor.settled(() => editor.mapped(900, 516));
+  const found = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const points = Float64Array.from({ length: 2000 }, (_, at) =>
+      at % 2 === 0 ? 300 + (at % 400) : 500 + (at % 37),
+    );
+    const mapped = warp.mapPoints(points);
+    const back = warp.unmapPoints(mapped);
+    const single = warp.mapPoint([points[10] ?? 0, points[11] ?? 0]);
+    const refusals = [new Float64Array(3), [1, 2]].map((wrong) => {
+      try {
+        return warp.mapPoints(wrong as Float64Array).length;
+      } catch (error) {
+        return (error as Error).message;
+      }
+    });
+    return {
+      single: [mapped[10], mapped[11], ...(single ?? [])],
+      apart: Math.max(...back.map((value, at) => Math.abs(value - (points[at] ?? 0)))),
+      outside: [...warp.mapPoints(Float64Array.of(5, 5))],
+      refusals,
+    };
+  });
+  expect(found.single.slice(0, 2)).toEqual(found.single.slice(2));
+  expect(found.apart).toBeLessThan(1e-3);
+  expect(found.outside).toEqual([Number.NaN, Number.NaN]);
+  expect(found.refusals).toEqual(Array(2).fill(expect.stringContaining('a Float64Array of pairs')));
+});
+
+test('exports take one object of options, and refuse the rest by name', async ({ page }) => {
+  await Editor.open(page);
+  const refusals = await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const tries = ['image/jpeg', () => {}, 2, { size: 2 }, { scale: Number.NaN }, { type: 'image/gif' }];
+    return Promise.all(tries.map((options) => warp.toBlob(options as never).catch((error) => error.message)));
+  });
+  expect(refusals).toEqual([
+    'toBlob: expected an object of options such as { scale: 2 }, found a string',
+    'toBlob: expected an object of options such as { scale: 2 }, found a function',
+    'toBlob: expected an object of options such as { scale: 2 }, found a number',
+    expect.stringContaining('toBlob: there is no option "size"'),
+    'scale: expected a number above 0',
+    'type: expected one of image/png, image/jpeg, image/webp',
+  ]);
+});
+
+test('history, zoom, and a point outside are told before a change', async ({ page }) => {
+  await Editor.open(page);
+  const told = await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const changes: string[] = [];
+    warp.addEventListener('change', () => changes.push('change'));
+    const refusal = await Promise.resolve()
+      .then(() => warp.addHandle({ kind: 'point', rest: [5, 5] }))
+      .catch((error) => [error.code, error.handles]);
+    const before = [warp.canUndo, warp.canRedo];
+    warp.updateHandle('head', { rotation: 20 });
+    const stepped = [warp.canUndo, warp.canRedo];
+    warp.undo();
+    const undone = [warp.canUndo, warp.canRedo];
+    warp.zoom = 2;
+    const zoomed = warp.zoom;
+    warp.zoom = 1e9;
+    return { refusal, before, stepped, undone, zoomed, most: warp.zoom, changes: changes.length };
+  });
+  expect(told).toEqual({
+    refusal: ['handle-outside', ['handle-1']],
+    before: [false, false],
+    stepped: [true, false],
+    undone: [false, true],
+    zoomed: 2,
+    most: 64,
+    changes: 2,
+  });
+});
+
+test('without a height of the page the editor shows the picture', async ({ page }) => {
+  await Editor.open(page);
+  const heights = await page.evaluate(async () => {
+    const heights: number[] = [];
+    for (const style of ['', 'height: 300px', 'height: 100%']) {
+      const box = document.createElement('div');
+      box.style.height = '350px';
+      const warp = document.createElement('c2-warp');
+      // The page of the editor fills the window with it.
+      warp.style.cssText = `position: relative; inset: auto; ${style}`;
+      box.append(warp);
+      document.body.append(box);
+      await (warp as C2Warp).updateComplete;
+      heights.push(warp.getBoundingClientRect().height);
+    }
+    return heights;
+  });
+  expect(heights).toEqual([480, 300, 350]);
+});
+
+test('`loaded` rejects with the reason if the first picture cannot be opened', async ({ page }) => {
+  await Editor.open(page);
+  const told = await page.evaluate(() => {
+    const warp = document.createElement('c2-warp') as C2Warp;
+    warp.src = 'data:text/plain,no picture';
+    const { loaded } = warp;
+    document.body.append(warp);
+    return loaded.catch((error) => error.code);
+  });
+  expect(told).toBe('picture');
+});

@@ -1,0 +1,18 @@
+/** The next picture of an element as a promise. */
+import type { TypedElement } from './events';
+
+/** Resolves with the next `load`. Rejects with the `error` that comes before `ready`, if no `load` does. */
+export function loadOf(element: TypedElement): Promise<void> {
+  const heard = new AbortController();
+  const { signal } = heard;
+  let failure: Error | null = null;
+  const loaded = new Promise<void>((resolve, reject) => {
+    element.addEventListener('load', () => resolve(), { signal });
+    const told = ({ detail }: CustomEvent<Error>) => {
+      failure = detail;
+    };
+    element.addEventListener('error', told, { signal });
+    element.addEventListener('ready', () => failure && reject(failure), { signal });
+  });
+  return loaded.finally(() => heard.abort());
+}
