@@ -303,3 +303,32 @@ test('`loaded` rejects with the reason if the first picture cannot be opened', a
   });
   expect(told).toBe('picture');
 });
+
+test('a form submits the project, and needs a picture where it is required', async ({ page }) => {
+  await Editor.open(page);
+  const told = await page.evaluate(async (sample) => {
+    const form = document.createElement('form');
+    const warp = document.createElement('c2-warp') as C2Warp;
+    Object.assign(warp, { name: 'avatar', required: true });
+    form.append(warp);
+    document.body.append(form);
+    await warp.updateComplete;
+    const empty = [form.checkValidity(), warp.validity.valueMissing, new FormData(form).has('avatar')];
+    await warp.load(sample);
+    warp.addHandle({ id: 'heart', kind: 'point', rest: [512, 600], posed: [540, 600] });
+    await warp.updateComplete;
+    const sent = JSON.parse(String(new FormData(form).get('avatar')));
+    const full = [form.checkValidity(), warp.form === form, sent.handles[0].posed];
+    form.reset();
+    const reset = warp.project.handles[0]?.posed;
+    warp.disabled = true;
+    await warp.updateComplete;
+    return { empty, full, reset, disabled: new FormData(form).has('avatar') };
+  }, SAMPLE);
+  expect(told).toEqual({
+    empty: [false, true, false],
+    full: [true, true, [540, 600]],
+    reset: [512, 600],
+    disabled: false,
+  });
+});

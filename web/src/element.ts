@@ -10,6 +10,7 @@
  * | `readonly` | people can look, pan and zoom, but change nothing; methods still can |
  * | `disabled` | people can do nothing |
  * | `posable` | only the picture and its handles, for an article; with `readonly`, only the picture |
+ * | `name`, `required` | in a form: submits the project as JSON, and needs a picture |
  * | `clip` | the name of the clip that `play()` plays; without it the first one |
  * | `autoplay` | plays the clip once the picture is open, unless people prefer reduced motion |
  * | `loop` | the clip begins again at its end |
@@ -94,6 +95,7 @@ import { attributeFaults } from './element/attribute_faults';
 import { checkedPairs } from './element/checked_pairs';
 import { emitter, TypedElement } from './element/events';
 import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
+import { FormControl } from './element/form_control';
 import { loadOf } from './element/load_of';
 import { namedSource } from './element/picture_source';
 import { ask } from './element/questions';
@@ -121,6 +123,8 @@ export type { C2WarpEventMap } from './element/events';
 export class C2Warp extends TypedElement {
   static override styles = editorStyle;
 
+  static readonly formAssociated = true;
+
   static override properties = {
     src: {},
     projectSource: { attribute: 'project' },
@@ -138,6 +142,8 @@ export class C2Warp extends TypedElement {
     autosave: {},
     samples: { attribute: false },
     features: {},
+    required: { type: Boolean, reflect: true },
+    name: { reflect: true },
   };
 
   declare src: string | null;
@@ -158,8 +164,13 @@ export class C2Warp extends TypedElement {
   declare samples: readonly Sample[];
   /** The parts that people get: words of `tools`, `open`, `save`, `export` and `animate`; null for all. */
   declare features: string | null;
+  /** A form is not submitted without a picture. */
+  declare required: boolean;
+  /** The name under which a form submits the project, as JSON. */
+  declare name: string | null;
 
   readonly #emit = emitter(this);
+  readonly #control = new FormControl(this, () => (this.naturalWidth > 0 ? this.project : null));
   /** Calls of `load()`. */
   #asked = 0;
   /** Runs while the element is connected. */
@@ -189,6 +200,8 @@ export class C2Warp extends TypedElement {
     this.autosave = null;
     this.samples = [];
     this.features = null;
+    this.required = false;
+    this.name = null;
     this.#adopt('project');
     this.#adopt('selection');
     this.#adopt('tool');
@@ -510,6 +523,35 @@ export class C2Warp extends TypedElement {
     dispatch({ type: 'project-saved', project: projectOf(state) });
   }
 
+  get form(): HTMLFormElement | null {
+    return this.#control.form;
+  }
+
+  get validity(): ValidityState {
+    return this.#control.validity;
+  }
+
+  get validationMessage(): string {
+    return this.#control.validationMessage;
+  }
+
+  checkValidity(): boolean {
+    return this.#control.checkValidity();
+  }
+
+  reportValidity(): boolean {
+    return this.#control.reportValidity();
+  }
+
+  formAssociatedCallback(form: HTMLFormElement | null): void {
+    this.#control.associate(form);
+  }
+
+  /** A form is reset: all handles return to their rest pose. */
+  formResetCallback(): void {
+    if (this.naturalWidth > 0) this.reset();
+  }
+
   /** Fits the whole picture into view. */
   fit(): void {
     this.#present.dispatch({ type: 'fit-asked' });
@@ -602,6 +644,7 @@ export class C2Warp extends TypedElement {
     if (isToolName(this.toolSource) && (isFirst || freed || changes.has('toolSource')))
       this.#takeTool(this.toolSource);
     for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
+    this.#control.validate();
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
     else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
