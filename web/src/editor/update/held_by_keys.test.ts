@@ -51,6 +51,16 @@ describe('a push that keys hold', () => {
     expect(project()).toEqual(resting);
   });
 
+  it('does not begin in a stroke of the pointer', () => {
+    runtime.dispatch({ type: 'place-pressed' });
+    runtime.dispatch({ type: 'press-began', pointer, pans: false });
+    runtime.dispatch({ type: 'press-moved', pointer: { ...pointer, stage: [120, 100] } });
+    const stroked = project();
+    runtime.dispatch({ type: 'arrow-pressed', by: [1, 0] });
+    runtime.dispatch({ type: 'place-pressed' });
+    expect([project(), history().open === null]).toEqual([stroked, false]);
+  });
+
   it('is kept when the pointer pans the picture, or asks for the menu', () => {
     const pushed = project();
     runtime.dispatch({ type: 'press-began', pointer, pans: true });

@@ -59,6 +59,8 @@ function arrow(state: EditorState, by: Vec, emit: Emit): EditorState {
 
 function moveCrosshair(state: EditorState, by: Vec, emit: Emit): EditorState {
   const at = crosshairMoved(state, by, draftOf(state.tools)?.corners.at(-1));
+  // A stroke of the pointer is in progress: it must not become one of the keys.
+  if (isBrushing(state) && isPressing(state.tools) && !isHeldByKeys(state)) return state;
   if (isHeldByKeys(state)) {
     const outcome = pressMove(state.tools, pressAt(at), contextWithoutHandles(state));
     const pushed = applyTools(state, outcome, emit);
