@@ -41,7 +41,7 @@ async function pictureOf({ page }: Editor) {
   const file = await page
     .locator('c2-warp')
     .evaluate(async (element) => [
-      ...new Uint8Array(await (await (element as C2Warp).toBlob(0.2)).arrayBuffer()),
+      ...new Uint8Array(await (await (element as C2Warp).toBlob({ scale: 0.2 })).arrayBuffer()),
     ]);
   return decode(Uint8Array.from(file));
 }
