@@ -6,6 +6,7 @@
  * depends on how often the pointer reports. A stroke adds up in floating point, and only the project is rounded.
  */
 import { distance, lerp, scaled, subtract, type Vec } from '../geometry/vec';
+import { boxMeans, type Window } from './box_means';
 import { type Field, fieldForStrokes, towardsRest, withField } from './displacement';
 import { type Outline, takenShares } from './held_places';
 import type { Project } from './project';
@@ -49,8 +50,8 @@ const BETWEEN = 1 / 4;
 const STEP = 1 / 8;
 /** The effect of a dab of full strength in its middle. */
 const RATES = { pinch: -0.12, bloat: 0.12, smooth: 0.6, restore: 0.3 } as const;
-/** Smoothing compares with places at this part of the radius, so that it levels all that the brush covers. */
-const SMOOTHED = 1 / 4;
+/** Smoothing takes the mean over squares: this part of the radius on each side. */
+const SMOOTHED = 1 / 3;
 
 export function beginDisplacing(
   project: Project,
@@ -114,6 +115,7 @@ function changeOf(
   if (!reached) return null;
   const { left, top, columns, rows, shares, away } = reached;
   const values = new Float64Array(2 * columns * rows);
+  const means = kind === 'smooth' ? boxMeans(field, reached, smoothedBy(field, radius)) : null;
   for (let row = 0; row < rows; row++)
     for (let column = 0; column < columns; column++) {
       const own = row * columns + column;
@@ -122,23 +124,18 @@ function changeOf(
       const at = (top + row) * field.width + left + column;
       // What once left a held place may always return.
       const share = kind === 'restore' ? 1 : (taken?.[at] ?? 1);
-      for (let axis = 0; axis < 2; axis++)
-        values[2 * own + axis] =
-          share * weight * pull(kind, field, at, axis, away[2 * own + axis] ?? 0, move[axis] ?? 0, radius);
+      for (let axis = 0; axis < 2; axis++) {
+        const value = field.values[2 * at + axis] as number;
+        const to = 2 * own + axis;
+        const pulled = pull(kind, value, away[to] as number, move[axis] as number, means?.[to] ?? 0);
+        values[to] = share * weight * pulled;
+      }
     }
   return { left, top, columns, rows, values };
 }
 
-/** How a dab would move a control point by full weight, along one axis. */
-function pull(
-  kind: Displacing,
-  field: Field,
-  at: number,
-  axis: number,
-  away: number,
-  move: number,
-  radius: number,
-): number {
+/** How a dab would move a control point of this value by full weight, along one axis. */
+function pull(kind: Displacing, value: number, away: number, move: number, mean: number): number {
   switch (kind) {
     case 'push':
       return move;
@@ -146,38 +143,18 @@ function pull(
     case 'bloat':
       return RATES[kind] * away;
     case 'smooth':
-      return RATES.smooth * (meanBeside(field, at, axis, radius) - (field.values[2 * at + axis] ?? 0));
+      return RATES.smooth * (mean - value);
     case 'restore':
-      return -RATES.restore * (field.values[2 * at + axis] ?? 0);
+      return -RATES.restore * value;
   }
 }
 
-/** The mean of a control point's neighbours. */
-function meanBeside(
-  { width, height, spacing, values }: Field,
-  at: number,
-  axis: number,
-  radius: number,
-): number {
-  const by = Math.max(1, Math.round((SMOOTHED * radius) / Math.max(...spacing)));
-  const [column, row] = [at % width, Math.floor(at / width)];
-  let sum = 0;
-  for (const [x, y] of [
-    [Math.max(0, column - by), row],
-    [Math.min(width - 1, column + by), row],
-    [column, Math.max(0, row - by)],
-    [column, Math.min(height - 1, row + by)],
-  ] as const)
-    sum += values[2 * (y * width + x) + axis] ?? 0;
-  return sum / 4;
-}
+/** Control points on each side that smoothing takes the mean over. */
+const smoothedBy = ({ spacing }: Field, radius: number): number =>
+  Math.max(1, Math.round((SMOOTHED * radius) / Math.max(...spacing)));
 
 /** The rectangle of control points that a dab reaches. */
-interface Reached {
-  readonly left: number;
-  readonly top: number;
-  readonly columns: number;
-  readonly rows: number;
+interface Reached extends Window {
   /** Columns × rows: the weights, from 1 in the middle of the dab to 0 at its radius. */
   readonly shares: Float64Array;
   /** Columns × rows × 2: the way from the middle of the dab. */
@@ -213,11 +190,7 @@ function reachedBy(field: Field, middle: Vec, radius: number): Reached | null {
  * A rectangle of control points that has all within the radius. A control point's own value is close to that of the
  * field there: cheap enough to rule most points out.
  */
-function nearTo(
-  { width, height, spacing, values }: Field,
-  middle: Vec,
-  radius: number,
-): Pick<Reached, 'left' | 'top' | 'columns' | 'rows'> | null {
+function nearTo({ width, height, spacing, values }: Field, middle: Vec, radius: number): Window | null {
   const near = (radius + spacing[0] + spacing[1]) ** 2;
   let [left, right, top, bottom] = [width, -1, height, -1];
   for (let row = 0, at = 0; row < height; row++) {

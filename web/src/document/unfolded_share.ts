@@ -11,15 +11,11 @@
  * Cost: linear in the control points. Limit: nothing looks between the samples.
  */
 import type { Vec } from '../geometry/vec';
+import type { Window } from './box_means';
 import type { Field } from './displacement';
 
 /** A change of control points in a rectangle of a grid. */
-export interface Change {
-  /** Its first column and row, and its size. */
-  readonly left: number;
-  readonly top: number;
-  readonly columns: number;
-  readonly rows: number;
+export interface Change extends Window {
   /** Columns × rows × 2, image pixels. */
   readonly values: Float64Array;
 }
@@ -100,7 +96,7 @@ function findSteep(steepness: Float64Array, from: number, columns: number, steep
 function sideBySide(
   { width, values }: Field,
   change: Change,
-  { left, top, columns, rows }: Omit<Change, 'values'>,
+  { left, top, columns, rows }: Window,
 ): Float64Array {
   const both = new Float64Array(4 * columns * rows);
   for (let row = 0; row < rows; row++)
