@@ -1,7 +1,7 @@
 /** Texts about exports for web pages. */
 
 export const WEB_PAGE_NOTE =
-  'One small file with all clips, for the player: a script of 12 kB that needs no editor.';
+  'One small file with all clips, for the player: a script of 13 kB that needs no editor.';
 
 export const WITHOUT_CLIPS = 'There is no clip yet: the page shows the pose.';
 
