@@ -438,7 +438,7 @@ test('an invalid project is rejected with the key, and nothing changes', async (
       await load('/fast.png', {}),
       await load('/fast.png', { ...project, handles: [{ id: 'a', kind: 'circle' }] }),
       await load('/slow.png', project),
-      await load(new ImageData(4, 4)),
+      await load(new Map()),
       warp.project.handles.map(({ id }) => id).join(),
       await load(new URL('/fast.png', location.href), null),
     ];
@@ -447,7 +447,7 @@ test('an invalid project is rejected with the key, and nothing changes', async (
     'project: format: missing',
     expect.stringContaining('project: handles[0].kind: expected'),
     expect.stringContaining('image-size: The project is for a picture of 48 × 48 px'),
-    expect.stringContaining('TypeError: load: expected the address'),
+    expect.stringContaining('TypeError: load: expected an address'),
     'middle',
     'open',
   ]);
