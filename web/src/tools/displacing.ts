@@ -1,10 +1,4 @@
-/**
- * The brush that moves places of the picture. A whole drag is one undo step.
- *
- * It works on the posed picture: each place of the pointer is led back to the moved place of the original under it,
- * before the handles pose that.
- */
-
+/** The brush that moves places of the picture, before the handles pose them. */
 import { displacementAt } from '../document/displacement';
 import {
   beginDisplacing,
@@ -13,12 +7,9 @@ import {
   ledDisplacing,
   withDisplacing,
 } from '../document/displacing_stroke';
-import type { Document } from '../document/document';
-import { add, distance, type Vec } from '../geometry/vec';
+import { add } from '../geometry/vec';
+import { type Brushing, stroked } from './brushing';
 import { type Outcome, outcome, type Press, type State, type ToolContext } from './state';
-
-/** A step of more radii than this, beyond the step of the pointer, leads to another part of the picture. */
-const JUMP = 1;
 
 const LABELS = {
   push: 'Push',
@@ -31,45 +22,14 @@ const LABELS = {
 /** @param resting The tool between presses, if nothing under the brush bends. */
 export function displace(press: Press, own: DisplacingBrush, context: ToolContext, resting: State): Outcome {
   if (!context.place(press.at, own.radius)) return outcome(resting, { type: 'miss', at: press.at });
-  const { document } = context;
   const limits = { guarded: context.guards, held: context.heldOutline() };
-  const stroke = beginDisplacing(document.project, own, limits);
-  const begun = moved(document, stroke, press, null, context);
-  return outcome(begun.next, { type: 'begin', label: LABELS[own.kind] }, ...begun.effects);
-}
-
-interface Place {
-  /** Of the pointer, and the moved place of the original under it. */
-  readonly at: Vec;
-  readonly moved: Vec;
-}
-
-const displacing = (document: Document, stroke: DisplacingStroke, last: Place): State => ({
-  move: (press, context) => moved(document, stroke, press, last, context),
-  up: () => outcome(ENDED, { type: 'commit' }),
-  cancel: () => outcome(ENDED, { type: 'bail' }),
-});
-
-/** The tool returns to the state between presses. */
-const ENDED: State = {};
-
-/** Leads the stroke on to a press. */
-function moved(
-  document: Document,
-  stroke: DisplacingStroke,
-  { at }: Press,
-  last: Place | null,
-  context: ToolContext,
-): Outcome {
-  const [found] = context.layerUnder([at]);
-  const rest = found?.rest ?? at;
-  const now = add(rest, displacementAt(stroke.field, rest));
-  const { radius } = stroke.brush;
-  const goesOn = last && distance(last.moved, now) <= 2 * distance(last.at, at) + JUMP * radius;
-  const led = ledDisplacing(stroke, goesOn ? last.moved : null, now);
-  return outcome(displacing(document, led, { at, moved: now }), {
-    type: 'edit',
-    document: { ...document, project: withDisplacing(led) },
-    stopped: led.stopped,
-  });
+  const begun = beginDisplacing(context.document.project, own, limits);
+  const kind: Brushing<DisplacingStroke> = {
+    radius: own.radius,
+    // Strokes go by the moved places.
+    place: ({ field }, rest) => add(rest, displacementAt(field, rest)),
+    led: ledDisplacing,
+    edited: (stroke) => ({ project: withDisplacing(stroke), stopped: stroke.stopped }),
+  };
+  return stroked(press, begun, kind, LABELS[own.kind], context);
 }
