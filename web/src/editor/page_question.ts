@@ -56,9 +56,10 @@ export function questionsOf(
 function handleQuestions(before: EditorState, after: EditorState): readonly PageQuestion[] {
   const [had, has] = [projectOf(before).handles, projectOf(after).handles];
   if (had === has || before.picture !== after.picture || isOpening(before.opening)) return [];
+  const [added, removed] = [without(has, had), without(had, has)];
+  if (added.length === 0 && removed.length === 0) return [];
   // Undo, redo, and the end of a drag that is cancelled, lead to a document that was admitted before.
   if (timeline(before.document.history).values.includes(documentOf(after))) return [];
-  const [added, removed] = [without(has, had), without(had, has)];
   const questions: PageQuestion[] = [];
   if (added.length > 0) questions.push({ type: 'beforeadd', handles: added });
   if (removed.length > 0) questions.push({ type: 'beforeremove', handles: removed });
