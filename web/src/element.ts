@@ -109,15 +109,7 @@ import { editorStyle } from './ui/style/editor';
 
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
 export type { Sample } from './editor/page';
-export type {
-  BlobOptions,
-  C2WarpProps,
-  HandlePose,
-  LoadOptions,
-  NewHandle,
-  PictureSource,
-  WarpOptions,
-} from './element/api';
+export type * from './element/api';
 export type { C2WarpEventMap } from './element/events';
 
 export class C2Warp extends TypedElement {
@@ -644,7 +636,7 @@ export class C2Warp extends TypedElement {
     if (isToolName(this.toolSource) && (isFirst || freed || changes.has('toolSource')))
       this.#takeTool(this.toolSource);
     for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
-    this.#control.validate();
+    this.#control.validate(this.required && this.naturalWidth === 0);
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
     else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });

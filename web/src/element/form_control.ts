@@ -48,9 +48,8 @@ export class FormControl {
     form?.addEventListener('formdata', submit, { signal: this.#listening.signal });
   }
 
-  /** Checks again whether a picture is missing. */
-  validate(): void {
-    const isMissing = this.#element.hasAttribute('required') && this.#project() === null;
+  /** @param isMissing Whether there is no picture where one is required. */
+  validate(isMissing: boolean): void {
     if (isMissing) this.#internals.setValidity({ valueMissing: true }, MISSING);
     else this.#internals.setValidity({});
   }
