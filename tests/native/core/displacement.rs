@@ -3,13 +3,15 @@
 use c2warp::{
     Filter, Picture, ResampleOptions, Solution, Solver, SpriteMesh, Stage,
     cloud::PointCloud,
-    deform::{HandlePose, PictureMesh, Pose, PosedPicture},
+    deform::{HandlePose, Pose, PosedPicture},
     pose::Poser,
     project::{Blend, Displacement, Handle, PoseMode, Project},
     solve, solve_cloud,
 };
 use c2warp_tests::Scene;
 use glam::{DMat2, DVec2};
+
+use crate::scenes::mesh_of;
 
 /// A grid of 20 px, with values by the place of each control point.
 fn grid(displacement: impl Fn(DVec2) -> DVec2) -> Displacement {
@@ -56,14 +58,7 @@ fn solved(project: &Project) -> (Solution, Pose) {
 
 fn posed_picture(project: &Project, poser: Poser) -> PosedPicture {
     let (solution, _) = solved(project);
-    let mesh = PictureMesh {
-        vertices: solution.vertices().to_vec(),
-        triangles: solution.triangles().to_vec(),
-        samples: solution.samples(),
-        weights: solution.weights().clone(),
-        background: Vec::new(),
-    };
-    PosedPicture::new(mesh, poser, project.handles.clone()).expect("parts of one solution")
+    PosedPicture::new(mesh_of(&solution), poser, project.handles.clone()).expect("parts of one solution")
 }
 
 fn pixels(solution: &Solution, pose: &Pose) -> Vec<u8> {

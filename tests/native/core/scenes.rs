@@ -2,6 +2,7 @@
 
 use c2warp::{
     Error, Picture, Solution,
+    deform::PictureMesh,
     project::{DomainSpec, ImageRef, Project, Support},
     solve,
 };
@@ -121,4 +122,15 @@ pub(crate) fn spread(count: usize) -> impl Iterator<Item = DVec2> {
         DVec2::new((0.754_877_666_246_692_7 * i).fract(), (0.569_840_290_998_053_2 * i).fract()) * f64::from(SIZE)
     };
     (1..=count).map(at)
+}
+
+/// The mesh that a page makes a posed picture of, without a static background.
+pub(crate) fn mesh_of(solution: &Solution) -> PictureMesh {
+    PictureMesh {
+        vertices: solution.vertices().to_vec(),
+        triangles: solution.triangles().to_vec(),
+        samples: solution.samples(),
+        weights: solution.weights().clone(),
+        background: Vec::new(),
+    }
 }

@@ -1,14 +1,14 @@
 //! Tests of the handles that force folds, and of the nearest pose without folds, where the answer is known.
 
 use c2warp::{
-    deform::{HandlePose, PictureMesh, PosedPicture, Unfolded},
+    deform::{HandlePose, PosedPicture, Unfolded},
     project::{Blend, Handle, PoseMode, Project, Rotation, Support},
 };
 use glam::DVec2;
 
 use crate::{
     handles::bar,
-    scenes::{project, solved},
+    scenes::{mesh_of, project, solved},
 };
 
 /// Handles at the corners of a square of 320 px.
@@ -30,14 +30,8 @@ impl Scene {
         let corners = CORNERS.map(|p| Handle::point(format!("corner {p:?}"), p));
         project.handles = corners.into_iter().chain(handles).map(|handle| handle.turned(rotation)).collect();
         let solution = solved(&project).expect("a valid scene");
-        let mesh = PictureMesh {
-            vertices: solution.vertices().to_vec(),
-            triangles: solution.triangles().to_vec(),
-            samples: solution.samples(),
-            weights: solution.weights().clone(),
-            background: Vec::new(),
-        };
-        let picture = PosedPicture::new(mesh, solution.poser().clone(), project.handles.clone()).expect("one solution");
+        let picture = PosedPicture::new(mesh_of(&solution), solution.poser().clone(), project.handles.clone());
+        let picture = picture.expect("one solution");
         Self { picture, handles: project.handles }
     }
 
