@@ -10,7 +10,7 @@ import { boxMeans, type Window } from './box_means';
 import { type Field, fieldForStrokes, towardsRest, withField } from './displacement';
 import { type Outline, takenShares } from './held_places';
 import type { Project } from './project';
-import { type Change, unfoldedShare } from './unfolded_share';
+import { unfoldedShare } from './unfolded_share';
 
 export const DISPLACING = ['push', 'pinch', 'bloat', 'smooth', 'restore'] as const;
 /** What a brush does that moves places. */
@@ -62,46 +62,71 @@ export function beginDisplacing(
   return { project, brush, guarded, field, taken: held && takenShares(field, held), left: 0, stopped: false };
 }
 
-/** The stroke, led on straight between two moved places; from `null` it begins there. */
+/**
+ * The stroke, led on straight between two moved places; from `null` it begins there. The guard takes as much of all its
+ * dabs together as turns nothing over.
+ */
 export function ledDisplacing(stroke: DisplacingStroke, from: Vec | null, to: Vec): DisplacingStroke {
   const field = { ...stroke.field, values: stroke.field.values.slice() };
   const { kind, radius } = stroke.brush;
   const way = from ? distance(from, to) : 0;
+  const reached: Window[] = [];
+  const add = (middle: Vec, move: Vec) => {
+    const window = dab(stroke, field, middle, move);
+    if (window) reached.push(window);
+  };
+  let left = 0;
   if (kind === 'push') {
     const steps = Math.ceil(way / (STEP * radius));
-    let share = 1;
     for (let k = 0; from && k < steps; k++)
-      share = Math.min(
-        share,
-        dab(stroke, field, lerp(from, to, k / steps), scaled(subtract(to, from), 1 / steps)),
-      );
-    return { ...stroke, field, stopped: share < 1 };
+      add(lerp(from, to, k / steps), scaled(subtract(to, from), 1 / steps));
+  } else {
+    let next = from ? stroke.left : 0;
+    for (; next <= way; next += BETWEEN * radius)
+      add(from && way > 0 ? lerp(from, to, next / way) : to, [0, 0]);
+    left = next - way;
   }
-  let next = from ? stroke.left : 0;
-  if (next > way) return { ...stroke, field, left: next - way };
-  let share = 1;
-  for (; next <= way; next += BETWEEN * radius)
-    share = Math.min(share, dab(stroke, field, from && way > 0 ? lerp(from, to, next / way) : to, [0, 0]));
-  return { ...stroke, field, left: next - way, stopped: share < 1 };
+  const share = stroke.guarded ? guard(stroke.field, field, reached) : 1;
+  return { ...stroke, field, left, stopped: share < 1 };
+}
+
+/** Leads a changed field back towards the one before, until nothing is turned over. Returns the share that it keeps. */
+function guard(before: Field, field: Field, reached: readonly Window[]): number {
+  if (reached.length === 0) return 1;
+  const left = Math.min(...reached.map((window) => window.left));
+  const top = Math.min(...reached.map((window) => window.top));
+  const columns = Math.max(...reached.map((window) => window.left + window.columns)) - left;
+  const rows = Math.max(...reached.map((window) => window.top + window.rows)) - top;
+  const share = unfoldedShare(before, field, { left, top, columns, rows });
+  if (share < 1)
+    for (let at = 2 * top * field.width; at < 2 * (top + rows) * field.width; at++) {
+      const from = before.values[at] as number;
+      field.values[at] = from + share * ((field.values[at] as number) - from);
+    }
+  return share;
 }
 
 /** The project after the stroke. Restoring must come to rest in the end, also by weak strokes. */
 export const withDisplacing = ({ project, field, brush }: DisplacingStroke): Project =>
   withField(project, field, brush.kind === 'restore' ? towardsRest : undefined);
 
-/** Changes a field by one dab. Returns how much of it the guard takes, from 0 to 1. */
-function dab(stroke: DisplacingStroke, field: Field, middle: Vec, move: Vec): number {
+/** Changes a field by one dab. Returns the control points that it reaches; null for none. */
+function dab(stroke: DisplacingStroke, field: Field, middle: Vec, move: Vec): Window | null {
   const change = changeOf(stroke, field, middle, move);
-  if (!change) return 1;
-  const share = stroke.guarded ? unfoldedShare(field, change) : 1;
+  if (!change) return null;
   for (let row = 0; row < change.rows; row++) {
     const to = 2 * ((change.top + row) * field.width + change.left);
-    for (let k = 0; k < 2 * change.columns; k++) {
-      const own = share * (change.values[2 * row * change.columns + k] ?? 0);
-      field.values[to + k] = (field.values[to + k] ?? 0) + own;
-    }
+    for (let k = 0; k < 2 * change.columns; k++)
+      field.values[to + k] =
+        (field.values[to + k] as number) + (change.values[2 * row * change.columns + k] as number);
   }
-  return share;
+  return change;
+}
+
+/** A change of control points within a window. */
+interface Change extends Window {
+  /** Columns × rows × 2, image pixels. */
+  readonly values: Float64Array;
 }
 
 /** The change by a dab; null where it reaches no control point. */

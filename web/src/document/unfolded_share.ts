@@ -1,24 +1,18 @@
 /**
- * How much of a dab a field takes without turning the picture over.
+ * How much of a change a field takes without turning the picture over.
  *
  * At control points and halfway between them, the field brings a small square to a parallelogram. Its area must keep
  * above a bound, and above a part of the mean square of its sides: a long thin one could turn over between the samples.
- * Both are quadratics of the share of the dab, so the first root of their difference is the limit.
+ * Both are quadratics of the share of the change, so the first root of their difference is the limit.
  *
  * Slopes of a spline lie between the differences of its neighbouring control points. Where all of these are small,
- * before and after the dab, nothing is sampled.
+ * before and after the change, nothing is sampled.
  *
  * Cost: linear in the control points. Limit: nothing looks between the samples.
  */
 import type { Vec } from '../geometry/vec';
 import type { Window } from './box_means';
 import type { Field } from './displacement';
-
-/** A change of control points in a rectangle of a grid. */
-export interface Change extends Window {
-  /** Columns × rows × 2, image pixels. */
-  readonly values: Float64Array;
-}
 
 /** The least area of a unit square. With less, rounding in the file could turn it over. */
 const LEAST_AREA = 0.06;
@@ -31,15 +25,18 @@ const LEAST_PART = 0.1;
  */
 const CALM = 0.36;
 
-/** From 0 to 1. Where a parallelogram is beyond the bounds already, it must not get worse. */
-export function unfoldedShare(field: Field, change: Change): number {
-  const { width, height, spacing } = field;
+/**
+ * How much of the way from one field to another keeps the picture, from 0 to 1. They differ within a window. Where a
+ * parallelogram is beyond the bounds already, it must not get worse.
+ */
+export function unfoldedShare(before: Field, after: Field, changed: Window): number {
+  const { width, height, spacing } = before;
   // A place has control points at most two away.
-  const left = Math.max(0, change.left - 3);
-  const top = Math.max(0, change.top - 3);
-  const columns = Math.min(width - 1, change.left + change.columns + 2) - left + 1;
-  const rows = Math.min(height - 1, change.top + change.rows + 2) - top + 1;
-  const both = sideBySide(field, change, { left, top, columns, rows });
+  const left = Math.max(0, changed.left - 3);
+  const top = Math.max(0, changed.top - 3);
+  const columns = Math.min(width - 1, changed.left + changed.columns + 2) - left + 1;
+  const rows = Math.min(height - 1, changed.top + changed.rows + 2) - top + 1;
+  const both = sideBySide(before, after, { left, top, columns, rows });
   const perPixel: Vec = [1 / spacing[0], 1 / spacing[1]];
   const steepness = steepnessOf(both, columns, rows, perPixel);
   const steep = new Uint8Array(columns);
@@ -92,25 +89,17 @@ function findSteep(steepness: Float64Array, from: number, columns: number, steep
   return any;
 }
 
-/** Control points of a window × 4: those of the field in x and y, then those of the change. */
-function sideBySide(
-  { width, values }: Field,
-  change: Change,
-  { left, top, columns, rows }: Window,
-): Float64Array {
+/** Control points of a window × 4: those of the first field in x and y, then the differences of the second. */
+function sideBySide(before: Field, after: Field, { left, top, columns, rows }: Window): Float64Array {
   const both = new Float64Array(4 * columns * rows);
-  for (let row = 0; row < rows; row++)
-    for (let column = 0, to = 4 * row * columns; column < columns; column++, to += 4) {
-      const at = 2 * ((top + row) * width + left + column);
-      both[to] = values[at] as number;
-      both[to + 1] = values[at + 1] as number;
-    }
-  for (let row = 0; row < change.rows; row++)
-    for (let column = 0; column < change.columns; column++) {
-      const at = 2 * (row * change.columns + column);
-      const to = 4 * ((change.top - top + row) * columns + change.left - left + column);
-      both[to + 2] = change.values[at] as number;
-      both[to + 3] = change.values[at + 1] as number;
+  for (let row = 0, to = 0; row < rows; row++)
+    for (let column = 0; column < columns; column++, to += 4) {
+      const at = 2 * ((top + row) * before.width + left + column);
+      const [x, y] = [before.values[at] as number, before.values[at + 1] as number];
+      both[to] = x;
+      both[to + 1] = y;
+      both[to + 2] = (after.values[at] as number) - x;
+      both[to + 3] = (after.values[at + 1] as number) - y;
     }
   return both;
 }

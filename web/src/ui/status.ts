@@ -8,8 +8,10 @@ import { commandButton } from './command_button';
 import { holdButton } from './hold_button';
 import { icon } from './icons';
 
+const GROUPED = new Intl.NumberFormat('en');
+
 const counted = (count: number, one: string): string =>
-  `${count.toLocaleString('en')} ${one}${count === 1 ? '' : 's'}`;
+  `${GROUPED.format(count)} ${one}${count === 1 ? '' : 's'}`;
 
 /** A duration with two digits, enough to see whether something became slower. */
 const timed = (ms: number): string =>
