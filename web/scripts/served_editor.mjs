@@ -11,6 +11,8 @@ import { ROOT } from './steps.mjs';
 export async function withServedEditor(run) {
   // Imported only here: it may have just been installed.
   const { createServer } = await import('vite');
+  // Libraries as people get them, not those that check their use.
+  process.env.NODE_ENV ??= 'production';
   const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
   await server.listen();
   const browser = await launchChromium();
