@@ -5,6 +5,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { licences } from './scripts/licences.mjs';
+import { plainUrlsPlugin } from './scripts/plain_urls.mjs';
 import { trimmed } from './scripts/trimmed.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
@@ -25,18 +26,12 @@ const filesOfElement: Plugin = {
     if (!code.includes(file)) throw new Error('loading.ts does not name the solver as expected');
     return { code: code.replace(file, ofElement('c2warp_bg.wasm')), map: null };
   },
-  // The bundlers of others shall find them.
-  generateBundle(_, bundle) {
-    for (const chunk of Object.values(bundle)) {
-      if (chunk.type === 'chunk') chunk.code = chunk.code.replaceAll(/\/\* @vite-ignore \*\/\s*/g, '');
-    }
-  },
 };
 
 const { plugins } = licences(['c2warp-bind', 'c2warp-cli']);
 
 export default defineConfig({
-  plugins: [filesOfElement, trimmed(), ...plugins],
+  plugins: [filesOfElement, trimmed(), ...plugins, plainUrlsPlugin()],
   root: path('.'),
   base: './',
   publicDir: false,

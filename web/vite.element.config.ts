@@ -5,6 +5,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './scripts/licences.mjs';
+import { litHtml } from './scripts/lit_html.mjs';
+import { plainUrlsPlugin } from './scripts/plain_urls.mjs';
 import { trimmed } from './scripts/trimmed.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
@@ -18,19 +20,19 @@ const output = {
 const { plugins, worker } = licences();
 
 export default defineConfig({
-  plugins: [trimmed(), ...plugins],
+  plugins: [litHtml(), trimmed(), ...plugins, plainUrlsPlugin()],
   root: path('.'),
   base: './',
   publicDir: false,
   cacheDir: path('../node_modules/.vite'),
-  worker: { format: 'es', plugins: worker, rolldownOptions: { output } },
+  worker: { format: 'es', plugins: () => [...worker(), plainUrlsPlugin()], rolldownOptions: { output } },
   build: {
     outDir: 'dist/element',
     target: 'es2022',
     assetsInlineLimit: 0,
     modulePreload: false,
     rolldownOptions: {
-      input: { c2warp: path('src/element.ts'), server: path('src/server.ts') },
+      input: { c2warp: path('src/element.ts') },
       // One script stays one script: the study card, loaded when it is first shown, imports from it.
       preserveEntrySignatures: 'allow-extension',
       output,

@@ -59,9 +59,8 @@
  * Setting `readonly` or `disabled`, and setting or removing `posable`, cancels the drag, drawing or typed number in
  * progress. A page may have several elements. An element that is removed releases its worker and its WebGL context, and
  * keeps its document until it is connected again. Properties may be set before the element is connected, even before
- * it is defined. Importing this file without a DOM does nothing.
+ * it is defined. Servers and workers can import this file: it defines no element there.
  */
-import type { PropertyDeclaration, PropertyValues, TemplateResult } from 'lit';
 import type { Drawing } from './compute/drawing';
 import { handleById } from './document/document';
 import { freeId } from './document/edits';
@@ -98,7 +97,9 @@ import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './eleme
 import { FormControl } from './element/form_control';
 import { loadOf } from './element/load_of';
 import { namedSource } from './element/picture_source';
+import type { Properties } from './element/properties';
 import { ask } from './element/questions';
+import type { Changes } from './element/updating_element';
 import { WarpError } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
@@ -113,11 +114,13 @@ export type * from './element/api';
 export type { C2WarpEventMap } from './element/events';
 
 export class C2Warp extends TypedElement {
-  static override styles = editorStyle;
+  /** @internal */
+  static override readonly styles = editorStyle;
 
   static readonly formAssociated = true;
 
-  static override properties = {
+  /** @internal */
+  static override readonly properties: Properties = {
     src: {},
     projectSource: { attribute: 'project' },
     toolSource: { attribute: 'tool' },
@@ -564,7 +567,7 @@ export class C2Warp extends TypedElement {
     super.connectedCallback();
     const element = {
       node: this,
-      root: this.renderRoot as ShadowRoot,
+      root: this.shadowRoot as ShadowRoot,
       render: () => this.requestUpdate(),
       rendered: () => this.updateComplete,
       notifyPage: (notification: PageNotification) => this.#notify(notification),
@@ -578,11 +581,6 @@ export class C2Warp extends TypedElement {
     this.requestUpdate();
   }
 
-  /** Called when the element is moved to another document. */
-  adoptedCallback(): void {
-    if (this.shadowRoot) this.#dress(this.shadowRoot);
-  }
-
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     const runtime = this.#runtime;
@@ -592,29 +590,24 @@ export class C2Warp extends TypedElement {
     runtime.dispose();
   }
 
-  protected override createRenderRoot(): HTMLElement | DocumentFragment {
-    if (this.ownerDocument === document) return super.createRenderRoot();
-    const root = this.attachShadow(C2Warp.shadowRootOptions);
-    this.#dress(root);
-    return root;
-  }
-
-  protected override render(): TemplateResult | null {
+  /** @internal */
+  protected override render(): unknown {
     const runtime = this.#runtime;
     return runtime && shell(viewModel(runtime.state), runtime.dispatch, runtime.canvas, runtime.laterParts);
   }
 
-  /** Asks at once for what the attributes name, so that what a page sets next is for that. */
-  override requestUpdate(name?: PropertyKey, before?: unknown, options?: PropertyDeclaration): void {
-    super.requestUpdate(name, before, options);
+  /** @internal Asks at once for what the attributes name, so that what a page sets next is for that. */
+  protected override propertyChanged(name: string, before: unknown): void {
+    super.propertyChanged(name, before);
     // The attributes of the first update are the initial content, not a change.
     const asks = name === 'src' || (name === 'projectSource' && this.projectSource !== null);
-    if (!asks || !this.hasUpdated || !this.src || this[name] === before) return;
+    if (!asks || !this.hasUpdated || !this.src) return;
     if (this.#runtime) this.#runtime.dispatch({ type: 'source-changed' });
     else this.#carried = { ...this.#carried, revision: this.#carried.revision + 1 };
   }
 
-  protected override willUpdate(changes: PropertyValues<this>): void {
+  /** @internal */
+  protected override willUpdate(changes: Changes): void {
     const runtime = this.#runtime;
     if (!runtime || changes.size === 0) return;
     // A field that goes commits what is typed.
@@ -623,7 +616,8 @@ export class C2Warp extends TypedElement {
     if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#mediaNow });
   }
 
-  protected override updated(changes: PropertyValues<this>): void {
+  /** @internal */
+  protected override updated(changes: Changes): void {
     const runtime = this.#runtime;
     if (!runtime) return;
     runtime.repairFocus();
@@ -637,24 +631,13 @@ export class C2Warp extends TypedElement {
       this.#takeTool(this.toolSource);
     for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
     this.#control.validate(this.required && this.naturalWidth === 0);
-    const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
+    const stage = this.shadowRoot?.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
     else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
   }
 
-  /** Constructed style sheets work only in the document that made them: another document needs new ones. */
-  #dress(root: ShadowRoot): void {
-    const view = this.ownerDocument.defaultView;
-    if (!view) return;
-    root.adoptedStyleSheets = C2Warp.elementStyles.map((style) => {
-      const sheet = new view.CSSStyleSheet();
-      sheet.replaceSync(String(style));
-      return sheet;
-    });
-  }
-
   /** Whether the changed attributes name something to open. */
-  #namesSource(changes: PropertyValues<this>): boolean {
+  #namesSource(changes: Changes): boolean {
     const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
     return named && Boolean(this.src);
   }

@@ -1,9 +1,10 @@
 /** The events of `<c2-warp>` and their types, for emitters and listeners. */
-import { LitElement } from 'lit';
+
 import type { Handle, Project } from '../document/project';
 import type { Origin } from '../editor/effects';
 import type { ExportKind } from '../editor/export_choices';
 import type { ToolName } from '../tools/machine';
+import { UpdatingElement } from './updating_element';
 
 /** The `detail` of each event; null if it has none. */
 export interface EventDetails extends QuestionDetails {
@@ -57,7 +58,7 @@ type Listener<T extends keyof EventMap> = (event: EventMap[T]) => unknown;
 type AnyListener = EventListenerOrEventListenerObject | null;
 
 /** An element whose listeners get typed events. */
-export abstract class TypedElement extends LitElement {
+export abstract class TypedElement extends UpdatingElement {
   override addEventListener<T extends keyof EventMap>(
     type: T,
     listener: Listener<T>,

@@ -1,10 +1,10 @@
 /** A part of the page that is loaded when it is first shown: most visitors never open it. */
-import type { CSSResult } from 'lit';
+
 import { WarpError } from '../error';
 
 export interface LazyStyles {
   /** Its style sheets. */
-  readonly styles: readonly CSSResult[];
+  readonly styles: readonly string[];
 }
 
 export class LazyView<View extends LazyStyles> {

@@ -1,5 +1,5 @@
 /** Loads the templates and styles of the study card when it is first shown: most visitors never open it. */
-import { render } from 'lit';
+import { render } from 'lit-html';
 import { byVariant } from '../document/variants';
 import type { EditorAccess } from '../editor/access';
 import type { EditorState } from '../editor/state';

@@ -1,5 +1,5 @@
 /** Aims over the picture: the box of a drag, the crosshair of the keyboard, and presses that wait for their picture. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 

@@ -1,5 +1,5 @@
 /** The ghost of a handle that the guard against folds holds back: where it was asked to go. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import { anchor, corners, isClosed, isLine } from '../document/handle';
 import type { Handle } from '../document/project';
 import type { EditorModel } from '../editor/view_model';

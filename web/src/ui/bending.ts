@@ -1,6 +1,6 @@
 /** The settings of bending: two modes, their detail, and switches. Folded to one line while handles are selected. */
-import { html, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
 import { featherOf, isFilled, MOST_FEATHER, ringsOf } from '../document/domain';
 import type { PoseMode } from '../document/project';

@@ -1,6 +1,6 @@
 /** The bar of the brush: its effect, its size and strength, and the way back from all that it has done. */
-import { html, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { modeOf } from '../document/bending';
 import { BRUSH_STRENGTHS, type BrushState } from '../editor/brush_state';
 import { keyHint } from '../editor/commands';

@@ -1,5 +1,5 @@
 /** The rim of the brush under the pointer, or at the crosshair of the keyboard. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 

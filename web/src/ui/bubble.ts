@@ -1,5 +1,5 @@
 /** The hint that points to a handle. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Hint } from '../editor/view_model';
 import { type Camera, toStage } from '../geometry/camera';
 

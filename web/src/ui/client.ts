@@ -2,7 +2,7 @@
  * Converts places in the window to places on the stage. Both are in CSS pixels, but a page may scale, turn, mirror or
  * tilt the editor. No bounding rectangle tells that, so marks without size stand in the corners of the stage.
  */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import { inverted, mapped, type Quad, squareToQuad } from '../geometry/homography';
 import type { Vec } from '../geometry/vec';
 

@@ -1,5 +1,5 @@
 /** A button for a command. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { ariaKeys, COMMANDS, type CommandName, keyHint } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';

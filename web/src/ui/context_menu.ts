@@ -1,5 +1,5 @@
 /** The context menu of the selected handles, of a corner, or of a place of the picture. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { selectedHandles } from '../document/document';
 import { isLine } from '../document/handle';
 import { ariaKeys, COMMANDS, type CommandName, keyHint } from '../editor/commands';

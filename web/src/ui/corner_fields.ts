@@ -1,5 +1,5 @@
 /** The corners of a bar or polygon in the panel: how to add one, and the place of the focused one. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { LineHandle } from '../document/project';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';

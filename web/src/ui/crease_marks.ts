@@ -1,6 +1,6 @@
 /** Rings that pulse where the posed picture is turned over. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
-import { repeat } from 'lit/directives/repeat.js';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
 import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 import type { Crease } from '../geometry/crease';

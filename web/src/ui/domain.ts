@@ -2,7 +2,7 @@
  * The drawn domain on the original: its rings with their corners, and a veil over the rest. Each corner has a focusable
  * button for keyboards and screen readers. Pointer presses go to the stage.
  */
-import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
 import { ringsOf } from '../document/domain';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';

@@ -2,7 +2,7 @@
  * Dotted lines. Only the part on the stage is drawn. A hidden dot costs as much as a visible one, and at high zoom
  * a bar has thousands.
  */
-import { type SVGTemplateResult, svg } from 'lit';
+import { type SVGTemplateResult, svg } from 'lit-html';
 import { fractionsInside } from '../geometry/box';
 import type { Size } from '../geometry/camera';
 import { edgesOf } from '../geometry/polyline';

@@ -1,5 +1,5 @@
 /** A bar, polygon or lasso being drawn: its corners, the line to the pointer, and its buttons. */
-import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
 import { CORNERS_NEEDED, isClosed } from '../document/handle';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';

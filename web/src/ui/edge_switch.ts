@@ -1,5 +1,5 @@
 /** Whether the lasso snaps to edges of the picture: beside its hint, and beside its drawing. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 

@@ -1,5 +1,5 @@
 /** The stage without a picture. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 

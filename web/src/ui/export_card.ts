@@ -1,5 +1,5 @@
 /** On a phone, whose status line has no room for it: an export under way, with its progress. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { progress } from './status';

@@ -1,5 +1,5 @@
 /** The numbers of the selected handles, with buttons beside some of them. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import {
   anchor,
   DEPTHS,

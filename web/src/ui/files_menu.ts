@@ -2,7 +2,7 @@
  * The menu beside Open: an address to open, recent work, and the samples of the page. On phones it takes the place of
  * Open, so that the bar has room.
  */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { COMMANDS } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { Sample } from '../editor/page';

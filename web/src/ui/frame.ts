@@ -1,5 +1,5 @@
 /** The picture's own rectangle, which bounds the export. It appears when something is bent beyond it. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 

@@ -1,5 +1,5 @@
 /** The guides that a moved handle lies on: thin lines across the stage. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 

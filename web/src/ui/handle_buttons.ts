@@ -4,8 +4,8 @@
  *
  * Styles are set as properties, since a Content Security Policy may refuse style attributes.
  */
-import { html, nothing, type TemplateResult } from 'lit';
-import { repeat } from 'lit/directives/repeat.js';
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
 import {
   anchor,
   depthOf,

@@ -1,5 +1,5 @@
 /** The list of all handles. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { anchor, isAtRest, nameOf } from '../document/handle';
 import type { Handle } from '../document/project';
 import type { Dispatch } from '../editor/events';

@@ -2,7 +2,7 @@
  * The marks of handles beside their dots: rest places, dotted lines from there, the lines of bars and polygons, and the
  * rotation ring of the selection.
  */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import { anchor, corners, isClosed, isInPlace, isLine, rotationOf } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import type { EditorModel } from '../editor/view_model';

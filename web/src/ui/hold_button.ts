@@ -1,5 +1,5 @@
 /** A button that shows the picture without handles while it is held: the original, or the posed picture. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import { ariaKeys, COMMANDS, keyHint, type PreviewCommand } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';

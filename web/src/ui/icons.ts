@@ -1,6 +1,6 @@
 /** The editor's icons: drawn on a grid of 20, in strokes of 1.5, coloured by the text around them. */
 
-import { html, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { html, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
 import type { CommandName } from '../editor/commands';
 
 const SHAPES = {

@@ -1,5 +1,5 @@
 /** The list of keys: opened by its button or by "?", closed by Escape or a press beside it. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import { COMMANDS, type CommandName, keyHint, modifier } from '../editor/commands';
 import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';

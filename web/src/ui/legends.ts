@@ -1,5 +1,5 @@
 /** The legend of a heat map, or a hint on how to see it. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { EditorModel } from '../editor/view_model';
 import { HEAT_RAMP, MOST_COVERAGE } from '../geometry/heat';
 import { draws } from '../tools/machine';

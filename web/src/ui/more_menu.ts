@@ -1,5 +1,5 @@
 /** The menu of a phone, for commands that its bar has no room for. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { COMMANDS } from '../editor/commands';
 import type { Dispatch, EditorEvent } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';

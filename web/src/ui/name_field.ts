@@ -1,5 +1,5 @@
 /** The name of the selected handle: a button or, while the name is being typed, a field. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { nameOf } from '../document/handle';
 import type { Handle } from '../document/project';
 import { COMMANDS } from '../editor/commands';

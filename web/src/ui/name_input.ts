@@ -1,5 +1,5 @@
 /** The text field of a name. It commits on Enter and on leaving the field. Escape keeps the old name. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { MOST_CHARACTERS } from '../document/names';
 import type { ControlName } from '../editor/effects';
 import { untyped } from './untyped';

@@ -2,7 +2,7 @@
  * Names on the stage: the number of each handle that nobody has named, and the names of the handle under the pointer
  * and the selected one. They keep clear of other handles where that is possible.
  */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import { anchor, corners, isLine, nameOf } from '../document/handle';
 import { numberOf } from '../document/names';
 import type { Handle } from '../document/project';

@@ -3,7 +3,7 @@
  *
  * Screen readers announce an alert when it appears, but other texts only in a region that exists already.
  */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import type { NoticeAction } from '../editor/notice';
 import type { EditorModel } from '../editor/view_model';

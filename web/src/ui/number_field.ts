@@ -1,5 +1,5 @@
 /** A number of the selected handles or of a corner, to be typed or stepped. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch, NumberChange } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { untyped } from './untyped';

@@ -1,5 +1,5 @@
 /** The overlays: their button, and the list in the panel, which stays open while people work. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import { OVERLAYS, type OverlayName } from '../editor/overlays';
 import type { EditorModel } from '../editor/view_model';

@@ -1,6 +1,6 @@
 /** Cells, virtual sites, the cell graph and creases, drawn over the posed picture. */
 
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import type { CreasedMesh, SiteGraph } from '../editor/deformation';
 import type { OverlayFlags } from '../editor/overlays';
 import { type Camera, toStage } from '../geometry/camera';

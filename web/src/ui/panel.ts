@@ -5,8 +5,8 @@
  * On a phone it is a sheet with one of the first three. For selected handles the sheet shows one line, and a press
  * shows the numbers. It keeps clear of the selected handles, and hides during a drag.
  */
-import { html, nothing, type TemplateResult } from 'lit';
-import { classMap } from 'lit/directives/class-map.js';
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { classMap } from 'lit-html/directives/class-map.js';
 import { selectedHandles } from '../document/document';
 import { groupCentre } from '../document/group';
 import { anchor, isLine } from '../document/handle';

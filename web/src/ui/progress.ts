@@ -1,5 +1,5 @@
 /** The line at the top of the stage while a task runs: as long as the part that is done, or moving if nobody knows. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Task } from '../editor/task';
 import { percentOf } from './status';
 

@@ -1,5 +1,5 @@
 /** A choice as a row of buttons, of which one is pressed. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 
 export const segment = (
   word: string,

@@ -1,5 +1,5 @@
 /** The whole editor as one template. A page that plays shows only a few of its parts. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import { LEAST_HEIGHT, OWN_HEIGHT } from '../editor/sizes';
 import type { EditorModel } from '../editor/view_model';

@@ -1,6 +1,6 @@
 /** The stage: the picture with its overlays and handles, for editing, posing or only viewing. */
-import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
-import { classMap } from 'lit/directives/class-map.js';
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
+import { classMap } from 'lit-html/directives/class-map.js';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { crosshair, selectionBox, waitingMarks } from './aims';

@@ -1,5 +1,5 @@
 /** The line at the bottom: figures of the solution, the promise of privacy, and the controls of the view. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import { foldsText, WITHOUT_FOLDS } from '../editor/fold_texts';
 import type { Task } from '../editor/task';

@@ -1,5 +1,5 @@
 /** The study card as the shell knows it. Its templates are loaded when it is first shown. */
-import type { CSSResult, SVGTemplateResult, TemplateResult } from 'lit';
+import type { SVGTemplateResult, TemplateResult } from 'lit-html';
 import type { Variant } from '../document/variants';
 import type { Dispatch } from '../editor/events';
 import type { FigureName } from '../editor/study_state';
@@ -14,7 +14,7 @@ export type VariantPictures = Readonly<Record<Variant, string | null>>;
 export type MakeStudyView = (canvases: () => VariantCanvases) => StudyView;
 
 export interface StudyView {
-  readonly styles: readonly CSSResult[];
+  readonly styles: readonly string[];
   /** Marks on the stage. */
   marks(model: EditorModel): SVGTemplateResult;
   /** The SVG of a figure; null while it is not known. @param pictures of the comparison, while that is on show. */

@@ -1,5 +1,5 @@
 /** The button that switches between light and dark colours. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';

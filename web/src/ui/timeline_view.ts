@@ -1,9 +1,9 @@
 /** The timeline as the shell knows it. Its templates are loaded when it is first shown. */
-import type { CSSResult, TemplateResult } from 'lit';
+import type { TemplateResult } from 'lit-html';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 
 export interface TimelineView {
-  readonly styles: readonly CSSResult[];
+  readonly styles: readonly string[];
   bar(model: EditorModel, dispatch: Dispatch): TemplateResult;
 }

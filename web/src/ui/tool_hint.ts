@@ -2,7 +2,7 @@
  * A hint over the picture: the use of the current tool, or the tool to choose while there are no handles. A picture
  * without handles gets some by the button in it.
  */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { ringsOf } from '../document/domain';
 import { COMMANDS } from '../editor/commands';
 import type { Dispatch } from '../editor/events';

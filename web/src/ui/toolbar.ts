@@ -1,5 +1,5 @@
 /** The bar at the top: documents, history, overlays, and the name of the picture. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { CommandName } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';

@@ -5,9 +5,9 @@
  * Escape first ends work in progress, and leaves the tooltip: a drag, a drawing, the crosshair, an open menu or sheet,
  * a number field. Everything else that Escape does waits for its next press.
  */
-import { noChange } from 'lit';
-import { AsyncDirective, directive } from 'lit/async-directive.js';
-import type { ElementPart } from 'lit/directive.js';
+import { noChange } from 'lit-html';
+import { AsyncDirective, directive } from 'lit-html/async-directive.js';
+import type { ElementPart } from 'lit-html/directive.js';
 import type { EditorModel } from '../editor/view_model';
 
 /** Marks buttons whose tooltip is dismissed. `style/tooltips.ts` shows none there. */

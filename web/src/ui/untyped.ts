@@ -1,6 +1,6 @@
 /** Binds a field to a value without overwriting text that a person is typing. */
-import { noChange } from 'lit';
-import { Directive, directive, type PropertyPart } from 'lit/directive.js';
+import { noChange } from 'lit-html';
+import { Directive, directive, type PropertyPart } from 'lit-html/directive.js';
 
 /** Whether an element is a text field. */
 export const isField = (element: Element | null): boolean =>

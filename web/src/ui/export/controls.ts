@@ -1,5 +1,5 @@
 /** Controls that exports of all kinds have. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch, NumberChange } from '../../editor/events';
 import { PERCENTS, QUALITIES } from '../../editor/export_choices';
 import type { EditorModel } from '../../editor/view_model';

@@ -1,5 +1,5 @@
 /** The export of a rig for a game engine. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { EngineFormat } from '../../document/engine_rig';
 import { BONES, ENGINE_FORMATS, type EngineChoices, INFLUENCES, VERTICES } from '../../editor/engine_choices';
 import type { EngineModel } from '../../editor/engine_model';

@@ -1,5 +1,5 @@
 /** The page of the export panel for game engines. */
-import { css } from 'lit';
+import { css } from '../style/css';
 
 export const engineStyle = css`
   .export .engine-formats .segments {

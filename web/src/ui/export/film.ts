@@ -1,5 +1,5 @@
 /** The export of a clip as a film. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../../editor/events';
 import {
   FILM_FORMATS,

@@ -1,5 +1,5 @@
 /** The film page of the export panel. */
-import { css } from 'lit';
+import { css } from '../style/css';
 
 export const filmStyle = css`
   .export .formats .segments {

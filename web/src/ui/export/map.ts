@@ -1,5 +1,5 @@
 /** The export of maps and weights. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../../editor/events';
 import { EVERY, type MapChoices } from '../../editor/map_choices';
 import type { MapModel } from '../../editor/map_model';

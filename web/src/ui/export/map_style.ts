@@ -1,5 +1,5 @@
 /** The page of the export panel for maps. */
-import { css } from 'lit';
+import { css } from '../style/css';
 
 export const mapStyle = css`
   .export .map-kinds .segments {

@@ -1,5 +1,5 @@
 /** The export panel, with a page for each kind of export. On a phone it is a sheet. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { ariaKeys, COMMANDS, keyHint } from '../../editor/commands';
 import type { Dispatch } from '../../editor/events';
 import type { ExportKind } from '../../editor/export_choices';

@@ -1,5 +1,5 @@
 /** The export of a picture: format, quality, area and size. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../../editor/events';
 import { EXPORT_FORMATS, type ExportChoices, type ExportFormat } from '../../editor/export_choices';
 import type { EditorModel } from '../../editor/view_model';

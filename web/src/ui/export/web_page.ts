@@ -1,5 +1,5 @@
 /** The export for a web page: a rig, and the code that shows it. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../../editor/events';
 import type { EditorModel } from '../../editor/view_model';
 import type { WebPageModel } from '../../editor/web_page_model';

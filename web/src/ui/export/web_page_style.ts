@@ -1,5 +1,5 @@
 /** The page of the export panel for web pages. */
-import { css } from 'lit';
+import { css } from '../style/css';
 
 export const webPageStyle = css`
   .export .code {

@@ -1,5 +1,5 @@
 /** The cells on the stage: the radii r_d and r_h of each (figure 2), and the sites. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import type { EditorModel } from '../../editor/view_model';
 import { toStage } from '../../geometry/camera';
 import type { Vec } from '../../geometry/vec';

@@ -1,5 +1,5 @@
 /** The cells with their radii r_d and r_h (figure 2), and the times of the stages. */
-import { html, nothing, svg, type TemplateResult } from 'lit';
+import { html, nothing, svg, type TemplateResult } from 'lit-html';
 import type { Study } from '../../document/generated/study';
 import type { Dispatch } from '../../editor/events';
 import type { EditorModel } from '../../editor/view_model';

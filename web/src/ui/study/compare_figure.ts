@@ -1,5 +1,5 @@
 /** The comparison as a figure to be saved: three pictures with their names. */
-import { nothing, svg } from 'lit';
+import { nothing, svg } from 'lit-html';
 import { VARIANTS } from '../../document/variants';
 import type { VariantPictures } from '../study_view';
 import { VARIANT_TEXTS } from './compare_page';

@@ -1,5 +1,5 @@
 /** The picture by three methods, beside each other: the same handles in the same pose. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { VARIANTS, type Variant } from '../../document/variants';
 import type { Dispatch } from '../../editor/events';
 import type { EditorModel } from '../../editor/view_model';

@@ -1,5 +1,5 @@
 /** The falloff φ(d / r) of one site (eq. 5), with its radii. A drag of the end r changes α. */
-import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
 import type { Project } from '../../document/project';
 import { settingsOf } from '../../document/settings';
 import type { Dispatch } from '../../editor/events';

@@ -1,5 +1,5 @@
 /** Shared parts of the figures: scales, axes and paths. */
-import { type SVGTemplateResult, svg } from 'lit';
+import { type SVGTemplateResult, svg } from 'lit-html';
 import type { Vec } from '../../geometry/vec';
 
 /** A rectangle of a figure that a range of numbers is drawn in. */

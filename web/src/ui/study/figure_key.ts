@@ -1,5 +1,5 @@
 /** The key of a figure to be saved: colours with their meaning, in one line. */
-import { type SVGTemplateResult, svg } from 'lit';
+import { type SVGTemplateResult, svg } from 'lit-html';
 
 /** Width of a letter, about. */
 const LETTER = 6.6;

@@ -1,5 +1,5 @@
 /** The figures of the study card: axes, curves, radii, maps; and the marks of the lens on the stage. */
-import { css } from 'lit';
+import { css } from '../style/css';
 
 export const figureStyle = css`
   .figure {

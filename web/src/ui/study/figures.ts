@@ -1,5 +1,5 @@
 /** Figures to be saved: each a whole SVG that stands by itself. */
-import { html, svg, type TemplateResult } from 'lit';
+import { html, svg, type TemplateResult } from 'lit-html';
 import { lensModel } from '../../editor/lens_model';
 import { roundModel } from '../../editor/rounds_model';
 import type { FigureName } from '../../editor/study_state';

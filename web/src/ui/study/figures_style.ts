@@ -1,5 +1,5 @@
 /** Figures that are saved: in light colours, whatever the page has. */
-import { css } from 'lit';
+import { css } from '../style/css';
 
 export const figuresStyle = css`
   .figure-to-save {

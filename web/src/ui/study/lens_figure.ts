@@ -1,5 +1,5 @@
 /** The lens as a figure to be saved: the shape with the paths to the handles, the weights, and the falloff. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import type { LensModel } from '../../editor/lens_model';
 import { percent, siteName, VIRTUAL } from '../../editor/lens_texts';
 import { falloffChart, falloffTitle } from './falloff_figure';

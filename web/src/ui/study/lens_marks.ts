@@ -1,5 +1,5 @@
 /** The lens on the stage: the point under it, the shortest path to each handle, and the virtual sites that move it. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import { type LensModel, lensModel } from '../../editor/lens_model';
 import type { EditorModel } from '../../editor/view_model';
 import { toStage } from '../../geometry/camera';

@@ -1,5 +1,5 @@
 /** The lens: weights as bars, the way to each handle, and the falloff of one of them. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { LensSite, Share } from '../../document/generated/lens';
 import type { Dispatch } from '../../editor/events';
 import { type LensModel, lensModel } from '../../editor/lens_model';

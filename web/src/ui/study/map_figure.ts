@@ -1,5 +1,5 @@
 /** The shape with its sites, drawn at rest or posed: the ground of several figures. */
-import { type SVGTemplateResult, svg } from 'lit';
+import { type SVGTemplateResult, svg } from 'lit-html';
 import type { Vec } from '../../geometry/vec';
 import { least, most, pathOf } from './figure';
 

@@ -1,5 +1,5 @@
 /** A round of Algorithm 1 on the stage: the sites before it, and the points where it inserts. */
-import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import { roundModel } from '../../editor/rounds_model';
 import type { EditorModel } from '../../editor/view_model';
 import { toStage } from '../../geometry/camera';

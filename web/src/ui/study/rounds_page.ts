@@ -1,6 +1,6 @@
 /** Algorithm 1 round by round (section IV-A), with the score curve of figure 3. */
-import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import type { Dispatch } from '../../editor/events';
 import { type RoundModel, roundModel } from '../../editor/rounds_model';
 import type { EditorModel } from '../../editor/view_model';

@@ -1,5 +1,5 @@
 /** Saves the figure of a page as SVG. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../../editor/events';
 import type { FigureName } from '../../editor/study_state';
 import { icon } from '../icons';

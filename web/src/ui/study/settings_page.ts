@@ -1,5 +1,5 @@
 /** All settings of the project, each with a sentence on what it does to the picture. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import { modeOf } from '../../document/bending';
 import { RANGES } from '../../document/generated/settings';
 import { type Setting, settingsOf } from '../../document/settings';

@@ -1,6 +1,6 @@
 /** The slider of a setting. A whole drag is one undo step. */
-import { html, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
+import { html, type TemplateResult } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { RANGES } from '../../document/generated/settings';
 import type { Dispatch } from '../../editor/events';
 import type { EditorModel } from '../../editor/view_model';

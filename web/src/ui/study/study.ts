@@ -1,6 +1,6 @@
 /** The study card: one page at a time, beside the picture. Loaded when it is first shown. */
-import { html, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
-import { keyed } from 'lit/directives/keyed.js';
+import { html, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
+import { keyed } from 'lit-html/directives/keyed.js';
 import type { Dispatch } from '../../editor/events';
 import { STUDY_PAGES, type StudyPage } from '../../editor/study_state';
 import type { EditorModel } from '../../editor/view_model';

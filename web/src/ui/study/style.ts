@@ -1,6 +1,7 @@
 /** The study card: in place of the panel, or a sheet above the tools on phones. */
-import { css } from 'lit';
+
 import { FROM_BOTTOM } from '../../editor/sizes';
+import { css } from '../style/css';
 import { lowPhone, phone } from '../style/layouts';
 import { ORDER } from '../style/order';
 

@@ -1,6 +1,7 @@
 /** The element as a box on any page, and shared styles: focus rings, cards, icons, fading in. */
-import { css } from 'lit';
+
 import { LEAST_HEIGHT, OWN_WIDTH } from '../../editor/sizes';
+import { css } from './css';
 
 export const baseStyle = css`
   :host {

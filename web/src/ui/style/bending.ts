@@ -1,5 +1,5 @@
 /** The bending settings: one line that unfolds to segments and switches. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const bendingStyle = css`

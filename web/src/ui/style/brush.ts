@@ -1,5 +1,5 @@
 /** The rim of the brush, and the bar with its settings. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const brushStyle = css`

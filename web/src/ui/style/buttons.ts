@@ -1,5 +1,5 @@
 /** Buttons and links of all kinds. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const buttonsStyle = css`

@@ -1,5 +1,5 @@
 /** The draft of a bar or polygon, and the bar with its buttons. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const drawingStyle = css`

@@ -1,5 +1,5 @@
 /** The stage without a picture. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const emptyStyle = css`
   .empty {

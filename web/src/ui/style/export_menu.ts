@@ -1,5 +1,5 @@
 /** The export panel. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const exportMenuStyle = css`

@@ -1,5 +1,5 @@
 /** Number fields with the buttons beside them, and lists to choose from. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const fieldsStyle = css`

@@ -1,5 +1,5 @@
 /** The menu beside Open. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const filesMenuStyle = css`

@@ -1,5 +1,5 @@
 /** The positions of hints, drawing bar and notices: over the picture, beside the cards, without overlaps. */
-import { css } from 'lit';
+import { css } from './css';
 import { lowPhone, notPhone, phone } from './layouts';
 import { ORDER } from './order';
 

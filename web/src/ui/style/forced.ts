@@ -4,7 +4,7 @@
  * Selected items and pressed buttons take the system's highlight colours. Pictures are not recoloured, so the handles
  * on them keep their own colours.
  */
-import { css } from 'lit';
+import { css } from './css';
 
 export const forcedStyle = css`
   @media (forced-colors: active) {

@@ -1,5 +1,5 @@
 /** The list of handles. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const handleListStyle = css`
   .list {

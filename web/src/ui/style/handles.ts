@@ -1,5 +1,5 @@
 /** The handles: a dot in the middle of a square touch target. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const handlesStyle = css`
   .handles {

@@ -1,5 +1,5 @@
 /** Hints over the picture, and the bubble that points at a handle. */
-import { css } from 'lit';
+import { css } from './css';
 import { lowPhone, phone } from './layouts';
 
 export const hintsStyle = css`

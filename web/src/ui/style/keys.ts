@@ -1,5 +1,5 @@
 /** The list of keys. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const keysStyle = css`
   .keys {

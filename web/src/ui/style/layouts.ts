@@ -1,6 +1,7 @@
 /** The layouts of the editor: conditions on the size of `.shell`, for container queries. */
-import { css } from 'lit';
+
 import { LOW, LOWEST, NARROW, PHONE } from '../../editor/sizes';
+import { css } from './css';
 
 /** No room for labels on buttons. */
 export const narrow = css`shell (width < ${NARROW}px)`;

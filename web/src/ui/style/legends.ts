@@ -1,5 +1,5 @@
 /** The legends of heat maps. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const legendsStyle = css`
   .legend {

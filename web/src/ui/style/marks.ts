@@ -1,5 +1,5 @@
 /** Marks beside the dots: lines of bars and polygons, rest positions, rings, frame, crosshair, selection box. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const marksStyle = css`
   /* Marks and handles have separate layers. A drag repaints one of them only, and Chromium leaves no old marks. */

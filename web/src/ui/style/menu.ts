@@ -1,5 +1,5 @@
 /** Check boxes, the menu of a phone, and the context menu. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const menuStyle = css`

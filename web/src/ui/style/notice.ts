@@ -1,5 +1,5 @@
 /** Notices, on a card. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const noticeStyle = css`

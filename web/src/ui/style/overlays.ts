@@ -1,5 +1,5 @@
 /** Creases, cells, the cell graph and virtual sites. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const overlaysStyle = css`
   /* Folded triangles have almost no width, so the stroke must show them. */

@@ -1,6 +1,7 @@
 /** The panel: a card at the right, or a sheet above the tools on phones. */
-import { css } from 'lit';
+
 import { FROM_BOTTOM, LOW, SHEET } from '../../editor/sizes';
+import { css } from './css';
 import { lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
 

@@ -1,5 +1,5 @@
 /** A posable picture in an article: as wide as its column, with the height of an image and no frame. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const posableStyle = css`
   :host([posable]) {

@@ -1,5 +1,5 @@
 /** Progress: the moving line and the spinner. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 import { ORDER } from './order';
 

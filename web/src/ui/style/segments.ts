@@ -1,5 +1,5 @@
 /** Segments: a row of buttons with one selected. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const segmentsStyle = css`
   .segments {

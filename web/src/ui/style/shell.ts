@@ -1,6 +1,7 @@
 /** The shell: bars above and below, the picture between them, and the space of the cards at its sides. */
-import { css } from 'lit';
+
 import { PANEL, STUDY, TOOLS } from '../../editor/sizes';
+import { css } from './css';
 import { low, lowest, lowPhone, narrow, phone } from './layouts';
 
 export const shellStyle = css`

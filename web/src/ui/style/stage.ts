@@ -1,5 +1,5 @@
 /** The stage: a faint checkerboard, the canvas on it, and marks and handles on top. */
-import { css } from 'lit';
+import { css } from './css';
 
 export const stageStyle = css`
   .stage {

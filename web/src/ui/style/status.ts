@@ -1,6 +1,7 @@
 /** The status line. */
-import { css } from 'lit';
+
 import { BARS } from '../../editor/sizes';
+import { css } from './css';
 import { narrow, phone } from './layouts';
 import { ORDER } from './order';
 

@@ -1,5 +1,5 @@
 /** Switches: a label, an explanation, and a sliding knob. */
-import { css } from 'lit';
+import { css } from './css';
 import { phone } from './layouts';
 
 export const switchesStyle = css`

@@ -3,7 +3,7 @@
  *
  * Pages restyle the editor through the `--c2-*` properties. The sheets read the names with an underscore.
  */
-import { css } from 'lit';
+import { css } from './css';
 
 export const tokensStyle = css`
   :host {

@@ -1,5 +1,5 @@
 /** The card of tools: at the left, or at the bottom on phones, within the thumb's reach. */
-import { css } from 'lit';
+import { css } from './css';
 import { low, lowest, lowestPhone, lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
 

@@ -1,6 +1,7 @@
 /** The toolbar: groups of buttons, and the name of the picture. */
-import { css } from 'lit';
+
 import { BARS } from '../../editor/sizes';
+import { css } from './css';
 import { narrow, phone } from './layouts';
 import { ORDER } from './order';
 

@@ -3,7 +3,7 @@
  *
  * An invisible bridge lets the pointer move from the button onto its tooltip (WCAG 1.4.13).
  */
-import { css } from 'lit';
+import { css } from './css';
 import { phone, uprightPhone } from './layouts';
 import { ORDER } from './order';
 

@@ -3,8 +3,9 @@
  *
  * The sizes depend on the pointer, not on the width. The sheet comes after those with sizes for a mouse.
  */
-import { css } from 'lit';
+
 import { BARS, TOOLS } from '../../editor/sizes';
+import { css } from './css';
 import { lowestPhone, lowPhone, phone } from './layouts';
 
 export const touchStyle = css`

@@ -1,6 +1,6 @@
 /** The bar of the timeline: playing, the clips, the settings of the open one, and its selected keys. */
-import { html, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { CLIP_PRESETS } from '../../document/clip_presets';
 import { DURATIONS } from '../../document/clips';
 import type { Clip, Ease, Loop } from '../../document/project';

@@ -1,5 +1,5 @@
 /** The timeline of a project without clips: three that suit any handles, or one without keys. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import { CLIP_PRESETS, type ClipPreset } from '../../document/clip_presets';
 import type { Dispatch } from '../../editor/events';
 import { PRESET_NAMES, PRESET_TIPS } from '../../editor/timeline_texts';

@@ -1,5 +1,5 @@
 /** The ruler: seconds of the clip, and the playhead. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Clip } from '../../document/project';
 import type { Dispatch } from '../../editor/events';
 import type { TimelineModel } from '../../editor/timeline_model';

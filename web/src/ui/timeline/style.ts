@@ -1,6 +1,7 @@
 /** The timeline: a bar of controls, a ruler, and a row for each handle. Below the stage in every layout. */
-import { css } from 'lit';
+
 import { OVER_TIMELINE, PHONE, TIMELINE, TOOLS } from '../../editor/sizes';
+import { css } from '../style/css';
 import { phone } from '../style/layouts';
 import { ORDER } from '../style/order';
 

@@ -1,5 +1,5 @@
 /** The timeline: the clips of the project below the stage. Loaded when it is first shown. */
-import { html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../../editor/events';
 import type { TimelineModel } from '../../editor/timeline_model';
 import type { EditorModel } from '../../editor/view_model';

@@ -1,6 +1,6 @@
 /** A row for each handle, with its keys as diamonds. */
-import { html, type TemplateResult } from 'lit';
-import { repeat } from 'lit/directives/repeat.js';
+import { html, type TemplateResult } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
 import type { KeyRef } from '../../document/clip_keys';
 import type { Clip } from '../../document/project';
 import type { Dispatch } from '../../editor/events';

@@ -1,0 +1,191 @@
+/**
+ * An element that draws a template in its shadow root, once after any number of changes in a task.
+ *
+ * Properties mirror attributes. A property that a page set before the element was defined is set again at the first
+ * update, after the attributes.
+ */
+import { type RootPart, render } from 'lit-html';
+import { AnyElement } from './html_element';
+import { attributeOf, type Properties, propertiesByAttribute, textOf, valueFrom } from './properties';
+import { dress } from './style_sheets';
+
+/** Names of changed properties, with their values before. */
+export type Changes = ReadonlyMap<string, unknown>;
+
+export abstract class UpdatingElement extends AnyElement {
+  /** @internal */
+  static readonly properties: Properties = {};
+  /** @internal */
+  static readonly styles: readonly string[] = [];
+
+  /** The browser asks when it defines the element. */
+  static get observedAttributes(): string[] {
+    UpdatingElement.#defineAccessors(this);
+    return [...propertiesByAttribute(this.properties).keys()];
+  }
+
+  readonly #values = new Map<string, unknown>();
+  /** What the page set before the element was defined. */
+  readonly #early: Readonly<Record<string, unknown>>;
+  #changes = new Map<string, unknown>();
+  readonly #reflected = new Set<string>();
+  /** The property that is being set by its attribute, or the other way round. */
+  #mirrored: string | null = null;
+  #part: RootPart | undefined;
+  #isPending = false;
+  #hasUpdated = false;
+  readonly #connected: () => void;
+  #update: Promise<void>;
+
+  constructor() {
+    super();
+    this.#early = taken(this, Object.keys(this.#properties));
+    const { promise, resolve } = settled();
+    this.#update = promise;
+    this.#connected = resolve;
+    this.requestUpdate();
+  }
+
+  /** Resolves once the element shows all changes so far. Rejects if it cannot. */
+  get updateComplete(): Promise<void> {
+    return this.#update;
+  }
+
+  connectedCallback(): void {
+    if (!this.shadowRoot) dress(this.attachShadow({ mode: 'open' }), this.#styles);
+    this.#part?.setConnected(true);
+    this.#connected();
+  }
+
+  disconnectedCallback(): void {
+    this.#part?.setConnected(false);
+  }
+
+  /** Called when the element is moved to another document. */
+  adoptedCallback(): void {
+    if (this.shadowRoot) dress(this.shadowRoot, this.#styles);
+  }
+
+  attributeChangedCallback(attribute: string, _: string | null, text: string | null): void {
+    const name = propertiesByAttribute(this.#properties).get(attribute);
+    const options = name === undefined ? undefined : this.#properties[name];
+    if (name === undefined || !options || name === this.#mirrored) return;
+    this.#mirror(name, () => Reflect.set(this, name, valueFrom(options, text)));
+  }
+
+  /** @internal */
+  protected get hasUpdated(): boolean {
+    return this.#hasUpdated;
+  }
+
+  /** @internal */
+  protected requestUpdate(): void {
+    if (this.#isPending) return;
+    this.#isPending = true;
+    this.#update = this.#updateAfter(this.#update);
+  }
+
+  /** @internal */
+  protected propertyChanged(name: string, before: unknown): void {
+    if (!this.#changes.has(name)) this.#changes.set(name, before);
+    if (this.#properties[name]?.reflect && name !== this.#mirrored) this.#reflected.add(name);
+    this.requestUpdate();
+  }
+
+  /** @internal What it changes belongs to the update under way. */
+  protected abstract willUpdate(changes: Changes): void;
+  /** @internal A template of lit-html. */
+  protected abstract render(): unknown;
+  /** @internal What it changes needs another update. */
+  protected abstract updated(changes: Changes): void;
+
+  get #properties(): Properties {
+    return (this.constructor as typeof UpdatingElement).properties;
+  }
+
+  get #styles(): readonly string[] {
+    return (this.constructor as typeof UpdatingElement).styles;
+  }
+
+  /** @param before the update before, whose failure its own listeners hear of. */
+  async #updateAfter(before: Promise<void>): Promise<void> {
+    await before.catch(() => {});
+    const changes = this.#changes;
+    try {
+      if (!this.#hasUpdated) Object.assign(this, this.#early);
+      this.willUpdate(changes);
+      const template = this.render();
+      this.#reflect();
+      this.#settle();
+      if (this.shadowRoot)
+        this.#part = render(template, this.shadowRoot, { host: this, isConnected: this.isConnected });
+    } catch (error) {
+      this.#settle();
+      throw error;
+    }
+    this.#hasUpdated = true;
+    this.updated(changes);
+  }
+
+  #settle(): void {
+    this.#changes = new Map();
+    this.#isPending = false;
+  }
+
+  #reflect(): void {
+    for (const name of this.#reflected) {
+      const attribute = attributeOf(this.#properties, name);
+      if (attribute === null) continue;
+      const text = textOf(this.#properties[name] ?? {}, this.#values.get(name));
+      this.#mirror(name, () => {
+        if (text === null) this.removeAttribute(attribute);
+        else this.setAttribute(attribute, text);
+      });
+    }
+    this.#reflected.clear();
+  }
+
+  #mirror(name: string, set: () => void): void {
+    this.#mirrored = name;
+    set();
+    this.#mirrored = null;
+  }
+
+  static #defineAccessors({ prototype, properties }: typeof UpdatingElement): void {
+    for (const name of Object.keys(properties)) {
+      Object.defineProperty(prototype, name, {
+        configurable: true,
+        enumerable: true,
+        get(this: UpdatingElement) {
+          return this.#values.get(name);
+        },
+        set(this: UpdatingElement, value: unknown) {
+          const before = this.#values.get(name);
+          if (Object.is(value, before)) return;
+          this.#values.set(name, value);
+          this.propertyChanged(name, before);
+        },
+      });
+    }
+  }
+}
+
+/** Takes an object's own properties of these names away: they would hide accessors. */
+function taken(from: object, names: readonly string[]): Record<string, unknown> {
+  const values: Record<string, unknown> = {};
+  for (const name of names) {
+    if (!Object.hasOwn(from, name)) continue;
+    values[name] = Reflect.get(from, name);
+    Reflect.deleteProperty(from, name);
+  }
+  return values;
+}
+
+/** A promise with the function that resolves it. */
+function settled(): { promise: Promise<void>; resolve: () => void } {
+  let resolve = () => {};
+  const promise = new Promise<void>((done) => {
+    resolve = done;
+  });
+  return { promise, resolve };
+}
