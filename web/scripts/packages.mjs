@@ -1,0 +1,91 @@
+/**
+ * `npm run test:packages [-- NAME …]`: packs the package, installs the file in each folder of `web/examples`, builds and
+ * serves it there, opens it in Chromium, and drags a handle. The table goes to web/docs/element.md.
+ *
+ * `--tarball FILE` tests a file that is packed already. It needs npm's registry.
+ */
+import { mkdtemp, readdir, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+import { launchChromium, prepareChromium } from './chromium.mjs';
+import { built, exampleNames, installed, linesOf, readExample, served } from './packages/embedding.mjs';
+import { secondsToFirstDrag } from './packages/first_drag.mjs';
+import { heading, main, StepError, step } from './steps.mjs';
+
+/** @typedef {import('./packages/embedding.mjs').Embedding} Embedding */
+/** @typedef {import('./packages/embedding.mjs').Example} Example */
+
+await main(async () => {
+  const { values, positionals } = parseArgs({
+    options: { tarball: { type: 'string' } },
+    allowPositionals: true,
+  });
+  await prepareChromium();
+  const work = await mkdtemp(join(tmpdir(), 'c2warp-packages-'));
+  const browser = await launchChromium();
+  const rows = [];
+  try {
+    const tarball = values.tarball ? resolve(values.tarball) : await packed(work);
+    const names = positionals.length > 0 ? positionals : await exampleNames();
+    for (const name of names) {
+      const example = await readExample(name);
+      for (const embedding of example.embeddings) {
+        heading(embedding.title);
+        rows.push(await row(example, embedding, join(work, String(rows.length)), tarball, browser));
+      }
+    }
+  } finally {
+    await browser.close();
+    await rm(work, { recursive: true, force: true });
+  }
+  heading('Result');
+  console.log('| embedding | lines | works | seconds to the first drag | kB |\n|---|---|---|---|---|');
+  for (const { cells } of rows) console.log(`| ${cells.join(' | ')} |`);
+  if (rows.some(({ works }) => !works)) process.exitCode = 1;
+});
+
+/** Builds and packs the package. @param {string} folder @returns {Promise<string>} The file. */
+async function packed(folder) {
+  const npm = process.env.npm_execpath;
+  await step(
+    'Package',
+    npm ? process.execPath : 'npm',
+    [...(npm ? [npm] : []), 'pack', '--pack-destination', folder],
+    'The package cannot be packed. The reason is above.',
+  );
+  const name = (await readdir(folder)).find((file) => file.endsWith('.tgz'));
+  if (name === undefined) throw new StepError('npm packed nothing: run `npm pack` to see why.');
+  return join(folder, name);
+}
+
+/**
+ * @param {Example} example
+ * @param {Embedding} embedding
+ * @param {string} folder
+ * @param {string} tarball
+ * @param {import('@playwright/test').Browser} browser
+ */
+async function row(example, embedding, folder, tarball, browser) {
+  const lines = await linesOf(example.folder);
+  try {
+    await installed(example, embedding, folder, tarball);
+    await built(embedding, folder);
+    const server = await served(embedding, folder);
+    const page = await browser.newPage({ viewport: { width: 900, height: 700 }, reducedMotion: 'reduce' });
+    try {
+      const seconds = await secondsToFirstDrag(page, server.address);
+      const kilobytes = Math.round(server.bytes() / 1000);
+      console.log(`works: ${seconds.toFixed(1)} s, ${kilobytes} kB`);
+      return { works: true, cells: [embedding.title, lines, 'yes', seconds.toFixed(1), kilobytes] };
+    } finally {
+      await page.close();
+      server.close();
+    }
+  } catch (error) {
+    console.log(/** @type {Error} */ (error).message);
+    return { works: false, cells: [embedding.title, lines, 'no', '', ''] };
+  } finally {
+    await rm(folder, { recursive: true, force: true });
+  }
+}

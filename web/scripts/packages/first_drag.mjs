@@ -1,0 +1,102 @@
+/** Opens a page with `<c2-warp>` in a browser, drags a handle by the mouse, and compares the picture. */
+
+/** @typedef {import('@playwright/test').Page} Page */
+
+const OPENS_MS = 60_000;
+/** Of the window, towards the middle of the picture and up. */
+const BY_PX = { x: 25, y: -60 };
+/** A channel that differs by more is another colour. */
+const CHANNEL = 16;
+/** At least this part of the picture must look different after the drag. */
+const LEAST_CHANGE = 0.002;
+/** Browsers ask for it by themselves. */
+const ICON = '/favicon.ico';
+
+/**
+ * @param {Page} page
+ * @param {string} address
+ * @returns {Promise<number>} Seconds from the navigation until a handle could be dragged.
+ * @throws Error that says what failed.
+ */
+export async function secondsToFirstDrag(page, address) {
+  const problems = problemsOf(page);
+  try {
+    const start = performance.now();
+    await page.goto(address);
+    const hand = page.getByRole('button', { name: /^handle left hand, /i });
+    await hand.waitFor({ timeout: OPENS_MS });
+    await page.locator('c2-warp .solved', { hasText: 'sample' }).waitFor({ timeout: OPENS_MS });
+    const seconds = (performance.now() - start) / 1000;
+
+    const before = await pixels(page);
+    await drag(page, hand);
+    const after = await pixels(page);
+    const change = changedPart(before, after);
+    if (change < LEAST_CHANGE) throw new Error(`the drag changed ${(change * 100).toFixed(2)} % of the picture`);
+    if (problems.length > 0) throw new Error('the page has errors');
+    return seconds;
+  } catch (error) {
+    const alert = await page.getByRole('alert').first().textContent({ timeout: 100 }).catch(() => null);
+    const [message] = String(error instanceof Error ? error.message : error).split('\n');
+    throw new Error([message, ...(alert ? [`notice: ${alert.trim()}`] : []), ...problems].join('\n  '));
+  }
+}
+
+/**
+ * What the page reports by itself, as it comes.
+ * @param {Page} page
+ */
+function problemsOf(page) {
+  /** @type {string[]} */
+  const problems = [];
+  page.on('pageerror', ({ message }) => problems.push(`error: ${message}`));
+  page.on('requestfailed', (request) => problems.push(`failed: ${request.url()}`));
+  page.on('response', (response) => {
+    if (response.status() >= 400 && !response.url().endsWith(ICON))
+      problems.push(`${response.status()}: ${response.url()}`);
+  });
+  page.on('console', (message) => {
+    if (/multiple versions of lit/i.test(message.text())) problems.push(`warning: ${message.text()}`);
+  });
+  return problems;
+}
+
+/**
+ * @param {Page} page
+ * @param {import('@playwright/test').Locator} handle
+ */
+async function drag(page, handle) {
+  const box = await handle.boundingBox();
+  if (!box) throw new Error('the handle is not visible');
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + BY_PX.x, y + BY_PX.y, { steps: 5 });
+  await page.mouse.up();
+}
+
+/** The warped picture at a quarter of its size. @param {Page} page @returns {Promise<number[]>} */
+const pixels = (page) =>
+  page.locator('c2-warp').evaluate(async (element) => {
+    const warp = /** @type {import('../../src/element').C2Warp} */ (element);
+    const canvas = await warp.toCanvas(0.25);
+    const context = canvas.getContext('2d');
+    if (!context) throw new Error('no canvas');
+    return [...context.getImageData(0, 0, canvas.width, canvas.height).data];
+  });
+
+/**
+ * @param {readonly number[]} before
+ * @param {readonly number[]} after
+ */
+function changedPart(before, after) {
+  if (before.length !== after.length) throw new Error('the picture has another size after the drag');
+  let changed = 0;
+  for (let pixel = 0; pixel < before.length; pixel += 4) {
+    const differs = [0, 1, 2, 3].some(
+      (channel) => Math.abs(Number(before[pixel + channel]) - Number(after[pixel + channel])) > CHANNEL,
+    );
+    if (differs) changed += 1;
+  }
+  return changed / (before.length / 4);
+}
