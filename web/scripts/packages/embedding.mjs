@@ -27,7 +27,9 @@ const POLL_MS = 100;
 
 /** Names of all examples. */
 export const exampleNames = async () =>
-  (await readdir(EXAMPLES, { withFileTypes: true })).filter((one) => one.isDirectory()).map(({ name }) => name);
+  (await readdir(EXAMPLES, { withFileTypes: true }))
+    .filter((one) => one.isDirectory())
+    .map(({ name }) => name);
 
 /** @param {string} name @returns {Promise<Example>} */
 export async function readExample(name) {

@@ -32,11 +32,16 @@ export async function secondsToFirstDrag(page, address) {
     await drag(page, hand);
     const after = await pixels(page);
     const change = changedPart(before, after);
-    if (change < LEAST_CHANGE) throw new Error(`the drag changed ${(change * 100).toFixed(2)} % of the picture`);
+    if (change < LEAST_CHANGE)
+      throw new Error(`the drag changed ${(change * 100).toFixed(2)} % of the picture`);
     if (problems.length > 0) throw new Error('the page has errors');
     return seconds;
   } catch (error) {
-    const alert = await page.getByRole('alert').first().textContent({ timeout: 100 }).catch(() => null);
+    const alert = await page
+      .getByRole('alert')
+      .first()
+      .textContent({ timeout: 100 })
+      .catch(() => null);
     const [message] = String(error instanceof Error ? error.message : error).split('\n');
     throw new Error([message, ...(alert ? [`notice: ${alert.trim()}`] : []), ...problems].join('\n  '));
   }
@@ -78,7 +83,9 @@ async function drag(page, handle) {
 /** The warped picture at a quarter of its size. @param {Page} page @returns {Promise<number[]>} */
 const pixels = (page) =>
   page.locator('c2-warp').evaluate(async (element) => {
-    const warp = /** @type {import('../../src/element').C2Warp} */ (element);
+    const warp = /** @type {{ toCanvas(scale: number): Promise<HTMLCanvasElement> }} */ (
+      /** @type {unknown} */ (element)
+    );
     const canvas = await warp.toCanvas(0.25);
     const context = canvas.getContext('2d');
     if (!context) throw new Error('no canvas');

@@ -51,7 +51,7 @@ export class Engine {
   static async start(): Promise<Engine> {
     const module = await loadModule();
     try {
-      return new Engine(new Link(() => startWorker(worker), module));
+      return new Engine(new Link(() => startWorker(worker), module, worker));
     } catch (error) {
       const message = 'The solver could not be started: this browser or this page does not allow workers.';
       throw new WarpError(ENGINE, message, { cause: error });

@@ -10,7 +10,7 @@ import { compiled } from './loading';
 import type { PixelSource } from './solution';
 import exporter from './worker/exporter?worker&url';
 
-const NOT_STARTED = 'The export could not be started: are its files there, and does the page allow workers?';
+const NOT_STARTED = 'The export could not be started';
 /** By kinds of exports, for want of memory. */
 const TOO_LARGE: Readonly<Record<keyof Exports, string>> = {
   'web-rig': 'The clips are more than a rig can hold in this browser: shorten them.',
@@ -33,15 +33,18 @@ export async function solvedExport<K extends keyof Exports>(
   onProgress: (part: number) => void,
 ): Promise<Exports[K]['made']> {
   const address = new URL('./generated/c2warp_export_bg.wasm', import.meta.url);
-  const module = await compiled(address).catch((cause) => {
-    throw new WarpError(ENGINE, NOT_STARTED, { cause });
+  const module = await compiled(address).catch((cause: Error) => {
+    throw new WarpError(ENGINE, `${NOT_STARTED}: ${cause.message}`, { cause });
   });
   signal.throwIfAborted();
   const worker = startWorker(exporter);
   try {
     return await new Promise((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
-      worker.onerror = (cause) => reject(new WarpError(ENGINE, NOT_STARTED, { cause }));
+      worker.onerror = (cause) => {
+        const message = `${NOT_STARTED}: is ${exporter} there, and does the page allow workers?`;
+        reject(new WarpError(ENGINE, message, { cause }));
+      };
       worker.onmessage = ({ data }: MessageEvent<ExportReply>) => {
         if ('part' in data) onProgress(data.part);
         // The worker answers an order of this kind.

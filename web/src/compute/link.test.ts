@@ -31,11 +31,15 @@ const BORDERS = { corners: new Uint32Array(), barycentric: new Float32Array() };
 
 function linked() {
   const workers: FakeWorker[] = [];
-  const link = new Link(() => {
-    const worker = new FakeWorker();
-    workers.push(worker);
-    return worker;
-  }, {} as WebAssembly.Module);
+  const link = new Link(
+    () => {
+      const worker = new FakeWorker();
+      workers.push(worker);
+      return worker;
+    },
+    {} as WebAssembly.Module,
+    'https://c2warp.example/worker.js',
+  );
   const worker = (index: number) => {
     const found = workers[index];
     if (!found) throw new Error(`there is no worker ${index}`);
@@ -117,7 +121,7 @@ describe('Link', () => {
     worker(0).reply({ kind: 'died', started: false, message: 'CompileError: bad magic' });
     worker(1).reply({ kind: 'died', started: false, message: 'CompileError: bad magic' });
     await expect(solve).rejects.toMatchObject({ code: 'engine', cause: 'CompileError: bad magic' });
-    await expect(solve).rejects.toThrow('its worker could not be started');
+    await expect(solve).rejects.toThrow('started: is https://c2warp.example/worker.js there');
   });
 
   it('does not restart for a picture that nobody asks about any more', () => {

@@ -45,8 +45,8 @@ interface Pending {
 const DEATHS_ALLOWED = 1;
 
 /** For people, who cannot use the reasons that browsers give. */
-const NOT_STARTED =
-  'The solver failed: its worker could not be started: is the file there, and does the page allow it?';
+const notStarted = (address: string): string =>
+  `The solver failed: its worker could not be started: is ${address} there, and does the page allow it?`;
 
 const TOO_MUCH_TO_DRAW = 'The picture needs more memory to be drawn than there is.';
 const TOO_MANY_POINTS = 'The points need more memory than there is.';
@@ -80,6 +80,7 @@ const BROKE: Readonly<Record<Name, string>> = {
 export class Link {
   readonly #spawn: () => Port;
   readonly #module: WebAssembly.Module;
+  readonly #address: string;
   /** By id, in the order of sending. */
   readonly #pending = new Map<number, Pending>();
   /** Undefined after a worker died with no request pending. */
@@ -88,9 +89,11 @@ export class Link {
   #disposed = false;
   #picture: Messages['picture'][0] | undefined;
 
-  constructor(spawn: () => Port, module: WebAssembly.Module) {
+  /** @param address of the worker, for the error of one that does not start. */
+  constructor(spawn: () => Port, module: WebAssembly.Module, address = 'its file') {
     this.#spawn = spawn;
     this.#module = module;
+    this.#address = address;
     this.#start();
   }
 
@@ -185,7 +188,7 @@ export class Link {
       pending.reject(
         started
           ? new WarpError(TOO_MUCH, BROKE[pending.request.name], { cause })
-          : new WarpError(ENGINE, NOT_STARTED, { cause }),
+          : new WarpError(ENGINE, notStarted(this.#address), { cause }),
       );
     }
     // A successor without requests could die of the same picture again and again.

@@ -15,26 +15,36 @@ export function loadedModule(): Promise<WebAssembly.Module> {
   return loading;
 }
 
-/** @throws Error that says what is wrong with the file. */
+/** @throws Error that names the address, and says what is wrong with the file. */
 export async function compiled(url: URL): Promise<WebAssembly.Module> {
+  try {
+    return await fetched(url);
+  } catch (cause) {
+    throw new Error(`${url.href} ${reason(cause)}`, { cause });
+  }
+}
+
+async function fetched(url: URL): Promise<WebAssembly.Module> {
   const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url.pathname} answers ${response.status}`);
+  if (!response.ok) throw new Error(`answers ${response.status}`);
   const type = response.headers.get('content-type') ?? '';
   // What development servers answer for a file that they do not have.
-  if (type.startsWith('text/html')) throw new Error(`${url.pathname} is not there: a page is, in its place`);
+  if (type.startsWith('text/html')) throw new Error('is not there: a page is, in its place');
   // Streaming requires this very type, which not every server sends.
-  if (type === 'application/wasm') return WebAssembly.compileStreaming(response);
-  return WebAssembly.compile(await response.arrayBuffer());
+  if (type === 'application/wasm') return await WebAssembly.compileStreaming(response);
+  return await WebAssembly.compile(await response.arrayBuffer());
 }
 
 /** The error of a solver that does not load. */
 export const notLoaded = (cause: unknown): WarpError =>
-  new WarpError(ENGINE, `The solver could not be loaded: ${reason(cause)}`, { cause });
+  new WarpError(ENGINE, `The solver could not be loaded: ${words(cause)}`, { cause });
 
 /** Browsers throw a TypeError where nothing comes, and a CompileError also for a file that is cut off. */
 function reason(error: unknown): string {
-  if (error instanceof TypeError) return 'is the network there, and does the page allow it?';
+  if (error instanceof TypeError) return 'does not come: is the network there, and does the page allow it?';
   if (error instanceof WebAssembly.CompileError)
-    return `it came incomplete, or cannot run here (${error.message}).`;
-  return error instanceof Error ? error.message : String(error);
+    return `came incomplete, or cannot run here (${error.message}).`;
+  return words(error);
 }
+
+const words = (error: unknown): string => (error instanceof Error ? error.message : String(error));

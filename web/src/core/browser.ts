@@ -19,6 +19,7 @@ const workerPlatform: Platform = {
 
 export const browser: Environment = {
   usesWorker: isPage,
+  workerAddress: worker,
   loadModule: () => loadedModule(),
 
   spawn(): Port {

@@ -48,7 +48,13 @@ export class Warper {
     signal?.throwIfAborted();
     const { width, height, rgba } = pixels;
     const source: PixelSource = { width, height, sendTo: (port) => port.postMessage(rgba) };
-    const solver = new Solver(new Link(worker ? () => environment.spawn() : () => new LocalPort(), compiled));
+    const solver = new Solver(
+      new Link(
+        worker ? () => environment.spawn() : () => new LocalPort(),
+        compiled,
+        environment.workerAddress,
+      ),
+    );
     try {
       await solver.ask('picture', source, signal);
     } catch (error) {

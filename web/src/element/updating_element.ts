@@ -20,8 +20,8 @@ export abstract class UpdatingElement extends AnyElement {
 
   /** The browser asks when it defines the element. */
   static get observedAttributes(): string[] {
-    UpdatingElement.#defineAccessors(this);
-    return [...propertiesByAttribute(this.properties).keys()];
+    // biome-ignore lint/complexity/noThisInStatic: each element has properties of its own.
+    return UpdatingElement.#observed(this);
   }
 
   readonly #values = new Map<string, unknown>();
@@ -151,7 +151,8 @@ export abstract class UpdatingElement extends AnyElement {
     this.#mirrored = null;
   }
 
-  static #defineAccessors({ prototype, properties }: typeof UpdatingElement): void {
+  /** Defines the accessors of an element's properties, and returns its attributes. */
+  static #observed({ prototype, properties }: typeof UpdatingElement): string[] {
     for (const name of Object.keys(properties)) {
       Object.defineProperty(prototype, name, {
         configurable: true,
@@ -167,6 +168,7 @@ export abstract class UpdatingElement extends AnyElement {
         },
       });
     }
+    return [...propertiesByAttribute(properties).keys()];
   }
 }
 

@@ -14,18 +14,18 @@ const CONTAINERS: Readonly<Record<ModuleFormat, Container>> = {
   sheet: Container.Sheet,
 };
 
-const NOT_LOADED = 'its encoder could not be loaded: is the network there?';
+const ENCODER = new URL('../generated/film_bg.wasm', import.meta.url);
 
 let loading: Promise<unknown> | undefined;
 
 /** @throws Refused if the module does not come. A later film tries again. */
 async function load(): Promise<void> {
-  loading ??= init({ module_or_path: new URL('../generated/film_bg.wasm', import.meta.url) });
+  loading ??= init({ module_or_path: ENCODER });
   try {
     await loading;
   } catch {
     loading = undefined;
-    throw new Refused(NOT_LOADED);
+    throw new Refused(`its encoder could not be loaded: is ${ENCODER.href} there, and the network?`);
   }
 }
 

@@ -1,0 +1,85 @@
+/** The built modules, imported where there is no DOM. */
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { APIRequestContext } from '@playwright/test';
+import { expect, test } from './fixtures';
+
+/** Modules that define elements, with their classes. */
+const MODULES = [
+  ['element/c2warp.js', 'C2Warp'],
+  ['player/c2warp-player.js', 'C2WarpPlayer'],
+] as const;
+
+/** Writes a served module, and those that it imports, into a folder. */
+async function written(request: APIRequestContext, folder: string, entry: string): Promise<string> {
+  const files = [entry];
+  for (const file of files) {
+    const text = await (await request.get(`/${file}`)).text();
+    await mkdir(join(folder, file, '..'), { recursive: true });
+    await writeFile(join(folder, file), text);
+    for (const [, name] of text.matchAll(/\bfrom\s*["'`]\.\/([\w-]+\.js)["'`]/g)) {
+      const imported = `${entry.split('/')[0]}/${name}`;
+      if (!files.includes(imported)) files.push(imported);
+    }
+  }
+  return pathToFileURL(join(folder, entry)).href;
+}
+
+test('the package has one module of the element, for pages, servers and workers', async () => {
+  const text = await readFile(new URL('../../package.json', import.meta.url), 'utf8');
+  const { exports, main, types, dependencies } = JSON.parse(text);
+  expect(Object.keys(exports['.'])).toEqual(['types', 'default']);
+  expect([types, main]).toEqual(Object.values(exports['.']));
+  expect(dependencies).toBeUndefined();
+});
+
+test('servers import the elements, and no list of Lit versions hears of it', async ({ request }) => {
+  const folder = await mkdtemp(join(tmpdir(), 'c2warp-import-'));
+  await writeFile(join(folder, 'package.json'), '{ "type": "module" }');
+  try {
+    for (const [entry, name] of MODULES) {
+      const module = await import(await written(request, folder, entry));
+      expect(module[name].prototype.connectedCallback, name).toBeInstanceOf(Function);
+    }
+    const globals = Object.keys(globalThis).filter((name) => /^(lit|reactive)/i.test(name));
+    expect(globals).toEqual([]);
+  } finally {
+    await rm(folder, { recursive: true, force: true });
+  }
+});
+
+test.describe('in a page', () => {
+  // The worker below comes from a blob.
+  test.use({ bypassCSP: true });
+
+  test('workers import the elements', async ({ page, baseURL }) => {
+    await page.goto('/plain/');
+    for (const [entry, name] of MODULES) {
+      const kind = await page.evaluate(
+        ([address, name]) => {
+          const script = `import(${JSON.stringify(address)}).then(
+            (module) => postMessage(typeof module[${JSON.stringify(name)}]),
+            (error) => postMessage(String(error)),
+          );`;
+          const worker = new Worker(URL.createObjectURL(new Blob([script])), { type: 'module' });
+          return new Promise((resolve) => {
+            worker.onmessage = ({ data }) => resolve(data);
+          });
+        },
+        [`${baseURL}/${entry}`, name] as const,
+      );
+      expect(kind, entry).toBe('function');
+    }
+  });
+
+  test('a second Lit in the page hears of none before it', async ({ page }) => {
+    await page.goto('/plain/');
+    await page.waitForFunction(() => customElements.get('c2-warp') !== undefined);
+    const globals = await page.evaluate(() =>
+      Object.keys(globalThis).filter((name) => /^(lit|reactive)/i.test(name)),
+    );
+    expect(globals).toEqual([]);
+  });
+});
