@@ -50,6 +50,21 @@ test('servers import the elements, and no list of Lit versions hears of it', asy
   }
 });
 
+test('workers are single files, because bundlers copy them as they are', async ({ request }) => {
+  const scripts = await Promise.all(
+    ['c2warp.js', 'exporting.js', 'filming.js'].map(async (name) =>
+      (await request.get(`/element/${name}`)).text(),
+    ),
+  );
+  const addresses = [...scripts.join().matchAll(/new URL\("\.\/(\w+\.js)",import\.meta\.url\)/g)];
+  const workers = new Set(addresses.map(([, name]) => name));
+  expect(workers).toContain('worker.js');
+  for (const name of workers) {
+    const text = await (await request.get(`/element/${name}`)).text();
+    expect(text, name).not.toMatch(/\bimport\s*[("'`]|\bfrom\s*["'`]\.\/|import\.meta\.url/);
+  }
+});
+
 test.describe('in a page', () => {
   // The worker below comes from a blob.
   test.use({ bypassCSP: true });

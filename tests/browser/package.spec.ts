@@ -121,11 +121,12 @@ test('the download of a page stays small', async ({ request }) => {
   expect(await kilobytes('study.js')).toBeLessThan(13);
   expect(await kilobytes('timeline.js')).toBeLessThan(8);
   expect(await kilobytes('compare.js')).toBeLessThan(2);
-  // With the pages of the export panel, and the first film: 6.0. The encoders follow by format: 105, 40 and 7.
+  // With the pages of the export panel, and the first film: 6.0. The encoders follow by format: 105, 41, 9 and 4.
   expect((await kilobytes('pages.js')) + (await kilobytes('filming.js'))).toBeLessThan(7);
   expect(await kilobytes('film_bg.wasm')).toBeLessThan(110);
-  expect(await kilobytes('video_film.js')).toBeLessThan(42);
-  expect(await kilobytes('zipped_film.js')).toBeLessThan(8);
+  expect(await kilobytes('videos.js')).toBeLessThan(43);
+  expect(await kilobytes('zips.js')).toBeLessThan(10);
+  expect(await kilobytes('animations.js')).toBeLessThan(5);
   // For the first rig, map or SVG: 8.8, most of it for zips, and 1011.0. The module has a solver of its own, OpenEXR,
   // and a reader of SVG.
   expect((await kilobytes('rig_file.js')) + (await kilobytes('exporter.js'))).toBeLessThan(10);

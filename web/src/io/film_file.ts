@@ -1,11 +1,27 @@
-/** Writes films, frame by frame, in a worker that all editors of a page share. */
+/** Writes films, frame by frame, in workers that all editors of a page share. */
 import { sharedWorker } from '../start_worker';
 import { FileWriter } from './file_writer';
-import type { BeginFilm, FilmSettings, FilmTarget } from './filming';
-import writer from './worker/film?worker&url';
+import type { BeginFilm, FilmFormat, FilmSettings, FilmTarget } from './filming';
+import animations from './worker/animations?worker&url';
+import videos from './worker/videos?worker&url';
+import zips from './worker/zips?worker&url';
 import type { Refusal, WriteFault } from './writing';
 
-const prepareFilmWriter = sharedWorker(writer);
+const ENCODER = new URL('./generated/film_bg.wasm', import.meta.url);
+
+const animationWriter = sharedWorker(animations);
+const videoWriter = sharedWorker(videos);
+const zipWriter = sharedWorker(zips);
+
+const WRITERS: Readonly<Record<FilmFormat, () => Worker>> = {
+  webm: videoWriter,
+  mp4: videoWriter,
+  gif: animationWriter,
+  apng: animationWriter,
+  webp: animationWriter,
+  frames: zipWriter,
+  sheet: zipWriter,
+};
 
 const FAULTS: Readonly<Record<WriteFault, string>> = {
   encoder: 'The film could not be encoded',
@@ -21,12 +37,15 @@ const STOPPED: Refusal = {
 export class FilmFile extends FileWriter<Blob | null> {
   /** @param picture see `BeginFilm`. Transferred to the worker. */
   constructor(settings: FilmSettings, picture: Uint8Array<ArrayBuffer> | null, target: FilmTarget) {
-    const worker = prepareFilmWriter();
+    const worker = WRITERS[settings.format]();
     const transfer = picture ? [picture.buffer] : [];
     super(
       worker,
       (port) =>
-        worker.postMessage({ settings, picture, target, port } satisfies BeginFilm, [port, ...transfer]),
+        worker.postMessage({ settings, picture, target, encoder: ENCODER.href, port } satisfies BeginFilm, [
+          port,
+          ...transfer,
+        ]),
       ({ refused, fault } = STOPPED) => new Error(`${FAULTS[fault]}: ${refused}`),
     );
   }

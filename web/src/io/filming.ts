@@ -36,5 +36,7 @@ export interface BeginFilm {
   /** A GIF has the colours of this picture, in straight alpha. Null for other formats. */
   readonly picture: Uint8Array<ArrayBuffer> | null;
   readonly target: FilmTarget;
+  /** The address of the module of the film encoders. */
+  readonly encoder: string;
   readonly port: MessagePort;
 }

@@ -14,18 +14,16 @@ const CONTAINERS: Readonly<Record<ModuleFormat, Container>> = {
   sheet: Container.Sheet,
 };
 
-const ENCODER = new URL('../generated/film_bg.wasm', import.meta.url);
-
 let loading: Promise<unknown> | undefined;
 
 /** @throws Refused if the module does not come. A later film tries again. */
-async function load(): Promise<void> {
-  loading ??= init({ module_or_path: ENCODER });
+async function load(address: string): Promise<void> {
+  loading ??= init({ module_or_path: address });
   try {
     await loading;
   } catch {
     loading = undefined;
-    throw new Refused(`its encoder could not be loaded: is ${ENCODER.href} there, and the network?`);
+    throw new Refused(`its encoder could not be loaded: is ${address} there, and the network?`);
   }
 }
 
@@ -41,14 +39,15 @@ export class ModuleFilm implements FilmEncoder {
     this.#take = take;
   }
 
-  /** @throws Refused if the module is not there, or the film too large for its format. */
+  /** @param encoder see `BeginFilm`. @throws Refused if the module is not there, or the film too large for its format. */
   static async begin(
     settings: FilmSettings,
     format: ModuleFormat,
     picture: Uint8Array | null,
+    encoder: string,
     take: Take,
   ): Promise<ModuleFilm> {
-    await load();
+    await load(encoder);
     const { width, height, frames, rate, endlessly, background, matte, name } = settings;
     const mixed = background === null ? Uint8Array.from(colourOf(matte)) : undefined;
     const writer = attempt(

@@ -48,12 +48,12 @@ export class SheetFilm implements FilmEncoder {
     this.#name = name;
   }
 
-  /** @throws Refused if the sheet would be too large. */
-  static async begin(settings: FilmSettings, output: FilmOutput): Promise<SheetFilm> {
+  /** @param encoder see `BeginFilm`. @throws Refused if the sheet would be too large. */
+  static async begin(settings: FilmSettings, output: FilmOutput, encoder: string): Promise<SheetFilm> {
     const zip = new ZipFile((position, bytes) => output.write(position, bytes));
     let write: ReturnType<ZipFile['begin']> | null = null;
     // All of it comes at the end.
-    const sheet = await ModuleFilm.begin(settings, 'sheet', null, async (_, bytes) => {
+    const sheet = await ModuleFilm.begin(settings, 'sheet', null, encoder, async (_, bytes) => {
       write ??= zip.begin(`${settings.name}.png`);
       await write(bytes, false);
     });

@@ -1,4 +1,7 @@
-/** Worker: writes films from frames. The parts of a format are loaded when it is first used. */
+/**
+ * Writes films from frames, in a worker. There is a worker for each kind of encoder: bundlers copy a worker as one file,
+ * without parts that it would load later.
+ */
 import type { BeginFilm, FilmSettings } from '../filming';
 import type { FilmEncoder } from './film_encoder';
 import { BlobOutput, type FilmOutput, PickedOutput } from './film_output';
@@ -18,10 +21,17 @@ const TYPES: Readonly<Record<FilmSettings['format'], string>> = {
   sheet: 'application/zip',
 };
 
-self.onmessage = ({ data: film }: MessageEvent<BeginFilm>) => serveFile(film.port, () => begun(film));
+/** Begins a film. @throws Refused */
+export type BeginEncoder = (film: BeginFilm, output: FilmOutput) => Promise<FilmEncoder>;
+
+/** Makes this worker write films by an encoder. */
+export function serveFilms(encoderOf: BeginEncoder): void {
+  self.onmessage = ({ data: film }: MessageEvent<BeginFilm>) =>
+    serveFile(film.port, () => begun(film, encoderOf));
+}
 
 /** A film with its output. */
-async function begun(film: BeginFilm): Promise<WrittenFile<Blob | null>> {
+async function begun(film: BeginFilm, encoderOf: BeginEncoder): Promise<WrittenFile<Blob | null>> {
   const { settings, target } = film;
   const { background, format } = settings;
   const output: FilmOutput = target ? new PickedOutput(target) : new BlobOutput(TYPES[format]);
@@ -43,19 +53,4 @@ async function begun(film: BeginFilm): Promise<WrittenFile<Blob | null>> {
       return output.abandon();
     },
   };
-}
-
-async function encoderOf({ settings, picture }: BeginFilm, output: FilmOutput): Promise<FilmEncoder> {
-  const { format, background } = settings;
-  if (format === 'webm' || format === 'mp4') {
-    const { VideoFilm } = await import('./video_film');
-    return VideoFilm.begin(settings, format, output);
-  }
-  if (format === 'frames' || format === 'sheet') {
-    const { FramesFilm, SheetFilm } = await import('./zipped_film');
-    return format === 'frames' ? new FramesFilm(settings, output) : SheetFilm.begin(settings, output);
-  }
-  const { ModuleFilm } = await import('./module_film');
-  if (picture && background !== null) opaqueOver(background, picture);
-  return ModuleFilm.begin(settings, format, picture, (position, bytes) => output.write(position, bytes));
 }
