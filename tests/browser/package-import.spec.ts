@@ -65,36 +65,34 @@ test('workers are single files, because bundlers copy them as they are', async (
   }
 });
 
-test.describe('in a page', () => {
-  // The worker below comes from a blob.
-  test.use({ bypassCSP: true });
-
-  test('workers import the elements', async ({ page, baseURL }) => {
-    await page.goto('/plain/');
-    for (const [entry, name] of MODULES) {
-      const kind = await page.evaluate(
-        ([address, name]) => {
-          const script = `import(${JSON.stringify(address)}).then(
-            (module) => postMessage(typeof module[${JSON.stringify(name)}]),
-            (error) => postMessage(String(error)),
-          );`;
-          const worker = new Worker(URL.createObjectURL(new Blob([script])), { type: 'module' });
-          return new Promise((resolve) => {
-            worker.onmessage = ({ data }) => resolve(data);
-          });
-        },
-        [`${baseURL}/${entry}`, name] as const,
-      );
-      expect(kind, entry).toBe('function');
-    }
+test('workers import the elements', async ({ page, baseURL }) => {
+  await page.route('**/importer.js?*', (route) => {
+    const [address, name] = new URL(route.request().url()).searchParams.values();
+    const body = `import(${JSON.stringify(address)}).then(
+      (module) => postMessage(typeof module[${JSON.stringify(name)}]),
+      (error) => postMessage(String(error)),
+    );`;
+    return route.fulfill({ contentType: 'text/javascript', body });
   });
+  await page.goto('/plain/');
+  for (const [entry, name] of MODULES) {
+    const query = new URLSearchParams({ address: `${baseURL}/${entry}`, name });
+    const kind = await page.evaluate((address) => {
+      const worker = new Worker(address, { type: 'module' });
+      return new Promise((resolve) => {
+        worker.onmessage = ({ data }) => resolve(data);
+        worker.onerror = ({ message }) => resolve(`error: ${message}`);
+      });
+    }, `/importer.js?${query}`);
+    expect(kind, entry).toBe('function');
+  }
+});
 
-  test('a second Lit in the page hears of none before it', async ({ page }) => {
-    await page.goto('/plain/');
-    await page.waitForFunction(() => customElements.get('c2-warp') !== undefined);
-    const globals = await page.evaluate(() =>
-      Object.keys(globalThis).filter((name) => /^(lit|reactive)/i.test(name)),
-    );
-    expect(globals).toEqual([]);
-  });
+test('a second Lit in the page hears of none before it', async ({ page }) => {
+  await page.goto('/plain/');
+  await page.waitForFunction(() => customElements.get('c2-warp') !== undefined);
+  const globals = await page.evaluate(() =>
+    Object.keys(globalThis).filter((name) => /^(lit|reactive)/i.test(name)),
+  );
+  expect(globals).toEqual([]);
 });
