@@ -1,6 +1,6 @@
 /**
- * `npm run test:packages [-- NAME …]`: packs the package, installs the file in each folder of `web/examples`, builds and
- * serves it there, opens it in Chromium, and drags a handle. The table goes to web/docs/element.md.
+ * `npm run test:packages [-- NAME …]`: packs the package, installs the file in each folder of `web/examples`, and
+ * builds and serves it there. It opens the page in Chromium and drags a handle. The table goes to web/docs/element.md.
  *
  * `--tarball FILE` tests a file that is packed already. It needs npm's registry.
  */

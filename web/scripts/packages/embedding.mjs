@@ -38,7 +38,10 @@ export async function readExample(name) {
   return { folder, ...c2warp };
 }
 
-/** The lines of an example that a person writes: all but those of `package.json`, and empty ones. @param {string} folder */
+/**
+ * The lines of an example that a person writes: all but those of `package.json`, and empty ones.
+ * @param {string} folder
+ */
 export async function linesOf(folder) {
   let lines = 0;
   for (const entry of await readdir(folder, { recursive: true, withFileTypes: true })) {

@@ -39,7 +39,10 @@ export class ModuleFilm implements FilmEncoder {
     this.#take = take;
   }
 
-  /** @param encoder see `BeginFilm`. @throws Refused if the module is not there, or the film too large for its format. */
+  /**
+   * @param encoder see `BeginFilm`.
+   * @throws Refused if the module is not there, or the film too large for its format.
+   */
   static async begin(
     settings: FilmSettings,
     format: ModuleFormat,

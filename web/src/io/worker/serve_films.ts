@@ -1,6 +1,6 @@
 /**
- * Writes films from frames, in a worker. There is a worker for each kind of encoder: bundlers copy a worker as one file,
- * without parts that it would load later.
+ * Writes films from frames, in a worker. There is a worker for each kind of encoder: bundlers copy a worker as one
+ * file, without parts that it would load later.
  */
 import type { BeginFilm, FilmSettings } from '../filming';
 import type { FilmEncoder } from './film_encoder';
