@@ -5,17 +5,17 @@
 //! Cost: one distance field without a bound, and the paths to the handles in it.
 
 use glam::DVec2;
-use schemars::JsonSchema;
-use serde::Serialize;
 
 use crate::{distance::DistanceField, solution::Solution};
 
 /// The weights at a point, and the shortest paths to the handles.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Lens {
     /// The point at rest, in image pixels.
-    #[schemars(with = "(f64, f64)")]
+    #[cfg_attr(feature = "schema", schemars(with = "(f64, f64)"))]
     pub at: DVec2,
     /// The handles that a path leads to, in the order of the project. A held boundary is last.
     pub shares: Vec<Share>,
@@ -26,7 +26,9 @@ pub struct Lens {
 }
 
 /// The part of one handle in the motion of a point.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Share {
     /// Index of the handle in the project; −2 for a held boundary.
@@ -40,12 +42,14 @@ pub struct Share {
     /// Length of the shortest path from there to the point, in pixels.
     pub distance: f64,
     /// The vertices of that path, from the point to the site.
-    #[schemars(with = "Vec<(f64, f64)>")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<(f64, f64)>"))]
     pub path: Vec<DVec2>,
 }
 
 /// A site that moves the point.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct LensSite {
     /// The index of the site.

@@ -24,6 +24,12 @@
 //!               Ω      𝒫, mesh    d(p, h)    cells,    eq. 2    eq. 4     eq. 1    picture
 //!                                          Algorithm 1
 //! ```
+// Some parts of the core serve a feature alone. With all features, nothing is unused.
+#![cfg_attr(
+    not(all(feature = "serde", feature = "raster", feature = "cloud", feature = "rig", feature = "poser-bytes")),
+    allow(dead_code, unused_imports)
+)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 // Input: projects, pictures, limits and errors.
 mod display_number;
@@ -44,6 +50,7 @@ mod segment;
 mod triangulation;
 
 // The domain, and its other forms: a mesh or a point cloud of the caller.
+#[cfg(feature = "cloud")]
 pub mod cloud;
 pub mod domain;
 mod input_mesh;
@@ -62,12 +69,16 @@ pub mod weight;
 
 // Drawing.
 mod cell_borders;
+#[cfg(feature = "raster")]
 pub mod fill;
+mod fill_key;
+#[cfg(feature = "raster")]
 pub mod raster;
 mod render_mesh;
 mod static_background;
 
 // Solving: read `pipeline` first.
+#[cfg(feature = "raster")]
 mod kept_fill;
 mod pipeline;
 mod report;
@@ -84,6 +95,7 @@ pub mod fit;
 
 // Leaving: solutions for other programs.
 mod continued;
+#[cfg(feature = "rig")]
 pub mod rig;
 mod sprite_mesh;
 
@@ -96,18 +108,22 @@ mod study;
 
 pub use bone::OutsidePart;
 pub use cell_borders::BorderPiece;
+#[cfg(feature = "cloud")]
+pub use cloud::solve_cloud;
 pub use continued::ContinuedMap;
 pub use error::Error;
 pub use glam;
 pub use input_mesh::InputMesh;
 pub use lens::{Lens, LensSite, Share};
 pub use picture::Picture;
+#[cfg(feature = "raster")]
 pub use raster::options::{Canvas, Filter, ResampleOptions};
+#[cfg(feature = "raster")]
 pub use raster::{Drawing, extent::Extent, sources::Source, warped::Warped};
 pub use report::{Inspection, Report};
 pub use sample::Feather;
 pub use solution::Solution;
-pub use solve::{distances, solve, solve_cloud, solve_domain, solve_mesh};
+pub use solve::{distances, solve, solve_domain, solve_mesh};
 pub use solve_key::SolveKey;
 pub use solver::Solver;
 pub use sprite_mesh::{SpriteMesh, TooFewVertices};

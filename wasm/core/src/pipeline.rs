@@ -131,6 +131,7 @@ pub(crate) fn compute_weights(
         handle_counts: input.handle_counts(),
         outside,
         prepared,
+        #[cfg(feature = "raster")]
         fill: None,
     }
 }

@@ -4,9 +4,9 @@ use glam::DVec2;
 
 use crate::{
     distance::Navigation,
-    domain::Domain,
+    domain::{Domain, Mask},
     error::Error,
-    fill::{FillKey, Mask},
+    fill_key::FillKey,
     opacity::Opacity,
     picture::Picture,
     project::{DomainSpec, Project},

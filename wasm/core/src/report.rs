@@ -1,12 +1,11 @@
 //! The figures of a solve, for `c2warp inspect --json` and for tests.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
 use crate::{bone::OutsidePart, domain::OutlineDetail, stage::StageTimes};
 
 /// The figures of `c2warp inspect --json`, without the times.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Report {
     /// Samples of the domain.
@@ -53,10 +52,12 @@ pub struct Report {
 }
 
 /// The object of `c2warp inspect --json`.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Inspection {
     /// The figures of the solve.
-    #[serde(flatten)]
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub report: Report,
     /// The time of each stage.
     pub ms: StageTimes,

@@ -11,23 +11,14 @@ use crate::{
     distance::Navigation,
     domain::Domain,
     error::Error,
-    fill::Fill,
     loose::Loose,
-    picture::Picture,
     pose::Poser,
     prepared_domain::PreparedDomain,
     project::{Project, Weighting},
-    raster::{
-        Drawing, MeshLayer,
-        extent::Extent,
-        options::{Filter, ResampleOptions},
-        warped::Warped,
-    },
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
     sample::Feather,
     site::{Round, Site},
-    solve_input::check_picture,
     solved_sites::SolvedSites,
     static_background::StaticBackground,
     triangulation::NONE,
@@ -73,7 +64,8 @@ pub struct Solution {
     pub(crate) loose: Loose,
     pub(crate) prepared: Arc<PreparedDomain>,
     /// The picture behind the mesh, once it is filled.
-    pub(crate) fill: Option<Arc<Fill>>,
+    #[cfg(feature = "raster")]
+    pub(crate) fill: Option<Arc<crate::fill::Fill>>,
 }
 
 /// The mesh.
@@ -110,14 +102,6 @@ impl Solution {
     #[must_use]
     pub fn feather(&self) -> &Feather {
         &self.feather
-    }
-
-    /// The fill of the picture behind the mesh; `None` if the project has none, or a [`Solver`](crate::Solver) has not
-    /// finished it. With it, the whole picture is drawn behind the mesh in place of the
-    /// [static background](Self::static_background).
-    #[must_use]
-    pub fn fill(&self) -> Option<&Fill> {
-        self.fill.as_deref()
     }
 
     /// Number of samples: the first [`vertices`](Self::vertices), which lie in the domain.
@@ -294,7 +278,7 @@ impl Solution {
     }
 
     /// How the posed vertices of a pose are drawn.
-    fn drawn_pose<'a>(&'a self, pose: &Pose, posed: &'a [DVec2]) -> DrawnPose<'a> {
+    pub(crate) fn drawn_pose<'a>(&'a self, pose: &Pose, posed: &'a [DVec2]) -> DrawnPose<'a> {
         let RenderMesh { vertices: rest, triangles } = &self.mesh;
         let order = DepthOrder::new(triangles, &self.weights, &depths(pose.motions()));
         order.drawn(PosedMesh { rest, posed, triangles }, &Adjacency::new(triangles))
@@ -377,70 +361,8 @@ impl Solution {
     }
 
     /// Whether the whole picture is at rest: without handles, and not displaced.
-    fn is_at_rest(&self, pose: &Pose) -> bool {
+    pub(crate) fn is_at_rest(&self, pose: &Pose) -> bool {
         self.handle_counts == [0; 3] && !pose.displaces()
-    }
-
-    /// The warped picture: [`warp`](crate::raster::warp) of the [static background](Self::static_background) or the
-    /// [filled](Self::fill) picture, the [feather](Self::feather), and the mesh. Without handles and displacement, the
-    /// whole picture at rest.
-    ///
-    /// It has the size that [`warped_size`](crate::raster::warped_size) returns, unless the canvas grows.
-    ///
-    /// # Errors
-    /// - [`Error::Scale`];
-    /// - [`Error::Canvas`];
-    /// - [`Error::NothingDrawn`];
-    /// - [`Error::PictureMismatch`] for a picture of another size than the solved one; a solved mesh accepts any size;
-    /// - [`Error::PoseOfAnotherSolution`].
-    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Warped, Error> {
-        Ok(self.drawing(picture, pose, options)?.warped(picture))
-    }
-
-    /// The warped picture, ready to be drawn in bands of rows.
-    ///
-    /// # Errors
-    /// Those of [`warped`](Self::warped).
-    pub fn drawing(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Drawing, Error> {
-        if let Some(size) = self.prepared.picture {
-            check_picture(size, picture)?;
-        }
-        self.solved.check_pose(pose)?;
-        let is_smooth = options.filter != Filter::Nearest;
-        if self.is_at_rest(pose) {
-            return Drawing::whole(picture, options);
-        }
-        let (background, feather, rest) = (&self.background, &self.feather, &self.mesh.vertices);
-        let posed = self.posed_vertices(pose);
-        let DrawnPose { triangles, crossed, .. } = self.drawn_pose(pose, &posed);
-        let layer = |rest, posed, triangles| MeshLayer { rest, posed, triangles, levels: None };
-        let mut layers = Vec::new();
-        if self.fill.is_none() {
-            layers.push(layer(background.vertices(), background.vertices(), background.triangles()));
-        }
-        let moved = |(&p, &owner): (&DVec2, &u32)| pose.blended(p, self.weights.row(owner as usize));
-        let rim: Vec<DVec2> = feather.vertices().iter().zip(feather.owners()).map(moved).collect();
-        // Pixel art mixes no colours.
-        if is_smooth && !rim.is_empty() {
-            let levels = Some(feather.levels());
-            layers.push(MeshLayer { levels, ..layer(feather.vertices(), &rim, feather.triangles()) });
-        }
-        layers.push(layer(rest, &posed, &triangles));
-        let behind = self.fill.as_ref().map(|fill| fill.over(picture));
-        let drawing = Drawing::over(picture, behind, &layers, options)?;
-        Ok(match crossed {
-            Some(around) if options.edges && is_smooth => drawing.with_edges(picture, options.scale, around),
-            _ => drawing,
-        })
-    }
-
-    /// The rectangle of the warped picture, found without drawing all of it. The [union](Extent::union) of those of all
-    /// frames is a [`Canvas::Fixed`](crate::Canvas::Fixed) for a film.
-    ///
-    /// # Errors
-    /// Those of [`warped`](Self::warped).
-    pub fn extent(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Extent, Error> {
-        Ok(self.drawing(picture, pose, ResampleOptions { edges: false, ..options })?.extent())
     }
 
     /// Intrinsic distances from one point of the domain to others, in pixels; `None` where no path leads.

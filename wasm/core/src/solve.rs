@@ -5,7 +5,6 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use crate::{
-    cloud::{CloudSolution, PointCloud},
     distance::{Navigation, Propagation},
     domain::Domain,
     error::Error,
@@ -28,6 +27,7 @@ pub fn solve(project: &Project, picture: &Picture<'_>) -> Result<Solution, Error
     let mut solver = Solver::new();
     solver.begin(project, picture)?;
     while solver.advance()?.is_some() {}
+    #[cfg(feature = "raster")]
     while solver.advance_fill(picture)?.is_some() {}
     Ok(solver.into_solution().expect("every stage has run"))
 }
@@ -79,20 +79,6 @@ pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error
     let mut propagation = Propagation::default();
     let partition = pipeline::partition(&mut propagation, &prepared, &coarse, &located, &input)?;
     Ok(pipeline::compute_weights(&mut propagation, prepared, &input, located, mesh.samples(), partition))
-}
-
-/// Solves a project in one call on a point cloud, by the paper's approximations: see [`cloud`](crate::cloud).
-///
-/// The project's picture, domain and number of samples are ignored.
-///
-/// # Errors
-/// - Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
-/// - [`Error::Unsupported`] for bars, polygons, a held boundary, stiff and displaced places.
-pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
-    let input = SolveInput::new(project)?;
-    input.check_points_only()?;
-    let handles = input.points_inside(|p| cloud.contains(p))?;
-    CloudSolution::new(cloud, &handles, &input)
 }
 
 /// Intrinsic distances in a project's domain from one point to others, in pixels; `None` if no path connects them.

@@ -13,7 +13,7 @@ use crate::{
     picture::Picture,
     pose::{DisplacementField, SolvedHandle, StiffnessField, picture_size},
     prepared_domain::PreparedDomain,
-    project::{Continuity, Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
+    project::{Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
     site::{PointSite, sharp_corners},
 };
 
@@ -40,7 +40,7 @@ pub(crate) struct SolveInput {
     pub(crate) handles: Vec<SolvedHandle>,
     points: Vec<PointHandle>,
     /// The bars and polygons.
-    polylines: Vec<Polyline>,
+    pub(crate) polylines: Vec<Polyline>,
 }
 
 /// A point handle at rest.
@@ -162,6 +162,7 @@ impl SolveInput {
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`].
+    #[cfg(feature = "cloud")]
     pub(crate) fn points_inside(&self, contains: impl Fn(DVec2) -> bool) -> Result<Vec<(DVec2, u32)>, Error> {
         if let Some(point) = self.points.iter().find(|point| !contains(point.rest)) {
             return Err(point.outside());
@@ -198,31 +199,6 @@ impl SolveInput {
                     return Err(Error::HandlesTooClose { first: point.id.clone(), second, distance });
                 }
             }
-        }
-        Ok(())
-    }
-
-    /// Refuses bars, polygons, a held boundary, stiff and displaced places, as a point cloud supports none of them.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`].
-    pub(crate) fn check_points_only(&self) -> Result<(), Error> {
-        if let Some(polyline) = self.polylines.first() {
-            let path = format!("handles[{}].kind", polyline.handle);
-            return Err(unsupported(path, "a bar or polygon on a point cloud"));
-        }
-        if self.fix_boundary {
-            return Err(unsupported("fix_boundary".into(), "a fixed boundary of a point cloud"));
-        }
-        if self.weighting.continuity != Continuity::Exact {
-            let feature = "two continuous derivatives on a point cloud, which has no exact distances";
-            return Err(unsupported("weighting.continuity".into(), feature));
-        }
-        if !self.stiffness.is_soft() {
-            return Err(unsupported("stiffness".into(), "a stiff place of a point cloud"));
-        }
-        if self.displacement.is_some() {
-            return Err(unsupported("displacement".into(), "a displaced place of a point cloud"));
         }
         Ok(())
     }
@@ -271,8 +247,4 @@ pub(crate) fn check_picture((project_width, project_height): (u32, u32), picture
         return Ok(());
     }
     Err(Error::PictureMismatch { project_width, project_height, width, height })
-}
-
-fn unsupported(path: String, feature: &str) -> Error {
-    Error::Unsupported { path, feature: feature.into() }
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     error::Error,
-    fill::FillKey,
+    fill_key::FillKey,
     picture::Picture,
     prepared_domain::DomainKey,
     project::{DomainSpec, Project},

@@ -7,8 +7,6 @@ use std::sync::Arc;
 use crate::{
     distance::Propagation,
     error::Error,
-    fill::FillKey,
-    kept_fill::KeptFill,
     picture::Picture,
     pipeline,
     prepared_domain::{DomainKey, PreparedDomain},
@@ -47,9 +45,10 @@ use crate::{
 pub struct Solver {
     domain: Option<DomainCache>,
     propagation: Propagation,
-    fill: KeptFill,
+    #[cfg(feature = "raster")]
+    pub(crate) fill: crate::kept_fill::KeptFill,
     pending: Option<PendingSolve>,
-    finished: Option<FinishedSolve>,
+    pub(crate) finished: Option<FinishedSolve>,
 }
 
 /// The parts of a solve that do not depend on point handles.
@@ -89,10 +88,10 @@ enum Progress {
 
 /// A solution with its input.
 #[derive(Debug)]
-struct FinishedSolve {
-    key: DomainKey,
+pub(crate) struct FinishedSolve {
+    pub(crate) key: DomainKey,
     input: SolveInput,
-    solution: Arc<Solution>,
+    pub(crate) solution: Arc<Solution>,
 }
 
 impl Solver {
@@ -122,7 +121,8 @@ impl Solver {
             let prepared = Arc::new(PreparedDomain::new(project, picture)?);
             self.domain = Some(DomainCache { key, prepared, sampling: SamplingCache::default() });
         }
-        self.fill.ask(FillKey::of(project));
+        #[cfg(feature = "raster")]
+        self.begin_fill(project);
         let domain = self.domain.as_ref().map(|domain| &domain.key);
         let known = self.finished.as_ref().filter(|finished| Some(&finished.key) == domain);
         let is_solved = known.is_some_and(|known| known.input.differs_in_poser_alone(&input));
@@ -139,7 +139,7 @@ impl Solver {
     /// [`Error::BarsOverlap`], [`Error::HeldTooFine`], [`Error::TooManySites`], [`Error::TooMuchMemory`]. An error
     /// ends the solve; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
-        let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, fill, pending, finished } = self
+        let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, pending, finished, .. } = self
         else {
             return Ok(None);
         };
@@ -168,44 +168,16 @@ impl Solver {
             }
             Progress::Partitioned { located, samples, partition } => {
                 let prepared = Arc::clone(prepared);
-                let mut solution =
-                    pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
-                solution.fill = key.filled().and_then(|(domain, picture)| fill.finished_for(domain, picture));
-                *finished = Some(FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) });
+                let solution = pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
+                let solved = FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) };
+                #[cfg(feature = "raster")]
+                let solved = solved.with_fill(&self.fill);
+                *finished = Some(solved);
                 return Ok(Some(Stage::Weights));
             }
         };
         *pending = Some(PendingSolve { input, progress });
         Ok(Some(stage))
-    }
-
-    /// Asks for the fill of a project, and drops one that another domain or seed had. [`begin`](Self::begin) does so
-    /// as well.
-    pub fn begin_fill(&mut self, project: &Project) {
-        self.fill.ask(FillKey::of(project));
-    }
-
-    /// Runs the next step of the fill behind the last project's domain. Returns the part that is done, from 0 to 1;
-    /// `None` if nothing is left to do, or the project has no fill. Solutions of the project then draw it.
-    ///
-    /// A fill depends on the picture, the domain and the seed alone. It goes on where it was while other handles are
-    /// solved.
-    ///
-    /// # Errors
-    /// - [`Error::PictureMismatch`];
-    /// - [`Error::NothingToFillFrom`];
-    /// - those of [`Domain::new`](crate::domain::Domain::new).
-    pub fn advance_fill(&mut self, picture: &Picture<'_>) -> Result<Option<f64>, Error> {
-        let progress = self.fill.advance(picture)?;
-        if progress.is_none()
-            && let Some(FinishedSolve { key, solution, .. }) = &mut self.finished
-        {
-            let fill = key.filled().and_then(|(domain, picture)| self.fill.finished_for(domain, picture));
-            if solution.fill != fill {
-                Arc::make_mut(solution).fill = fill;
-            }
-        }
-        Ok(progress)
     }
 
     /// The last solution; `None` before the first solve has finished.

@@ -1,11 +1,9 @@
 //! The stages of a solve by name, and the time that each takes.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
 /// A stage of the solve. Between two stages a caller may decide to solve a newer project instead.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, JsonSchema)]
-#[schemars(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum Stage {
     /// The outline, from the picture's alpha or the project's rings, and the handles in it.
@@ -32,7 +30,9 @@ impl Stage {
 }
 
 /// Milliseconds spent in each stage, and on a pose. The crate has no clock, so the caller measures them.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct StageTimes {
     /// Time of the stage `domain`.

@@ -3,8 +3,6 @@
 //! Follows figures 2 and 3. Cost: a look at every pair of sites, and the lookup of two paths for each site.
 
 use glam::DVec2;
-use schemars::JsonSchema;
-use serde::Serialize;
 
 use crate::{
     project::Weighting,
@@ -19,11 +17,13 @@ const FALLOFF_PIECES: u32 = 64;
 const AT_SEPARATION: f64 = 1e-9;
 
 /// A solution, explained. Points are in image pixels at rest, lengths in pixels.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Study {
     /// The rings of the domain.
-    #[schemars(with = "Vec<Vec<(f64, f64)>>")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<Vec<(f64, f64)>>"))]
     pub outline: Vec<Vec<DVec2>>,
     /// The sites in the order of insertion.
     pub sites: Vec<SiteStudy>,
@@ -36,11 +36,13 @@ pub struct Study {
 }
 
 /// A site with its cell and its support.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SiteStudy {
     /// h_i: the rest position.
-    #[schemars(with = "(f64, f64)")]
+    #[cfg_attr(feature = "schema", schemars(with = "(f64, f64)"))]
     pub rest: DVec2,
     /// Index of the handle in the project; −1 for a virtual site, −2 for one of a held boundary.
     pub handle: i32,
@@ -53,10 +55,10 @@ pub struct SiteStudy {
     /// r_i for α = 0 and for α = 1; empty if the support has no end.
     pub support_range: Vec<f64>,
     /// The shortest path to the farthest point of the cell.
-    #[schemars(with = "Vec<(f64, f64)>")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<(f64, f64)>"))]
     pub to_farthest: Vec<DVec2>,
     /// The shortest path to the nearest other site; empty if a bar or a held boundary is nearer.
-    #[schemars(with = "Vec<(f64, f64)>")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<(f64, f64)>"))]
     pub to_nearest: Vec<DVec2>,
 }
 

@@ -17,7 +17,6 @@ mod polyline;
 mod skeleton;
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 use crate::segment::segment_distance;
 
@@ -32,7 +31,8 @@ pub(crate) use skeleton::Skeleton;
 const ON_BONE: f64 = 1e-6;
 
 /// A point on the polyline of a handle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Anchor {
     /// Index of the handle in the project.
     pub(crate) handle: u32,
@@ -43,7 +43,8 @@ pub(crate) struct Anchor {
 }
 
 /// A straight part of a handle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Bone {
     /// Index of the handle in the project.
     pub(crate) handle: u32,

@@ -1,8 +1,6 @@
 //! The line of a bar or polygon at rest, and its parts outside the domain (section V-D).
 
 use glam::DVec2;
-use schemars::JsonSchema;
-use serde::Serialize;
 
 /// The corners of a bar or polygon, with a straight segment from each to the next.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,15 +32,17 @@ impl Polyline {
 }
 
 /// A part of a bar or polygon that lies outside the domain, or on its held boundary. It moves nothing.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct OutsidePart {
     /// Id of the handle.
     pub handle: String,
     /// Start of the part at rest, in image pixels.
-    #[schemars(with = "(f64, f64)")]
+    #[cfg_attr(feature = "schema", schemars(with = "(f64, f64)"))]
     pub from: DVec2,
     /// End of the part at rest, in image pixels.
-    #[schemars(with = "(f64, f64)")]
+    #[cfg_attr(feature = "schema", schemars(with = "(f64, f64)"))]
     pub to: DVec2,
 }

@@ -5,7 +5,6 @@
 use std::{cmp::Ordering, collections::HashMap};
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 use super::{
     Anchor, Bone, ON_BONE,
@@ -17,7 +16,8 @@ use super::{
 use crate::{distance::Navigation, domain::Domain, error::Error};
 
 /// All bones of a scene, in an order that does not depend on that of the handles.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Skeleton {
     pub(crate) bones: Vec<Bone>,
     /// Joints: the anchors that meet in each.

@@ -13,12 +13,14 @@
 
 mod partition;
 mod solution;
+mod solve;
 
 use glam::DVec2;
 
 use crate::{distance::graph::Graph, error::Error, limits::MAX_COORDINATE, point_tree::Tree, triangulation::NONE};
 
 pub use solution::CloudSolution;
+pub use solve::solve_cloud;
 
 /// Points and the graph over their nearest neighbours, for [`solve_cloud`](crate::solve_cloud).
 ///

@@ -6,6 +6,7 @@
 mod cells_inside;
 mod contour;
 mod islands;
+mod mask;
 mod nearness;
 mod outline;
 mod polygon;
@@ -25,6 +26,7 @@ use crate::{
 };
 
 pub(crate) use cells_inside::cells_inside;
+pub(crate) use mask::Mask;
 pub use outline::OutlineDetail;
 pub use ring::Ring;
 pub(crate) use ring::{contains, edges, signed_area};

@@ -7,9 +7,6 @@
 //!
 //! Cost: linear in the pixels, and O(n log n) in the points of the contours, for each attempt. There are at most eight.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
 use super::{
     contour::{Field, contours},
     corners,
@@ -25,9 +22,11 @@ use crate::{
 };
 
 /// How closely the outline of a domain follows the picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+#[cfg_attr(feature = "schema", schemars(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum OutlineDetail {
     /// To a third of a pixel, or as given.

@@ -8,8 +8,8 @@
 use glam::Vec4;
 
 use super::level::{Level, NONE};
-use super::mask::Mask;
 use super::region::Region;
+use crate::domain::Mask;
 use crate::picture::Picture;
 
 /// Where the texels of the hole come from.

@@ -4,7 +4,6 @@ use std::collections::VecDeque;
 
 use super::carried::Sources;
 use super::level::{Level, NONE, RADIUS};
-use super::mask::Mask;
 use super::matches::Matches;
 use super::membrane::Membrane;
 use super::peeling;
@@ -12,6 +11,7 @@ use super::random::Random;
 use super::region::Region;
 use super::votes::{choose, vote};
 use super::{Fill, patch};
+use crate::domain::Mask;
 use crate::{error::Error, picture::Picture, project::FillSpec};
 
 /// The hole of the coarsest level is no deeper than this, in texels, if that leaves patches enough.

@@ -14,9 +14,7 @@
 
 mod carried;
 mod filler;
-mod key;
 mod level;
-mod mask;
 mod matches;
 mod membrane;
 mod peeling;
@@ -25,9 +23,14 @@ mod region;
 mod spread;
 mod votes;
 
-pub(crate) use self::{filler::Filler, key::FillKey, mask::Mask};
+pub(crate) use self::filler::Filler;
 
-use crate::{domain::Domain, error::Error, picture::Picture, project::FillSpec};
+use crate::{
+    domain::{Domain, Mask},
+    error::Error,
+    picture::Picture,
+    project::FillSpec,
+};
 
 /// Fills a domain of a picture from its surroundings, in one call.
 ///

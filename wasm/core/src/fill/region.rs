@@ -3,7 +3,7 @@
 //! Cost: linear in the pixels of the part.
 
 use super::level::{Level, Texel};
-use super::mask::Mask;
+use crate::domain::Mask;
 use crate::picture::Picture;
 
 /// Greatest number of texels to work on. A match for each costs the most time of a fill.

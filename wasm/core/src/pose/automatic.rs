@@ -8,7 +8,6 @@ use std::{
 };
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 use super::{HarmonicFields, Motion, unwrap::unwrap_angles};
 use crate::{
@@ -17,7 +16,8 @@ use crate::{
 };
 
 /// The cell graph, reduced to the handles.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Automatic {
     /// Pairs of neighbouring real sites, at least one of them a point handle, with a weight.
     edges: Vec<(u32, u32, f64)>,

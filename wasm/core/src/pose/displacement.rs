@@ -3,12 +3,12 @@
 //! Cost: sixteen control points for each place.
 
 use glam::{DMat2, DVec2};
-use serde::{Deserialize, Serialize};
 
 use crate::project::{Displacement, Project, Spline};
 
 /// A displacement over a picture of a size in pixels. It is not 0 everywhere.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct DisplacementField {
     size: DVec2,
     width: u32,

@@ -22,6 +22,8 @@ mod harmonic;
 mod motion;
 mod numeric;
 mod poser;
+#[cfg(feature = "poser-bytes")]
+mod poser_bytes;
 mod rigid;
 mod solved_handle;
 mod strain;

@@ -43,19 +43,19 @@ use crate::{
 /// which takes 10 to 20 times as long.
 #[derive(Debug, Clone)]
 pub struct Poser {
-    rest: Arc<[DVec2]>,
-    kinds: Vec<SiteKind>,
-    skeleton: Skeleton,
-    solved: Vec<SolvedHandle>,
+    pub(super) rest: Arc<[DVec2]>,
+    pub(super) kinds: Vec<SiteKind>,
+    pub(super) skeleton: Skeleton,
+    pub(super) solved: Vec<SolvedHandle>,
     /// ϖ: for each site its real sites and their weights.
-    harmonic: Vec<Vec<(u32, f64)>>,
-    automatic: Automatic,
+    pub(super) harmonic: Vec<Vec<(u32, f64)>>,
+    pub(super) automatic: Automatic,
     /// `None` in the harmonic mode.
-    rigid: Option<Rigid>,
+    pub(super) rigid: Option<Rigid>,
     /// Width and height of the picture.
-    picture: DVec2,
+    pub(super) picture: DVec2,
     /// `None` if no place is displaced.
-    displacement: Option<Arc<DisplacementField>>,
+    pub(super) displacement: Option<Arc<DisplacementField>>,
 }
 
 /// The parts of a solution that a [`Poser`] is made from.
@@ -368,49 +368,6 @@ impl Poser {
             weight * handle.map_or(0.0, |handle| logs[handle])
         };
         self.harmonic.iter().map(|row| libm::exp(row.iter().map(log).sum())).collect()
-    }
-
-    /// The poser as bytes, for [`Poser::from_bytes`] of the same version.
-    #[must_use]
-    pub fn to_bytes(&self) -> Vec<u8> {
-        // A derived implementation would allow reading without the checks of `from_bytes`.
-        let Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement } = self;
-        let all = (rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement);
-        postcard::to_allocvec(&all).expect("plain data can be written to memory")
-    }
-
-    /// A poser from its bytes.
-    ///
-    /// # Errors
-    /// [`Error::PoserBytes`] for bytes that make no consistent poser. Consistent bytes need not come from
-    /// [`Poser::to_bytes`].
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
-        let (all, rest) = postcard::take_from_bytes(bytes).map_err(|_| Error::PoserBytes)?;
-        if !rest.is_empty() {
-            return Err(Error::PoserBytes);
-        }
-        let (rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement) = all;
-        let poser = Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement };
-        let sites = poser.rest.len();
-        let real = |site: u32| poser.kinds.get(site as usize).is_some_and(|kind| kind.is_real());
-        let known = |kind: &SiteKind| match *kind {
-            SiteKind::Point { handle } => {
-                poser.solved.get(handle as usize).is_some_and(|solved| solved.shape == ShapeKind::Point)
-            }
-            SiteKind::Bone { handle, bone } => {
-                (handle as usize) < poser.solved.len() && (bone as usize) < poser.skeleton.bones.len()
-            }
-            SiteKind::Boundary | SiteKind::Virtual => true,
-        };
-        let whole = poser.kinds.len() == sites
-            && poser.harmonic.len() == sites
-            && poser.harmonic.iter().flatten().all(|&(site, _)| real(site))
-            && poser.automatic.is_whole(real, poser.solved.len())
-            && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
-            && poser.displacement.as_ref().is_none_or(|field| field.is_whole())
-            && poser.skeleton.is_consistent(poser.solved.len())
-            && poser.kinds.iter().all(known);
-        if whole { Ok(poser) } else { Err(Error::PoserBytes) }
     }
 }
 

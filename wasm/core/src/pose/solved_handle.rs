@@ -1,11 +1,10 @@
 //! The name and the shape kind of a handle. A pose must match both.
 
-use serde::{Deserialize, Serialize};
-
 use crate::project::ShapeKind;
 
 /// A handle as it was solved, without its places.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct SolvedHandle {
     pub(crate) id: String,
     pub(crate) shape: ShapeKind,

@@ -2,21 +2,16 @@
 
 use std::ops::RangeInclusive;
 
-use base64::{Engine, engine::general_purpose::STANDARD};
 use glam::{DAffine2, DVec2};
-use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
 
-use super::cursor::Cursor;
 use super::error::ProjectError;
-use super::grid_values::{count, read_bytes, read_sides};
 use super::path::Path;
 use super::spline::{PARTS, SIDE_LEAST, Spline, control_points};
 use super::validate;
 
 /// 256 segments, of 16 px in a picture of 4,096 px. With more, the text of the grid outgrows the rest of a project.
 const SIDE_MOST: u32 = 259;
-const SIDES: RangeInclusive<u32> = SIDE_LEAST..=SIDE_MOST;
+pub(super) const SIDES: RangeInclusive<u32> = SIDE_LEAST..=SIDE_MOST;
 
 /// How places of the picture at rest are moved before the handles pose them: a cubic B-spline over the picture.
 ///
@@ -35,20 +30,22 @@ const SIDES: RangeInclusive<u32> = SIDE_LEAST..=SIDE_MOST;
 /// assert_eq!(Project::from_json(&project.to_json())?, project);
 /// # Ok::<(), c2warp::project::ProjectError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Displacement {
     /// Number of columns of control points, from 4 to 259. They are the picture's width / (`width` − 3) apart.
-    #[schemars(range(min = SIDE_LEAST, max = SIDE_MOST))]
+    #[cfg_attr(feature = "schema", schemars(range(min = SIDE_LEAST, max = SIDE_MOST)))]
     pub width: u32,
     /// Number of rows of control points, from 4 to 259. They are the picture's height / (`height` − 3) apart.
-    #[schemars(range(min = SIDE_LEAST, max = SIDE_MOST))]
+    #[cfg_attr(feature = "schema", schemars(range(min = SIDE_LEAST, max = SIDE_MOST)))]
     pub height: u32,
     /// For each control point, rows from top to bottom, its displacement in x, then in y: 256 is the distance between
     /// columns, or rows. In base64: whole numbers of 16 bits with a sign, the lower byte first.
-    #[serde(serialize_with = "as_base64")]
-    #[schemars(with = "String", extend("contentEncoding" = "base64", "pattern" = "^[A-Za-z0-9+/]+={0,2}$"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::numbers_as_base64"))]
+    #[cfg_attr(feature = "schema", schemars(with = "String", extend("contentEncoding" = "base64", "pattern" = "^[A-Za-z0-9+/]+={0,2}$")))]
     pub values: Vec<i16>,
 }
 
@@ -112,30 +109,16 @@ impl Displacement {
         (!mapped.is_zero()).then_some(mapped)
     }
 
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let grid = value.object()?;
-        grid.allow_only(&["width", "height", "values"])?;
-        let sides @ [width, height] = read_sides(&grid, &SIDES)?;
-        let bytes = read_bytes(grid.required("values")?, sides, 4, "control points")?;
-        let values = bytes.as_chunks::<2>().0.iter().map(|&bytes| i16::from_le_bytes(bytes)).collect();
-        Ok(Self { width, height, values })
-    }
-
     /// Checks the displacement of a project.
     pub(crate) fn check(&self) -> Result<(), ProjectError> {
         let (at, Self { width, height, values }) = (Path::Top.key("displacement"), self);
         validate::whole_number(&at.key("width"), *width, &SIDES)?;
         validate::whole_number(&at.key("height"), *height, &SIDES)?;
-        if values.len() == 2 * count([*width, *height]) {
+        if values.len() == 2 * validate::entries([*width, *height]) {
             return Ok(());
         }
         at.key("values").refuse(format_args!("expected {width} × {height} × 2 numbers, found {}", values.len()))
     }
-}
-
-fn as_base64<S: Serializer>(values: &[i16], serializer: S) -> Result<S::Ok, S::Error> {
-    let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
-    serializer.serialize_str(&STANDARD.encode(bytes))
 }
 
 #[cfg(test)]

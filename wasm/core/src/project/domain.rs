@@ -1,13 +1,9 @@
 //! The part of the picture to warp: Ω of the paper.
 
 use glam::DVec2;
-use schemars::JsonSchema;
-use serde::Serialize;
 
-use super::cursor::Cursor;
 use super::error::ProjectError;
 use super::path::Path;
-use super::points::{self, Point};
 use super::validate;
 use crate::display_number::DisplayNumber;
 
@@ -15,9 +11,11 @@ use crate::display_number::DisplayNumber;
 pub(crate) const MOST_FEATHER_PX: f64 = 64.0;
 
 /// The part of the picture to warp.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-#[schemars(rename = "Domain", deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "lowercase"))]
+#[cfg_attr(feature = "schema", schemars(rename = "Domain", deny_unknown_fields))]
 #[non_exhaustive]
 pub enum DomainSpec {
     /// The whole picture.
@@ -25,19 +23,22 @@ pub enum DomainSpec {
     /// The part of the picture with enough opacity.
     Alpha {
         /// Least opacity of the domain, above 0 and up to 1.
-        #[schemars(default = "default_threshold", extend("exclusiveMinimum" = 0), range(max = 1))]
+        #[cfg_attr(feature = "schema", schemars(default = "default_threshold", extend("exclusiveMinimum" = 0), range(max = 1)))]
         threshold: f64,
     },
     /// The inside of closed rings by the even-odd rule: a ring inside a ring is a hole. The rest of the picture stays
     /// in place.
     Polygon {
         /// One or more rings of at least three points `[x, y]`.
-        #[serde(serialize_with = "points::rings")]
-        #[schemars(with = "Vec<Vec<Point>>", length(min = 1), inner(length(min = 3)))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::rings"))]
+        #[cfg_attr(
+            feature = "schema",
+            schemars(with = "Vec<Vec<super::json::Point>>", length(min = 1), inner(length(min = 3)))
+        )]
         rings: Vec<Vec<DVec2>>,
         /// Width of the soft rim around the rings, in pixels, from 0 to 64. What moves away goes on that far beyond its
         /// outline, and fades out. At rest nothing changes.
-        #[schemars(default, range(min = 0, max = MOST_FEATHER_PX))]
+        #[cfg_attr(feature = "schema", schemars(default, range(min = 0, max = MOST_FEATHER_PX)))]
         feather: f64,
     },
 }
@@ -58,38 +59,6 @@ impl DomainSpec {
         match self {
             Self::Polygon { rings, .. } => Self::Polygon { rings, feather },
             other => other,
-        }
-    }
-
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        #[derive(Clone, Copy)]
-        enum Kind {
-            Image,
-            Alpha,
-            Polygon,
-        }
-        let domain = value.object()?;
-        let kind = domain.required("kind")?.one_of(&[
-            ("image", Kind::Image),
-            ("alpha", Kind::Alpha),
-            ("polygon", Kind::Polygon),
-        ])?;
-        match kind {
-            Kind::Image => {
-                domain.allow_only(&["kind"])?;
-                Ok(Self::Image)
-            }
-            Kind::Alpha => {
-                domain.allow_only(&["kind", "threshold"])?;
-                Ok(Self::Alpha { threshold: domain.value_or("threshold", Self::THRESHOLD, |value| value.number())? })
-            }
-            Kind::Polygon => {
-                domain.allow_only(&["kind", "rings", "feather"])?;
-                Ok(Self::Polygon {
-                    rings: domain.required("rings").and_then(rings)?,
-                    feather: domain.value_or("feather", 0.0, |value| value.number())?,
-                })
-            }
         }
     }
 }
@@ -138,10 +107,7 @@ impl DomainSpec {
     }
 }
 
+#[cfg(feature = "schema")]
 fn default_threshold() -> f64 {
     DomainSpec::THRESHOLD
-}
-
-fn rings(value: Cursor<'_>) -> Result<Vec<Vec<DVec2>>, ProjectError> {
-    value.list("a list of rings", |ring| ring.points())
 }

@@ -3,10 +3,7 @@
 use std::collections::BTreeSet;
 
 use glam::DVec2;
-use schemars::JsonSchema;
-use serde::Serialize;
 
-use super::cursor::Cursor;
 use super::error::ProjectError;
 use super::path::Path;
 use super::rotation::Rotation;
@@ -15,42 +12,39 @@ use super::validate;
 use crate::display_number::DisplayNumber;
 
 /// A handle at rest and posed.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(extend("unevaluatedProperties" = false))]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("unevaluatedProperties" = false)))]
 #[non_exhaustive]
 pub struct Handle {
     /// A name, unique in the project and not empty.
-    #[schemars(length(min = 1))]
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
     pub id: String,
     /// Point, bar or polygon, at rest and posed.
-    #[serde(flatten)]
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub shape: Shape,
     /// Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole
     /// turns: each piece takes the angle closest to this number.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub rotation: Rotation,
     /// Scale about the handle itself, above 0. A bar or polygon has this scale across its line, and its corners
     /// define the scale along it. In rigid mode, bars and points with automatic rotation take as much of it as their
     /// surroundings allow.
-    #[schemars(default = "default_scale", extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "schema", schemars(default = "default_scale", extend("exclusiveMinimum" = 0)))]
     pub scale: f64,
     /// Drawing order where the picture overlaps itself: greater depths are in front.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub depth: f64,
     /// How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds
     /// have none. It affects rigid mode alone.
-    #[serde(skip_serializing_if = "is_zero")]
-    #[schemars(default, range(min = 0, max = 1))]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::json::is_default"))]
+    #[cfg_attr(feature = "schema", schemars(default, range(min = 0, max = 1)))]
     pub stiffness: f64,
 }
 
-fn default_scale() -> f64 {
+pub(super) fn default_scale() -> f64 {
     1.0
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
-fn is_zero(value: &f64) -> bool {
-    *value == 0.0
 }
 
 impl Handle {
@@ -125,19 +119,6 @@ impl Handle {
     pub fn stiffened(mut self, stiffness: f64) -> Self {
         self.stiffness = stiffness;
         self
-    }
-
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let handle = value.object()?;
-        handle.allow_only(&["id", "kind", "rest", "posed", "rotation", "scale", "depth", "stiffness"])?;
-        Ok(Self {
-            id: handle.required("id")?.string()?.to_owned(),
-            shape: Shape::read(handle)?,
-            rotation: handle.value_or("rotation", Rotation::default(), Rotation::read)?,
-            scale: handle.value_or("scale", default_scale(), |value| value.number())?,
-            depth: handle.value_or("depth", 0.0, |value| value.number())?,
-            stiffness: handle.value_or("stiffness", 0.0, |value| value.number())?,
-        })
     }
 
     fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {

@@ -2,29 +2,27 @@
 
 use std::ops::RangeInclusive;
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
-use super::cursor::Cursor;
 use super::error::ProjectError;
 use super::path::Path;
 use super::validate;
 
 /// The solver accepts fewer sizes, but a project can be read without its picture.
-const SIDES: RangeInclusive<u32> = 1..=u32::MAX;
+pub(super) const SIDES: RangeInclusive<u32> = 1..=u32::MAX;
 
 /// The file of the picture, and the size in pixels that the project's coordinates refer to.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct ImageRef {
     /// File name of the picture, relative to the project file. It may be empty.
     pub src: String,
     /// Width in pixels, at least 1. The solver accepts 2 to 16,384.
-    #[schemars(range(min = 1))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub width: u32,
     /// Height in pixels, at least 1. The solver accepts 2 to 16,384.
-    #[schemars(range(min = 1))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub height: u32,
 }
 
@@ -33,16 +31,6 @@ impl ImageRef {
     #[must_use]
     pub fn new(src: impl Into<String>, width: u32, height: u32) -> Self {
         Self { src: src.into(), width, height }
-    }
-
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let image = value.object()?;
-        image.allow_only(&["src", "width", "height"])?;
-        Ok(Self {
-            src: image.required("src")?.string()?.to_owned(),
-            width: image.required("width")?.whole_number(&SIDES)?,
-            height: image.required("height")?.whole_number(&SIDES)?,
-        })
     }
 
     /// Width and height, in pixels.

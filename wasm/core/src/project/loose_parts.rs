@@ -1,14 +1,10 @@
 //! How parts of the picture without a handle move.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
-use super::cursor::Cursor;
-use super::error::ProjectError;
-
 /// How connected parts of the domain without a handle move.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum LooseParts {
     /// They stay in place.
@@ -18,8 +14,4 @@ pub enum LooseParts {
     Follow,
 }
 
-impl LooseParts {
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        value.one_of(&[("stay", Self::Stay), ("follow", Self::Follow)])
-    }
-}
+impl LooseParts {}

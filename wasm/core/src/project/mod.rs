@@ -28,22 +28,21 @@
 //! ```
 
 mod clip;
-mod cursor;
 mod displacement;
 mod domain;
 mod error;
 mod fill;
 mod format;
-mod grid_values;
 mod handle;
 mod image;
-mod layout;
+#[cfg(feature = "serde")]
+mod json;
 mod loose_parts;
 mod mapped;
 mod path;
-mod points;
 mod pose;
 mod rotation;
+#[cfg(feature = "schema")]
 mod schema;
 mod shape;
 mod shape_kind;
@@ -52,13 +51,9 @@ mod stiffness;
 #[cfg(test)]
 mod tests;
 mod validate;
-mod value;
 mod weighting;
 
 use std::ops::RangeInclusive;
-
-use schemars::JsonSchema;
-use serde::Serialize;
 
 pub use self::clip::{Clip, Ease, Key, Looping, Track};
 pub use self::displacement::Displacement;
@@ -68,6 +63,8 @@ pub use self::fill::{FillMethod, FillSpec};
 pub use self::format::Format;
 pub use self::handle::Handle;
 pub use self::image::ImageRef;
+#[cfg(feature = "serde")]
+pub use self::json::{clip_from_json, handles_from_json};
 pub use self::loose_parts::LooseParts;
 pub use self::pose::{Blend, PoseMode, PoseSpec};
 pub use self::rotation::Rotation;
@@ -78,11 +75,7 @@ pub use self::stiffness::Stiffness;
 pub(crate) use self::stiffness::bilinear;
 pub use self::weighting::{Continuity, Filling, Support, Weighting};
 
-use self::cursor::Cursor;
-use self::layout::Layout;
 use self::path::Path;
-use self::schema::without_default;
-use self::value::Value;
 
 /// With fewer samples, cells would be poorly resolved.
 const LEAST_SAMPLES: u32 = 100;
@@ -91,8 +84,10 @@ const MOST_SAMPLES: u32 = 2_000_000;
 const SAMPLES: RangeInclusive<u32> = LEAST_SAMPLES..=MOST_SAMPLES;
 
 /// A warp: a picture, the part of it to warp, and the handles.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Project {
     /// The version of the format.
@@ -101,47 +96,47 @@ pub struct Project {
     pub image: ImageRef,
     /// The part of the picture to warp. The default is the opaque part of a picture with transparency, and all of any
     /// other.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "DomainSpec", default, transform = without_default)]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "schema", schemars(with = "DomainSpec", default, transform = self::schema::without_default))]
     pub domain: Option<DomainSpec>,
     /// How the picture behind a domain of rings is filled. Without it, what moves away leaves a gap. Other domains have
     /// nothing behind them, and ignore it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "FillSpec", default, transform = without_default)]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "schema", schemars(with = "FillSpec", default, transform = self::schema::without_default))]
     pub fill: Option<FillSpec>,
     /// Approximate number of samples, from 100 to 2,000,000.
-    #[schemars(default = "default_samples", range(min = LEAST_SAMPLES, max = MOST_SAMPLES))]
+    #[cfg_attr(feature = "schema", schemars(default = "default_samples", range(min = LEAST_SAMPLES, max = MOST_SAMPLES)))]
     pub samples: u32,
     /// Settings of the weights.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub weighting: Weighting,
     /// Settings of the pose.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub pose: PoseSpec,
     /// Whether the boundary of the domain stays in place.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub fix_boundary: bool,
     /// Whether parts of the picture cast a thin dark edge on the parts that they cross.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub edges: bool,
     /// How connected parts of the domain without a handle move.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub loose_parts: LooseParts,
     /// The handles. Their order has no meaning.
     pub handles: Vec<Handle>,
     /// Poses of handles over time.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    #[schemars(default)]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub clips: Vec<Clip>,
     /// How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects rigid mode
     /// alone. The default is a picture without stiff places.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Stiffness", default, transform = without_default)]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Stiffness", default, transform = self::schema::without_default))]
     pub stiffness: Option<Stiffness>,
     /// How a brush has moved places of the picture at rest, before the handles pose them: a displacement field. The
     /// default is a picture that no brush has moved.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Displacement", default, transform = without_default)]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Displacement", default, transform = self::schema::without_default))]
     pub displacement: Option<Displacement>,
 }
 
@@ -213,52 +208,6 @@ impl Project {
         }
     }
 
-    /// Reads a project file.
-    ///
-    /// # Errors
-    /// For any deviation from the format, with the path of the offending key.
-    pub fn from_json(text: &str) -> Result<Self, ProjectError> {
-        let value = Value::parse(text)?;
-        let top = Cursor::top(&value);
-        let project = top.object()?;
-        // Check the version first: a later one may have unknown keys.
-        let format = project.required("format").and_then(Format::read)?;
-        project.allow_only(&[
-            "format",
-            "image",
-            "domain",
-            "fill",
-            "samples",
-            "weighting",
-            "pose",
-            "fix_boundary",
-            "edges",
-            "loose_parts",
-            "handles",
-            "clips",
-            "stiffness",
-            "displacement",
-        ])?;
-        let project = Self {
-            format,
-            image: project.required("image").and_then(ImageRef::read)?,
-            domain: project.optional("domain").map(DomainSpec::read).transpose()?,
-            fill: project.optional("fill").map(FillSpec::read).transpose()?,
-            samples: project.value_or("samples", default_samples(), |value| value.whole_number(&SAMPLES))?,
-            weighting: project.value_or("weighting", Weighting::default(), Weighting::read)?,
-            pose: project.value_or("pose", PoseSpec::default(), PoseSpec::read)?,
-            fix_boundary: project.value_or("fix_boundary", false, |value| value.bool())?,
-            edges: project.value_or("edges", false, |value| value.bool())?,
-            loose_parts: project.value_or("loose_parts", LooseParts::default(), LooseParts::read)?,
-            handles: project.required("handles").and_then(read_handles)?,
-            clips: project.value_or("clips", Vec::new(), |value| value.list("a list of clips", Clip::read))?,
-            stiffness: project.optional("stiffness").map(Stiffness::read).transpose()?,
-            displacement: project.optional("displacement").map(Displacement::read).transpose()?,
-        };
-        project.check()?;
-        Ok(project)
-    }
-
     /// Checks the project against the rules of the format. Reading a file and solving a project call it.
     ///
     /// # Errors
@@ -276,45 +225,9 @@ impl Project {
         self.stiffness.as_ref().map_or(Ok(()), |stiffness| stiffness.check(&Path::Top.key("stiffness")))?;
         self.displacement.as_ref().map_or(Ok(()), Displacement::check)
     }
-
-    /// Writes the project as JSON, with every key that has a value.
-    ///
-    /// If [`check`](Self::check) accepts the project, reading the text returns an equal one.
-    #[must_use]
-    pub fn to_json(&self) -> String {
-        let mut text = Vec::new();
-        self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default()))
-            .expect("a project has text keys only and is written to memory");
-        text.push(b'\n');
-        String::from_utf8(text).expect("JSON is UTF-8")
-    }
-}
-
-/// Reads a list of handles, as under the key `handles` of a project.
-///
-/// # Errors
-/// The errors of [`Project::from_json`], with paths that begin at the list: `[2].rest[0]`.
-pub fn handles_from_json(text: &str) -> Result<Vec<Handle>, ProjectError> {
-    let handles = read_handles(Cursor::top(&Value::parse(text)?))?;
-    handle::check(&handles, &Path::Top)?;
-    Ok(handles)
-}
-
-/// Reads one clip of these handles, as in the list under the key `clips` of a project.
-///
-/// # Errors
-/// The errors of [`Project::from_json`], with paths that begin at the clip: `tracks[0].keys[1].time`.
-pub fn clip_from_json(text: &str, handles: &[Handle]) -> Result<Clip, ProjectError> {
-    let clip = Clip::read(Cursor::top(&Value::parse(text)?))?;
-    clip.check(handles, &Path::Top)?;
-    Ok(clip)
 }
 
 /// Checks the handles of a project.
 pub(crate) fn check_handles(handles: &[Handle]) -> Result<(), ProjectError> {
     handle::check(handles, &Path::Top.key("handles"))
-}
-
-fn read_handles(value: Cursor<'_>) -> Result<Vec<Handle>, ProjectError> {
-    value.list("a list of handles", Handle::read)
 }

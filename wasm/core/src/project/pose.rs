@@ -1,35 +1,35 @@
 //! How virtual sites get their motions from handles, and how motions are blended.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
-use super::cursor::Cursor;
 use super::error::ProjectError;
 use super::path::Path;
 use super::validate;
 
 /// Greatest density: half of the greatest number of sites. The other half has room for the sites that handles need.
-const MAX_DENSITY: u32 = crate::limits::MAX_SITES as u32 / 2;
+pub(super) const MAX_DENSITY: u32 = crate::limits::MAX_SITES as u32 / 2;
 
 /// Settings of the pose.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
-#[schemars(rename = "Pose", deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "Pose", deny_unknown_fields))]
 #[non_exhaustive]
 pub struct PoseSpec {
     /// How virtual sites get their motions.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub mode: PoseMode,
     /// How the motions at a point are blended.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub blend: Blend,
     /// Least number of virtual sites, up to 4,096. With 0, Algorithm 1 decides.
-    #[schemars(default, range(max = MAX_DENSITY))]
+    #[cfg_attr(feature = "schema", schemars(default, range(max = MAX_DENSITY)))]
     pub density: u32,
 }
 
 /// How virtual sites get their motions from handles.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum PoseMode {
     /// By harmonic fields on the cell graph, as in the paper (eq. 4).
@@ -41,8 +41,10 @@ pub enum PoseMode {
 }
 
 /// How the motions at a point are blended.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum Blend {
     /// Linearly, as in the paper (eq. 1).
@@ -53,21 +55,6 @@ pub enum Blend {
 }
 
 impl PoseSpec {
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let pose = value.object()?;
-        pose.allow_only(&["mode", "blend", "density"])?;
-        let default = Self::default();
-        Ok(Self {
-            mode: pose.value_or("mode", default.mode, |value| {
-                value.one_of(&[("harmonic", PoseMode::Harmonic), ("rigid", PoseMode::Rigid)])
-            })?,
-            blend: pose.value_or("blend", default.blend, |value| {
-                value.one_of(&[("linear", Blend::Linear), ("rigid", Blend::Rigid)])
-            })?,
-            density: pose.value_or("density", default.density, |value| value.whole_number(&(0..=MAX_DENSITY)))?,
-        })
-    }
-
     pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
         validate::whole_number(&at.key("density"), self.density, &(0..=MAX_DENSITY))
     }

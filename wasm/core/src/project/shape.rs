@@ -1,54 +1,51 @@
 //! The shape of a handle: point, bar or polygon, at rest and posed.
 
 use glam::DVec2;
-use schemars::JsonSchema;
-use serde::Serialize;
 
-use super::cursor::Object;
 use super::error::ProjectError;
 use super::path::Path;
-use super::points::{self, Point};
-use super::schema::without_default;
 use super::validate;
 
 /// The shape of a handle at rest and posed, in image pixels.
 ///
 /// Both have the same number of points, all finite. Point handles at rest keep at least 0.01 px from one another, and
 /// from bars and polygons.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "lowercase")]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "lowercase"))]
 pub enum Shape {
     /// One point.
     Point {
         /// The point at rest.
-        #[serde(serialize_with = "points::point")]
-        #[schemars(with = "Point")]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::point"))]
+        #[cfg_attr(feature = "schema", schemars(with = "super::json::Point"))]
         rest: DVec2,
         /// The posed point. The default is the point at rest.
-        #[serde(serialize_with = "points::point")]
-        #[schemars(with = "Point", default, transform = without_default)]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::point"))]
+        #[cfg_attr(feature = "schema", schemars(with = "super::json::Point", default, transform = super::schema::without_default))]
         posed: DVec2,
     },
     /// An open line through two or more points.
     Bar {
         /// The corners at rest.
-        #[serde(serialize_with = "points::list")]
-        #[schemars(with = "Vec<Point>", length(min = 2))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::json::Point>", length(min = 2)))]
         rest: Vec<DVec2>,
         /// The posed corners. The default is the corners at rest.
-        #[serde(serialize_with = "points::list")]
-        #[schemars(with = "Vec<Point>", length(min = 2), default, transform = without_default)]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::json::Point>", length(min = 2), default, transform = super::schema::without_default))]
         posed: Vec<DVec2>,
     },
     /// A closed ring of three or more points.
     Polygon {
         /// The corners at rest.
-        #[serde(serialize_with = "points::list")]
-        #[schemars(with = "Vec<Point>", length(min = 3))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::json::Point>", length(min = 3)))]
         rest: Vec<DVec2>,
         /// The posed corners. The default is the corners at rest.
-        #[serde(serialize_with = "points::list")]
-        #[schemars(with = "Vec<Point>", length(min = 3), default, transform = without_default)]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::json::Point>", length(min = 3), default, transform = super::schema::without_default))]
         posed: Vec<DVec2>,
     },
 }
@@ -80,34 +77,6 @@ impl Shape {
         }
     }
 
-    pub(super) fn read(handle: Object<'_>) -> Result<Self, ProjectError> {
-        #[derive(Clone, Copy)]
-        enum Kind {
-            Point,
-            Bar,
-            Polygon,
-        }
-        let kind = handle.required("kind")?.one_of(&[
-            ("point", Kind::Point),
-            ("bar", Kind::Bar),
-            ("polygon", Kind::Polygon),
-        ])?;
-        match kind {
-            Kind::Point => {
-                let rest = handle.required("rest")?.point()?;
-                Ok(Self::Point { rest, posed: handle.value_or("posed", rest, |value| value.point())? })
-            }
-            Kind::Bar => {
-                let (rest, posed) = read_lines(handle)?;
-                Ok(Self::Bar { rest, posed })
-            }
-            Kind::Polygon => {
-                let (rest, posed) = read_lines(handle)?;
-                Ok(Self::Polygon { rest, posed })
-            }
-        }
-    }
-
     pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
         let (rest, posed, least) = match self {
             Self::Point { rest, posed } => {
@@ -125,11 +94,4 @@ impl Shape {
         let (wanted, found) = (rest.len(), posed.len());
         at.key("posed").refuse(format_args!("expected as many points as in rest ({wanted}), found {found}"))
     }
-}
-
-/// Reads `rest` and `posed` of a bar or polygon.
-fn read_lines(handle: Object<'_>) -> Result<(Vec<DVec2>, Vec<DVec2>), ProjectError> {
-    let rest = handle.required("rest")?.points()?;
-    let posed = handle.value_or("posed", rest.clone(), |value| value.points())?;
-    Ok((rest, posed))
 }

@@ -2,12 +2,11 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
-
 use super::shape::Shape;
 
 /// The kind of a handle and its number of corners, without their positions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum ShapeKind {
     /// A point.

@@ -2,20 +2,15 @@
 
 use std::ops::RangeInclusive;
 
-use base64::{Engine, engine::general_purpose::STANDARD};
 use glam::{DAffine2, DVec2};
-use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
 
-use super::cursor::Cursor;
 use super::error::ProjectError;
-use super::grid_values::{count, read_bytes, read_sides};
 use super::path::Path;
 use super::validate;
 
 /// With more cells, a mask would be finer than the motions that it weighs.
 const MOST_CELLS: u32 = 128;
-const CELLS: RangeInclusive<u32> = 1..=MOST_CELLS;
+pub(super) const CELLS: RangeInclusive<u32> = 1..=MOST_CELLS;
 
 /// How stiff each place of the picture at rest is: a grid of equal cells that covers the picture, whatever its aspect.
 ///
@@ -31,19 +26,21 @@ const CELLS: RangeInclusive<u32> = 1..=MOST_CELLS;
 /// assert_eq!(Project::from_json(&project.to_json())?, project);
 /// # Ok::<(), c2warp::project::ProjectError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Stiffness {
     /// Number of columns, from 1 to 128.
-    #[schemars(range(min = 1, max = MOST_CELLS))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = MOST_CELLS)))]
     pub width: u32,
     /// Number of rows, from 1 to 128.
-    #[schemars(range(min = 1, max = MOST_CELLS))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = MOST_CELLS)))]
     pub height: u32,
     /// A byte for each cell in base64, rows from top to bottom: 0 is as soft as without, 255 is stiff.
-    #[serde(serialize_with = "as_base64")]
-    #[schemars(with = "String", extend("contentEncoding" = "base64", "pattern" = "^[A-Za-z0-9+/]+={0,2}$"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::bytes_as_base64"))]
+    #[cfg_attr(feature = "schema", schemars(with = "String", extend("contentEncoding" = "base64", "pattern" = "^[A-Za-z0-9+/]+={0,2}$")))]
     pub values: Vec<u8>,
 }
 
@@ -84,27 +81,15 @@ impl Stiffness {
         values.iter().any(|&value| value > 0).then_some(Self { width, height, values })
     }
 
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let grid = value.object()?;
-        grid.allow_only(&["width", "height", "values"])?;
-        let sides @ [width, height] = read_sides(&grid, &CELLS)?;
-        let values = read_bytes(grid.required("values")?, sides, 1, "cells")?;
-        Ok(Self { width, height, values })
-    }
-
     pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
         validate::whole_number(&at.key("width"), self.width, &CELLS)?;
         validate::whole_number(&at.key("height"), self.height, &CELLS)?;
-        if self.values.len() == count([self.width, self.height]) {
+        if self.values.len() == validate::entries([self.width, self.height]) {
             return Ok(());
         }
         let Self { width, height, values } = self;
         at.key("values").refuse(format_args!("expected {width} × {height} bytes, found {}", values.len()))
     }
-}
-
-fn as_base64<S: Serializer>(values: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(&STANDARD.encode(values))
 }
 
 /// The stiffness at a place in a grid of columns × rows, as fractions of the picture's size.

@@ -42,3 +42,8 @@ pub(super) fn points(at: &Path<'_>, points: &[DVec2], least: usize) -> Result<()
     }
     points.iter().enumerate().try_for_each(|(index, &p)| point(&at.index(index), p))
 }
+
+/// The number of entries of a grid.
+pub(super) fn entries([width, height]: [u32; 2]) -> usize {
+    width as usize * height as usize
+}

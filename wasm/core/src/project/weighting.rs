@@ -1,9 +1,5 @@
 //! Settings of the weights: their support and falloff (sections III-B and V-A).
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
-use super::cursor::Cursor;
 use super::error::ProjectError;
 use super::path::Path;
 use super::validate;
@@ -14,36 +10,40 @@ const LEAST_FACTOR: u32 = 0;
 /// α of the widest supports.
 const MOST_FACTOR: u32 = 1;
 /// The least n for which φ is C² (section V-A).
-const LEAST_DEGREE: u32 = 5;
+pub(super) const LEAST_DEGREE: u32 = 5;
 /// Far above any degree that changes the picture.
-const MOST_DEGREE: u32 = 32;
+pub(super) const MOST_DEGREE: u32 = 32;
 
 /// The parameters of the weights.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Weighting {
     /// α, from 0 (smallest supports) to 1 (widest supports).
-    #[schemars(default = "default_shape_factor", range(min = LEAST_FACTOR, max = MOST_FACTOR))]
+    #[cfg_attr(feature = "schema", schemars(default = "default_shape_factor", range(min = LEAST_FACTOR, max = MOST_FACTOR)))]
     pub shape_factor: f64,
     /// Degree n of the Bézier polynomial φ, from 5 to 32. From 5 on it is C².
-    #[schemars(default = "default_degree", range(min = LEAST_DEGREE, max = MOST_DEGREE))]
+    #[cfg_attr(feature = "schema", schemars(default = "default_degree", range(min = LEAST_DEGREE, max = MOST_DEGREE)))]
     pub degree: u32,
     /// Position of the inner control points of φ. Continuity leaves them free.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub filling: Filling,
     /// Rule for the radius of a support.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub support: Support,
     /// Where weights have two continuous derivatives.
-    #[serde(skip_serializing_if = "Continuity::is_exact")]
-    #[schemars(default, extend("default" = Continuity::default()))]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::json::is_default"))]
+    #[cfg_attr(feature = "schema", schemars(default, extend("default" = Continuity::default())))]
     pub continuity: Continuity,
 }
 
 /// Position of the inner control points of φ (section V-A).
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum Filling {
     /// Evenly on the line from b₂ to bₙ₋₂.
@@ -54,8 +54,10 @@ pub enum Filling {
 }
 
 /// The rule for the radius of a support.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum Support {
     /// Eq. 3 towards real sites. A support never reaches another real site. It may pass a nearby virtual site if its
@@ -67,8 +69,10 @@ pub enum Support {
 }
 
 /// Where weights have two continuous derivatives.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum Continuity {
     /// Weights of the exact distance. Second derivatives jump where paths begin to bend around a corner of the outline.
@@ -80,13 +84,7 @@ pub enum Continuity {
     C2,
 }
 
-impl Continuity {
-    /// Whether it is the default, which files leave out.
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
-    fn is_exact(&self) -> bool {
-        *self == Self::Exact
-    }
-}
+impl Continuity {}
 
 fn default_shape_factor() -> f64 {
     1.0
@@ -109,26 +107,6 @@ impl Default for Weighting {
 }
 
 impl Weighting {
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let weighting = value.object()?;
-        weighting.allow_only(&["shape_factor", "degree", "filling", "support", "continuity"])?;
-        let default = Self::default();
-        Ok(Self {
-            shape_factor: weighting.value_or("shape_factor", default.shape_factor, |value| value.number())?,
-            degree: weighting
-                .value_or("degree", default.degree, |value| value.whole_number(&(LEAST_DEGREE..=MOST_DEGREE)))?,
-            filling: weighting.value_or("filling", default.filling, |value| {
-                value.one_of(&[("line", Filling::Line), ("half", Filling::Half)])
-            })?,
-            support: weighting.value_or("support", default.support, |value| {
-                value.one_of(&[("paper", Support::Paper), ("smooth", Support::Smooth)])
-            })?,
-            continuity: weighting.value_or("continuity", default.continuity, |value| {
-                value.one_of(&[("exact", Continuity::Exact), ("c2", Continuity::C2)])
-            })?,
-        })
-    }
-
     pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
         let Self { shape_factor, degree, .. } = *self;
         if !(f64::from(LEAST_FACTOR)..=f64::from(MOST_FACTOR)).contains(&shape_factor) {

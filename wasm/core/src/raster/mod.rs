@@ -35,6 +35,7 @@ mod frame;
 mod kernel;
 mod layers;
 pub(crate) mod options;
+mod solution;
 pub(crate) mod sources;
 #[cfg(test)]
 mod tests;

@@ -19,7 +19,7 @@ use super::{
     skirt::{Skirt, WIDTH},
 };
 use crate::{
-    fill::Mask, point_tree::Tree, prepared_domain::PreparedDomain, segment::nearest_on_segment,
+    domain::Mask, point_tree::Tree, prepared_domain::PreparedDomain, segment::nearest_on_segment,
     triangulation::Triangulation,
 };
 

@@ -29,7 +29,6 @@ mod visit_stamps;
 mod voronoi;
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 use crate::distance::{DistanceField, NavTriangle};
 
@@ -54,7 +53,8 @@ const ACUTE_JOINT_GRADING: f64 = 1.1;
 const UNIQUE: f64 = 0.95;
 
 /// The kind of a site, with the handle that it belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub enum SiteKind {
     /// A point handle.
     Point {

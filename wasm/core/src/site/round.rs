@@ -4,11 +4,11 @@
 //! inserts at least one site, so the limit of sites bounds it.
 
 use glam::DVec2;
-use schemars::JsonSchema;
-use serde::Serialize;
 
 /// The state of Algorithm 1 before a round, and the points where the round inserts. The last round has no points.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Round {
     /// The score δ / r_d of the worst cell. Here δ is r_d minus the greatest radius that the cell may have, in place of
@@ -21,11 +21,13 @@ pub struct Round {
 }
 
 /// A point where a round divides a cell.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct RoundPoint {
     /// The point, in image pixels.
-    #[schemars(with = "(f64, f64)")]
+    #[cfg_attr(feature = "schema", schemars(with = "(f64, f64)"))]
     pub at: DVec2,
     /// The site whose cell it divides.
     pub owner: usize,
@@ -34,6 +36,6 @@ pub struct RoundPoint {
     /// The greatest radius that the cell may have, in pixels.
     pub limit: f64,
     /// The vertices of the shortest path from the owner to the point.
-    #[schemars(with = "Vec<(f64, f64)>")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<(f64, f64)>"))]
     pub path: Vec<DVec2>,
 }

@@ -28,7 +28,6 @@ mod stiffness;
 use std::sync::OnceLock;
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 use self::{
     bending::bend,
@@ -48,20 +47,21 @@ const GRAPH_TOLERANCE: f64 = 1e-7;
 const RELAXATION_TOLERANCE: f64 = 1e-5;
 
 /// The links between sites, and the picture between them.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Rigid {
     links: Vec<(u32, u32, f64)>,
     freedom: Vec<Freedom>,
     quadrature: Option<Quadrature>,
     stiffness: StiffnessField,
     /// Made for the first pose: several times the size of the links, and as quick to compute as to read.
-    #[serde(skip)]
+    #[cfg_attr(feature = "poser-bytes", serde(skip))]
     laplacian: OnceLock<Laplacian>,
     /// Likewise.
-    #[serde(skip)]
+    #[cfg_attr(feature = "poser-bytes", serde(skip))]
     relaxation: OnceLock<Relaxation>,
     /// Likewise, if some of the picture is stiff.
-    #[serde(skip)]
+    #[cfg_attr(feature = "poser-bytes", serde(skip))]
     stiff_links: OnceLock<Vec<(u32, u32, f64)>>,
 }
 

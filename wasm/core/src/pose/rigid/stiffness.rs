@@ -10,7 +10,6 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 use super::quadrature::Node;
 use crate::{
@@ -40,14 +39,16 @@ const DIRECTIONS: [DVec2; 8] = [
 const RIM: f64 = 0.125;
 
 /// The stiffness of a picture.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct StiffnessField {
     mask: Option<Mask>,
     polygons: Vec<StiffPolygon>,
 }
 
 /// A mask over a picture of a size in pixels.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 struct Mask {
     size: DVec2,
     columns: u32,
@@ -55,7 +56,8 @@ struct Mask {
     values: Vec<u8>,
 }
 
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 struct StiffPolygon {
     stiffness: f64,
     corners: Vec<DVec2>,

@@ -1,14 +1,10 @@
 //! The pose of a handle at one time.
 
 use glam::DVec2;
-use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
 
-use super::super::cursor::Cursor;
 use super::super::error::ProjectError;
 use super::super::handle::Handle;
 use super::super::path::Path;
-use super::super::points::{self, Point};
 use super::super::rotation::Rotation;
 use super::super::shape::Shape;
 use super::super::validate;
@@ -16,41 +12,37 @@ use super::Ease;
 use crate::display_number::DisplayNumber;
 
 /// The pose of a handle at one time. Values that are left out do not stop there.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Key {
     /// Seconds from the beginning of the clip, up to its duration.
-    #[schemars(range(min = 0))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub time: f64,
     /// The posed corners: one point for a point handle, all corners of a bar or polygon.
-    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "posed")]
-    #[schemars(default, with = "Posed")]
+    #[cfg_attr(
+        feature = "serde",
+        serde(skip_serializing_if = "Option::is_none", serialize_with = "super::super::json::posed")
+    )]
+    #[cfg_attr(feature = "schema", schemars(default, with = "super::super::schema::Posed"))]
     pub posed: Option<Vec<DVec2>>,
     /// The rotation.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(default, with = "Rotation")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "schema", schemars(default, with = "Rotation"))]
     pub rotation: Option<Rotation>,
     /// The scale, above 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(default, with = "f64", extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "schema", schemars(default, with = "f64", extend("exclusiveMinimum" = 0)))]
     pub scale: Option<f64>,
     /// The depth.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(default, with = "f64")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "schema", schemars(default, with = "f64"))]
     pub depth: Option<f64>,
     /// How values go on to the next key.
-    #[schemars(default)]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub ease: Ease,
-}
-
-/// A posed point, or posed corners.
-#[derive(JsonSchema)]
-#[serde(untagged)]
-#[expect(dead_code, reason = "a type for the schema alone")]
-enum Posed {
-    Point(Point),
-    Corners(#[schemars(length(min = 2))] Vec<Point>),
 }
 
 impl Key {
@@ -88,19 +80,6 @@ impl Key {
         self
     }
 
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let key = value.object()?;
-        key.allow_only(&["time", "posed", "rotation", "scale", "depth", "ease"])?;
-        Ok(Self {
-            time: key.required("time")?.number()?,
-            posed: key.optional("posed").map(read_posed).transpose()?,
-            rotation: key.optional("rotation").map(Rotation::read).transpose()?,
-            scale: key.optional("scale").map(|value| value.number()).transpose()?,
-            depth: key.optional("depth").map(|value| value.number()).transpose()?,
-            ease: key.value_or("ease", Ease::default(), Ease::read)?,
-        })
-    }
-
     /// Checks the values for a handle. The track checks the time.
     pub(super) fn check(&self, handle: &Handle, at: &Path<'_>) -> Result<(), ProjectError> {
         if let Some(posed) = &self.posed {
@@ -126,17 +105,5 @@ impl Key {
             }
         }
         self.depth.map_or(Ok(()), |depth| validate::finite(&at.key("depth"), depth))
-    }
-}
-
-/// Reads a point, or a list of points.
-fn read_posed(value: Cursor<'_>) -> Result<Vec<DVec2>, ProjectError> {
-    if value.is_list_of_lists() { value.points() } else { Ok(vec![value.point()?]) }
-}
-
-fn posed<S: Serializer>(posed: &Option<Vec<DVec2>>, serializer: S) -> Result<S::Ok, S::Error> {
-    match posed.as_deref() {
-        Some([point]) => points::point(point, serializer),
-        corners => points::list(corners.unwrap_or_default(), serializer),
     }
 }

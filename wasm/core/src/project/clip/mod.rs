@@ -7,15 +7,11 @@ mod track;
 
 use std::collections::BTreeSet;
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
 pub use self::ease::Ease;
 pub use self::key::Key;
 pub use self::looping::Looping;
 pub use self::track::Track;
 
-use super::cursor::Cursor;
 use super::error::ProjectError;
 use super::handle::Handle;
 use super::path::Path;
@@ -26,19 +22,21 @@ use crate::display_number::DisplayNumber;
 const MOST_SECONDS: f64 = 3600.0;
 
 /// Poses of handles over time.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Clip {
     /// A name, unique in the project and not empty.
-    #[schemars(length(min = 1))]
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
     pub name: String,
     /// Length in seconds, above 0 and up to 3,600.
-    #[schemars(range(max = MOST_SECONDS), extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "schema", schemars(range(max = MOST_SECONDS), extend("exclusiveMinimum" = 0)))]
     pub duration: f64,
     /// What follows the end.
-    #[serde(rename = "loop")]
-    #[schemars(default)]
+    #[cfg_attr(feature = "serde", serde(rename = "loop"))]
+    #[cfg_attr(feature = "schema", schemars(default))]
     pub looping: Looping,
     /// Moving handles, each at most once. The others keep their pose.
     pub tracks: Vec<Track>,
@@ -55,17 +53,6 @@ impl Clip {
     pub fn with_tracks(mut self, tracks: impl IntoIterator<Item = Track>) -> Self {
         self.tracks = tracks.into_iter().collect();
         self
-    }
-
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let clip = value.object()?;
-        clip.allow_only(&["name", "duration", "loop", "tracks"])?;
-        Ok(Self {
-            name: clip.required("name")?.string()?.to_owned(),
-            duration: clip.required("duration")?.number()?,
-            looping: clip.value_or("loop", Looping::default(), Looping::read)?,
-            tracks: clip.required("tracks")?.list("a list of tracks", Track::read)?,
-        })
     }
 
     pub(super) fn check(&self, handles: &[Handle], at: &Path<'_>) -> Result<(), ProjectError> {

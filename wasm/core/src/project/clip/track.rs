@@ -1,23 +1,21 @@
 //! The keys of one handle in a clip.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
-use super::super::cursor::Cursor;
 use super::super::error::ProjectError;
 use super::super::handle::Handle;
 use super::super::path::Path;
 use super::{Key, check_time};
 
 /// The keys of one handle in a clip.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Track {
     /// The id of the handle.
     pub handle: String,
     /// One or more keys, in ascending order of time.
-    #[schemars(length(min = 1))]
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
     pub keys: Vec<Key>,
 }
 
@@ -25,15 +23,6 @@ impl Track {
     /// The track of a handle.
     pub fn new(handle: impl Into<String>, keys: impl IntoIterator<Item = Key>) -> Self {
         Self { handle: handle.into(), keys: keys.into_iter().collect() }
-    }
-
-    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        let track = value.object()?;
-        track.allow_only(&["handle", "keys"])?;
-        Ok(Self {
-            handle: track.required("handle")?.string()?.to_owned(),
-            keys: track.required("keys")?.list("a list of keys", Key::read)?,
-        })
     }
 
     pub(super) fn check(&self, handle: &Handle, duration: f64, at: &Path<'_>) -> Result<(), ProjectError> {

@@ -17,7 +17,6 @@ mod moments;
 mod parts;
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 use self::{
     moments::Moments,
@@ -58,7 +57,8 @@ pub(super) struct Node {
 }
 
 /// All nodes, as they are stored: those of the coarse level alone, those of both levels, those of the fine level alone.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Quadrature {
     nodes: Vec<PackedNode>,
     /// Number of nodes that the fine level does not have.
@@ -67,14 +67,16 @@ pub(crate) struct Quadrature {
     coarse: u32,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 struct PackedNode {
     at: DVec2,
     area: f64,
     influences: Vec<PackedInfluence>,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 struct PackedInfluence {
     site: u32,
     weight: f32,

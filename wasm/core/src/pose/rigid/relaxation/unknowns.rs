@@ -1,10 +1,10 @@
 //! The parts of the sites' motions that the handles leave free, as a vector of unknowns.
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 /// The part of a site's motion that the handles leave free.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Freedom {
     /// All of it: a virtual site.
     Whole,

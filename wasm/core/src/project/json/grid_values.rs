@@ -5,8 +5,7 @@ use std::ops::RangeInclusive;
 use base64::{Engine, encoded_len, engine::general_purpose::STANDARD};
 
 use super::cursor::{Cursor, Object};
-use super::error::ProjectError;
-use super::validate;
+use crate::project::{ProjectError, validate};
 
 /// Reads `width` and `height`.
 pub(super) fn read_sides(grid: &Object<'_>, range: &RangeInclusive<u32>) -> Result<[u32; 2], ProjectError> {
@@ -28,7 +27,7 @@ pub(super) fn read_bytes(
     let [width, height] = sides;
     let text = values.string()?;
     // The length is known before any memory is taken.
-    let bytes = each * count(sides);
+    let bytes = each * validate::entries(sides);
     let (expected, found) = (encoded_len(bytes, true).unwrap_or(usize::MAX), text.len());
     if expected != found {
         return values.refuse(format_args!(
@@ -40,11 +39,6 @@ pub(super) fn read_bytes(
         _ if each == 1 => values.refuse(format_args!("expected {width} × {height} bytes in base64 with its padding")),
         _ => values.refuse(format_args!("expected {width} × {height} × {each} bytes in base64 with its padding")),
     }
-}
-
-/// The number of entries.
-pub(super) fn count([width, height]: [u32; 2]) -> usize {
-    width as usize * height as usize
 }
 
 #[cfg(test)]

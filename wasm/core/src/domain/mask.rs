@@ -1,13 +1,11 @@
-//! The pixels to fill: those of the domain, and of a narrow band around its outline.
+//! The pixels that a fill replaces: those of the domain, and of a narrow band around its outline.
 //!
 //! Cost: linear in the pixels of the domain's box, and in the length of the outline.
 
 use glam::DVec2;
 
-use crate::{
-    domain::{Ring, cells_inside, edges},
-    opacity::Opacity,
-};
+use super::{Ring, cells_inside, edges};
+use crate::opacity::Opacity;
 
 /// Width of the band, in pixels. The antialiased rim along the outline lies in it.
 ///

@@ -5,10 +5,8 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::error::ProjectError;
-use super::path::Path;
-use super::validate;
 use super::value::Value;
+use crate::project::{ProjectError, path::Path, validate};
 
 /// A position in a JSON document: a value and its path.
 #[derive(Debug, Clone, Copy)]

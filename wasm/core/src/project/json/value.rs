@@ -8,8 +8,7 @@ use std::{collections::HashSet, fmt};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-use super::error::ProjectError;
-use crate::display_number::DisplayNumber;
+use crate::{display_number::DisplayNumber, project::ProjectError};
 
 /// One JSON value.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,53 @@
+//! Solves a project in one call on a point cloud.
+
+use super::{CloudSolution, PointCloud};
+use crate::{
+    error::Error,
+    project::{Continuity, Project},
+    solve_input::SolveInput,
+};
+
+/// Solves a project in one call on a point cloud, by the paper's approximations: see [`cloud`](crate::cloud).
+///
+/// The project's picture, domain and number of samples are ignored.
+///
+/// # Errors
+/// - Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
+/// - [`Error::Unsupported`] for bars, polygons, a held boundary, stiff and displaced places.
+pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
+    let input = SolveInput::new(project)?;
+    input.check_points_only()?;
+    let handles = input.points_inside(|p| cloud.contains(p))?;
+    CloudSolution::new(cloud, &handles, &input)
+}
+
+impl SolveInput {
+    /// Refuses bars, polygons, a held boundary, stiff and displaced places, as a point cloud supports none of them.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`].
+    fn check_points_only(&self) -> Result<(), Error> {
+        if let Some(polyline) = self.polylines.first() {
+            let path = format!("handles[{}].kind", polyline.handle);
+            return Err(unsupported(path, "a bar or polygon on a point cloud"));
+        }
+        if self.fix_boundary {
+            return Err(unsupported("fix_boundary".into(), "a fixed boundary of a point cloud"));
+        }
+        if self.weighting.continuity != Continuity::Exact {
+            let feature = "two continuous derivatives on a point cloud, which has no exact distances";
+            return Err(unsupported("weighting.continuity".into(), feature));
+        }
+        if !self.stiffness.is_soft() {
+            return Err(unsupported("stiffness".into(), "a stiff place of a point cloud"));
+        }
+        if self.displacement.is_some() {
+            return Err(unsupported("displacement".into(), "a displaced place of a point cloud"));
+        }
+        Ok(())
+    }
+}
+
+fn unsupported(path: String, feature: &str) -> Error {
+    Error::Unsupported { path, feature: feature.into() }
+}
