@@ -1,6 +1,6 @@
 /** The built element, as other pages and packages use it. */
 import { readFileSync } from 'node:fs';
-import { gzipSync } from 'node:zlib';
+import { sizesOf } from '../../web/scripts/budgets.mjs';
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
@@ -108,51 +108,13 @@ test('a missing file, or a page in its place, is reported', async ({ page }) => 
   expect(await refused()).toMatch(/http:.+c2warp_bg\.wasm is not there: a page is, in its place/);
 });
 
-test('the download of a page stays small', async ({ request }) => {
-  const kilobytes = async (name: string) =>
-    gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;
-  const [script, solver] = await Promise.all([kilobytes('c2warp.js'), kilobytes('c2warp_bg.wasm')]);
-  // Compressed, measured in November 2026: 168.8 and 646.6. The sum is what a page waits for.
-  expect(script).toBeLessThan(170);
-  expect(script + solver).toBeLessThan(818);
-  // Loaded only when they are first shown: 11.9, 6.4 and 1.2.
-  expect(await kilobytes('study.js')).toBeLessThan(13);
-  expect(await kilobytes('timeline.js')).toBeLessThan(8);
-  expect(await kilobytes('compare.js')).toBeLessThan(2);
-  // With the pages of the export panel, and the first film: 6.0. The encoders follow by format: 105, 41, 10 and 4.
-  expect((await kilobytes('pages.js')) + (await kilobytes('filming.js'))).toBeLessThan(7);
-  expect(await kilobytes('film_bg.wasm')).toBeLessThan(110);
-  expect(await kilobytes('videos.js')).toBeLessThan(43);
-  expect(await kilobytes('zips.js')).toBeLessThan(11);
-  expect(await kilobytes('animations.js')).toBeLessThan(5);
-  // For the first rig, map or SVG: 8.8, most of it for zips, and 1011.0. The module has a solver of its own, OpenEXR,
-  // and a reader of SVG.
-  expect((await kilobytes('rig_file.js')) + (await kilobytes('exporter.js'))).toBeLessThan(10);
-  expect(await kilobytes('c2warp_export_bg.wasm')).toBeLessThan(1014);
+test('downloads stay within their budgets', async ({ request }) => {
+  const sizes = await sizesOf(async (path) => (await request.get(`/${path}`)).body());
+  for (const { what, size, most } of sizes) expect(size, what).toBeLessThan(most);
 });
 
-test('the core without a screen stays small beside the solver, and its entries exist', async ({
-  request,
-}) => {
+test('the entries of the core and of the command exist', async ({ request }) => {
   const { types: _, ...core }: Readonly<Record<string, string>> = PACKAGE.exports['./core'];
-  const { c2warp }: Readonly<Record<string, string>> = PACKAGE.bin;
-  const sizes = [...Object.values(core), c2warp].map(async (entry) => {
-    const names = [served(String(entry))];
-    let bytes = 0;
-    for (const name of names) {
-      const response = await request.get(name);
-      expect(response.ok(), name).toBe(true);
-      const body = await response.body();
-      bytes += gzipSync(body, { level: 9 }).length;
-      for (const [, file] of body.toString().matchAll(/from "\.\/([\w-]+\.js)"/g)) {
-        if (!names.includes(`/core/${file}`)) names.push(`/core/${file}`);
-      }
-    }
-    return bytes / 1000;
-  });
-  const [node = 0, page = 0, command = 0] = await Promise.all(sizes);
-  // Compressed, measured in November 2026: 28, 24 and 0.6.
-  expect(node).toBeLessThan(31);
-  expect(page).toBeLessThan(27);
-  expect(command).toBeLessThan(1);
+  for (const entry of [...Object.values(core), PACKAGE.bin.c2warp])
+    expect((await request.get(served(String(entry)))).ok(), entry).toBe(true);
 });

@@ -1,5 +1,9 @@
 /** The checks of `npm run check`: formats, lints, types, imports and prose of both languages, and generated files. */
+import { OF_CRATES } from './packing.mjs';
 import { heading, run, toolPath } from './steps.mjs';
+
+/** The library as its users compile it: without features, and with each alone. */
+const FEATURES = ['', 'serde', 'schema', 'raster', 'cloud', 'rig', 'poser-bytes'];
 
 /** @type {[title: string, program: string, args: string[]][]} */
 const CHECKS = [
@@ -8,6 +12,30 @@ const CHECKS = [
     'Lints of the Rust (clippy)',
     'cargo',
     ['clippy', '--workspace', '--all-targets', '--', '--deny', 'warnings'],
+  ],
+  ...FEATURES.map((feature) => {
+    const args = [
+      'clippy',
+      '--package',
+      'c2warp',
+      '--lib',
+      '--features',
+      feature,
+      '--',
+      '--deny',
+      'warnings',
+    ];
+    return /** @type {[string, string, string[]]} */ ([
+      `Core, features: ${feature || 'none'}`,
+      'cargo',
+      args,
+    ]);
+  }),
+  // Everything that it needs is there after the lints.
+  [
+    'Packing of the crates',
+    'cargo',
+    ['package', '--offline', '--no-verify', '--allow-dirty', '--quiet', ...OF_CRATES],
   ],
   ['Types generated from Rust', 'cargo', ['run', '--package', 'xtask', '--', 'schema', '--check']],
   ['Types (tsc)', process.execPath, [toolPath('tsc'), '--build', 'web/tsconfig.json']],

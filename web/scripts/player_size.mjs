@@ -2,10 +2,11 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
+import { BUDGETS } from './budgets.mjs';
 import { ROOT, StepError } from './steps.mjs';
 
 /** Compressed by brotli, all scripts together. */
-export const MOST_PLAYER_BYTES = 15_000;
+const MOST_PLAYER_BYTES = 1000 * (BUDGETS.find(({ what }) => what === 'player')?.most ?? 0);
 
 /** @param {Iterable<string | Uint8Array>} scripts */
 export function brotliBytes(scripts) {

@@ -14,8 +14,10 @@ const OFFLINE =
 
 /** Command line tools among the npm packages. Node runs them directly: quicker than npx, and the same on Windows. */
 const TOOLS = {
+  attw: '@arethetypeswrong/cli/dist/index.js',
   biome: '@biomejs/biome/bin/biome',
   playwright: '@playwright/test/cli.js',
+  publint: 'publint/src/cli.js',
   tsc: 'typescript/bin/tsc',
   vite: 'vite/bin/vite.js',
   vitest: 'vitest/vitest.mjs',

@@ -9,8 +9,9 @@ import { runChecks } from './checks.mjs';
 import { prepareChromium } from './chromium.mjs';
 import { buildCommand } from './command.mjs';
 import { cargoCounts, playwrightCounts, summary, vitestCounts } from './counts.mjs';
+import { npmPackage } from './packing.mjs';
 import { prepare, prepareRustLints } from './prepare.mjs';
-import { heading, main, ROOT, run, toolPath } from './steps.mjs';
+import { heading, main, ROOT, run, StepError, toolPath } from './steps.mjs';
 
 /** @typedef {import('./counts.mjs').Counts} Counts */
 
@@ -34,6 +35,7 @@ await main(async () => {
       (report) => ({ args: [`--outputFile.json=${report}`], env: {} }),
       vitestCounts,
     ),
+    Packages: await packages(),
     'Browser tests': await reported(
       'Browser tests',
       [
@@ -57,6 +59,18 @@ await main(async () => {
   console.log(`\n${summary(all)}`);
   if (all.some(({ failed }) => failed > 0)) process.exitCode = 1;
 });
+
+/** @returns {Promise<Counts>} */
+async function packages() {
+  try {
+    await npmPackage(join(ROOT, OUTPUT, 'packages'));
+    return { passed: 1, failed: 0, skipped: 0 };
+  } catch (error) {
+    if (!(error instanceof StepError)) throw error;
+    console.error(`✗ ${error.message}`);
+    return { passed: 0, failed: 1, skipped: 0 };
+  }
+}
 
 /** @returns {Promise<Counts>} */
 async function nativeTests() {

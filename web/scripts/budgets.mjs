@@ -1,0 +1,73 @@
+/**
+ * The most that downloads take, compressed by brotli. The browser tests and the release compare them with the build.
+ *
+ * A page waits for the first two. It loads the others when they are first used.
+ */
+import { brotliCompressSync } from 'node:zlib';
+
+/** @typedef {{ what: string, files: readonly string[], most: number }} Budget Paths below `web/dist`; most in kB. */
+
+/** @type {readonly Budget[]} */
+export const BUDGETS = [
+  { what: 'script of the element', files: ['element/c2warp.js'], most: 148 },
+  { what: 'element with its solver', files: ['element/c2warp.js', 'element/c2warp_bg.wasm'], most: 650 },
+  { what: 'lens and study', files: ['element/study.js'], most: 12 },
+  { what: 'timeline', files: ['element/timeline.js'], most: 7 },
+  { what: 'comparison', files: ['element/compare.js'], most: 2 },
+  { what: 'export panel and first film', files: ['element/pages.js', 'element/filming.js'], most: 7 },
+  { what: 'encoders of animated pictures', files: ['element/film_bg.wasm'], most: 95 },
+  { what: 'encoders of videos', files: ['element/videos.js'], most: 38 },
+  { what: 'encoders of animated pictures, script', files: ['element/animations.js'], most: 5 },
+  { what: 'zipped films', files: ['element/zips.js'], most: 11 },
+  { what: 'first rig, map or SVG: scripts', files: ['element/rig_file.js', 'element/exporter.js'], most: 10 },
+  { what: 'first rig, map or SVG: module', files: ['element/c2warp_export_bg.wasm'], most: 800 },
+  { what: 'player', files: ['player/c2warp-player.js'], most: 15 },
+  { what: 'core in Node, without the solver', files: ['core/node.js'], most: 28 },
+  { what: 'core in pages, without the solver', files: ['core/core.js'], most: 18 },
+  { what: 'script of the command', files: ['core/command.js'], most: 1 },
+];
+
+const IMPORT = /\b(?:from|import) ?"\.\/([\w-]+\.js)"/g;
+/** Everything else of the element is loaded after this. */
+const FIRST = 'element/c2warp.js';
+
+/**
+ * The size of each download in kB, with the scripts that its scripts import at once. Those of the element itself do not
+ * count for later ones.
+ * @param {(path: string) => Promise<Uint8Array>} read Reads a file below `web/dist`.
+ * @returns {Promise<(Budget & { size: number })[]>}
+ */
+export async function sizesOf(read) {
+  /** @type {Map<string, Promise<{ size: number, imports: string[] }>>} */
+  const known = new Map();
+  const file = (/** @type {string} */ path) => {
+    const found = known.get(path) ?? read(path).then((bytes) => measured(path, bytes));
+    known.set(path, found);
+    return found;
+  };
+  const closure = async (/** @type {readonly string[]} */ first, /** @type {readonly string[]} */ loaded) => {
+    const paths = [...first];
+    for (const path of paths)
+      for (const name of (await file(path)).imports)
+        if (!paths.includes(name) && !loaded.includes(name)) paths.push(name);
+    return paths;
+  };
+  const element = await closure([FIRST], []);
+  const sizes = BUDGETS.map(async (budget) => {
+    const paths = await closure(budget.files, budget.files.includes(FIRST) ? [] : element);
+    const files = await Promise.all(paths.map(file));
+    return { ...budget, size: files.reduce((sum, { size }) => sum + size, 0) / 1000 };
+  });
+  return Promise.all(sizes);
+}
+
+/**
+ * @param {string} path
+ * @param {Uint8Array} bytes
+ */
+function measured(path, bytes) {
+  const text = path.endsWith('.js') ? new TextDecoder().decode(bytes) : '';
+  const folder = path.slice(0, path.lastIndexOf('/') + 1);
+  const imports = [...text.matchAll(IMPORT)].map(([, name]) => `${folder}${name}`);
+  return { size: brotliCompressSync(bytes).length, imports };
+}

@@ -1,0 +1,8 @@
+/** `npm run test:packages`: builds, packs and checks the package of npm. `npm test` runs it too. */
+import { npmPackage } from './packing.mjs';
+import { main, ROOT } from './steps.mjs';
+
+await main(async () => {
+  const { warnings } = await npmPackage(`${ROOT}tests/output/packages`);
+  for (const warning of warnings) console.log(`! ${warning}`);
+});
