@@ -110,7 +110,7 @@ test('a missing file, or a page in its place, is reported', async ({ page }) => 
 
 test('downloads stay within their budgets', async ({ request }) => {
   const sizes = await sizesOf(async (path) => (await request.get(`/${path}`)).body());
-  for (const { what, size, most } of sizes) expect(size, what).toBeLessThan(most);
+  for (const { name, size, most } of sizes) expect(size, name).toBeLessThan(most);
 });
 
 test('the entries of the core and of the command exist', async ({ request }) => {

@@ -5,26 +5,26 @@
  */
 import { brotliCompressSync } from 'node:zlib';
 
-/** @typedef {{ what: string, files: readonly string[], most: number }} Budget Paths below `web/dist`; most in kB. */
+/** @typedef {{ name: string, files: readonly string[], most: number }} Budget Paths below `web/dist`; most in kB. */
 
 /** @type {readonly Budget[]} */
 export const BUDGETS = [
-  { what: 'script of the element', files: ['element/c2warp.js'], most: 148 },
-  { what: 'element with its solver', files: ['element/c2warp.js', 'element/c2warp_bg.wasm'], most: 650 },
-  { what: 'lens and study', files: ['element/study.js'], most: 12 },
-  { what: 'timeline', files: ['element/timeline.js'], most: 7 },
-  { what: 'comparison', files: ['element/compare.js'], most: 2 },
-  { what: 'export panel and first film', files: ['element/pages.js', 'element/filming.js'], most: 7 },
-  { what: 'encoders of animated pictures', files: ['element/film_bg.wasm'], most: 95 },
-  { what: 'encoders of videos', files: ['element/videos.js'], most: 38 },
-  { what: 'encoders of animated pictures, script', files: ['element/animations.js'], most: 5 },
-  { what: 'zipped films', files: ['element/zips.js'], most: 11 },
-  { what: 'first rig, map or SVG: scripts', files: ['element/rig_file.js', 'element/exporter.js'], most: 10 },
-  { what: 'first rig, map or SVG: module', files: ['element/c2warp_export_bg.wasm'], most: 800 },
-  { what: 'player', files: ['player/c2warp-player.js'], most: 15 },
-  { what: 'core in Node, without the solver', files: ['core/node.js'], most: 28 },
-  { what: 'core in pages, without the solver', files: ['core/core.js'], most: 18 },
-  { what: 'script of the command', files: ['core/command.js'], most: 1 },
+  { name: 'script of the element', files: ['element/c2warp.js'], most: 148 },
+  { name: 'element with its solver', files: ['element/c2warp.js', 'element/c2warp_bg.wasm'], most: 650 },
+  { name: 'lens and study', files: ['element/study.js'], most: 12 },
+  { name: 'timeline', files: ['element/timeline.js'], most: 7 },
+  { name: 'comparison', files: ['element/compare.js'], most: 2 },
+  { name: 'export panel and first film', files: ['element/pages.js', 'element/filming.js'], most: 7 },
+  { name: 'encoders of animated pictures', files: ['element/film_bg.wasm'], most: 95 },
+  { name: 'encoders of videos', files: ['element/videos.js'], most: 38 },
+  { name: 'encoders of animated pictures, script', files: ['element/animations.js'], most: 5 },
+  { name: 'zipped films', files: ['element/zips.js'], most: 11 },
+  { name: 'first rig, map or SVG: scripts', files: ['element/rig_file.js', 'element/exporter.js'], most: 10 },
+  { name: 'first rig, map or SVG: module', files: ['element/c2warp_export_bg.wasm'], most: 800 },
+  { name: 'player', files: ['player/c2warp-player.js'], most: 15 },
+  { name: 'core in Node, without the solver', files: ['core/node.js'], most: 28 },
+  { name: 'core in pages, without the solver', files: ['core/core.js'], most: 18 },
+  { name: 'script of the command', files: ['core/command.js'], most: 1 },
 ];
 
 const IMPORT = /\b(?:from|import) ?"\.\/([\w-]+\.js)"/g;

@@ -24,7 +24,7 @@ const NPM = process.env.npm_execpath
   : /** @type {const} */ (['npm']);
 
 /**
- * Builds and packs what npm gets, and checks it.
+ * Builds, packs and checks the package of npm.
  * @param {string} folder For the tarball.
  * @returns {Promise<{ tarball: string, warnings: string[] }>}
  */
@@ -91,9 +91,9 @@ function packed(folder) {
 async function checkSizes() {
   heading('Downloads, by brotli');
   const sizes = await sizesOf((path) => readFile(join(ROOT, 'web/dist', path)));
-  for (const { what, size, most } of sizes)
-    console.log(`${size.toFixed(1).padStart(6)} kB of ${String(most).padStart(3)}  ${what}`);
-  const over = sizes.filter(({ size, most }) => size > most).map(({ what }) => what);
+  for (const { name, size, most } of sizes)
+    console.log(`${size.toFixed(1).padStart(6)} kB of ${String(most).padStart(3)}  ${name}`);
+  const over = sizes.filter(({ size, most }) => size > most).map(({ name }) => name);
   if (over.length > 0)
     throw new StepError(`Over the budgets of web/scripts/budgets.mjs: ${over.join(', ')}.`);
 }

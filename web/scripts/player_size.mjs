@@ -6,7 +6,7 @@ import { BUDGETS } from './budgets.mjs';
 import { ROOT, StepError } from './steps.mjs';
 
 /** Compressed by brotli, all scripts together. */
-const MOST_PLAYER_BYTES = 1000 * (BUDGETS.find(({ what }) => what === 'player')?.most ?? 0);
+const MOST_PLAYER_BYTES = 1000 * (BUDGETS.find(({ name }) => name === 'player')?.most ?? 0);
 
 /** @param {Iterable<string | Uint8Array>} scripts */
 export function brotliBytes(scripts) {

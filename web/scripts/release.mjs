@@ -1,5 +1,5 @@
 /**
- * `npm run release -- VERSION`: makes everything that a release uploads, from a clean clone, and stops before the upload.
+ * `npm run release -- VERSION`: makes all that a release uploads, from a clean clone, and stops before the upload.
  *
  * A folder beside the system's other temporary files then has the clone, the packages and the notes.
  */

@@ -1,4 +1,4 @@
-/** What a release needs to know of its files: notes, versions, and links that work outside the repository. */
+/** Notes and versions of a release, and links that work outside the repository. */
 
 /** @param {string} text */
 const escaped = (text) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&');

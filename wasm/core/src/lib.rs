@@ -88,6 +88,8 @@ mod solve_input;
 mod solve_key;
 mod solved_sites;
 mod solver;
+#[cfg(feature = "raster")]
+mod solver_fill;
 mod stage;
 
 // The same rig on another picture.

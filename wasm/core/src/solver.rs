@@ -169,10 +169,9 @@ impl Solver {
             Progress::Partitioned { located, samples, partition } => {
                 let prepared = Arc::clone(prepared);
                 let solution = pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
-                let solved = FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) };
                 #[cfg(feature = "raster")]
-                let solved = solved.with_fill(&self.fill);
-                *finished = Some(solved);
+                let solution = Solution { fill: self.fill.behind(key), ..solution };
+                *finished = Some(FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) });
                 return Ok(Some(Stage::Weights));
             }
         };

@@ -30,10 +30,10 @@ pub enum DomainSpec {
     /// in place.
     Polygon {
         /// One or more rings of at least three points `[x, y]`.
-        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::rings"))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::points::rings"))]
         #[cfg_attr(
             feature = "schema",
-            schemars(with = "Vec<Vec<super::json::Point>>", length(min = 1), inner(length(min = 3)))
+            schemars(with = "Vec<Vec<super::points::Point>>", length(min = 1), inner(length(min = 3)))
         )]
         rings: Vec<Vec<DVec2>>,
         /// Width of the soft rim around the rings, in pixels, from 0 to 64. What moves away goes on that far beyond its

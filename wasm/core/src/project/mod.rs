@@ -40,6 +40,8 @@ mod json;
 mod loose_parts;
 mod mapped;
 mod path;
+#[cfg(feature = "serde")]
+mod points;
 mod pose;
 mod rotation;
 #[cfg(feature = "schema")]

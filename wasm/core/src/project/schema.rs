@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
-use super::json::Point;
+use super::points::Point;
 use super::rotation::Rotation;
 
 /// Removes the default from the schema of a key. The real default depends on other keys, so the generated one is wrong.

@@ -18,34 +18,34 @@ pub enum Shape {
     /// One point.
     Point {
         /// The point at rest.
-        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::point"))]
-        #[cfg_attr(feature = "schema", schemars(with = "super::json::Point"))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::points::point"))]
+        #[cfg_attr(feature = "schema", schemars(with = "super::points::Point"))]
         rest: DVec2,
         /// The posed point. The default is the point at rest.
-        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::point"))]
-        #[cfg_attr(feature = "schema", schemars(with = "super::json::Point", default, transform = super::schema::without_default))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::points::point"))]
+        #[cfg_attr(feature = "schema", schemars(with = "super::points::Point", default, transform = super::schema::without_default))]
         posed: DVec2,
     },
     /// An open line through two or more points.
     Bar {
         /// The corners at rest.
-        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::list"))]
-        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::json::Point>", length(min = 2)))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::points::list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::points::Point>", length(min = 2)))]
         rest: Vec<DVec2>,
         /// The posed corners. The default is the corners at rest.
-        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::list"))]
-        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::json::Point>", length(min = 2), default, transform = super::schema::without_default))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::points::list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::points::Point>", length(min = 2), default, transform = super::schema::without_default))]
         posed: Vec<DVec2>,
     },
     /// A closed ring of three or more points.
     Polygon {
         /// The corners at rest.
-        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::list"))]
-        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::json::Point>", length(min = 3)))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::points::list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::points::Point>", length(min = 3)))]
         rest: Vec<DVec2>,
         /// The posed corners. The default is the corners at rest.
-        #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::list"))]
-        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::json::Point>", length(min = 3), default, transform = super::schema::without_default))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "super::points::list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::points::Point>", length(min = 3), default, transform = super::schema::without_default))]
         posed: Vec<DVec2>,
     },
 }

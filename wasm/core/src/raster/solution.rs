@@ -1,4 +1,4 @@
-//! The warped picture of a solution, and what is behind it.
+//! The warped picture of a solution, over its background or its fill.
 
 use glam::DVec2;
 

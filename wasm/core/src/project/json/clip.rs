@@ -4,8 +4,7 @@ use glam::DVec2;
 use serde::Serializer;
 
 use super::cursor::Cursor;
-use super::points;
-use crate::project::{Clip, Ease, Key, Looping, ProjectError, Rotation, Track};
+use crate::project::{Clip, Ease, Key, Looping, ProjectError, Rotation, Track, points};
 
 impl Clip {
     pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {

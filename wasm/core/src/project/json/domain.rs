@@ -1,4 +1,4 @@
-//! The domain and what is behind it as JSON.
+//! The domain and its fill as JSON.
 
 use std::ops::RangeInclusive;
 

@@ -7,7 +7,6 @@ mod grid_values;
 mod grids;
 mod handle;
 mod layout;
-mod points;
 mod settings;
 mod value;
 
@@ -15,9 +14,6 @@ use serde::Serialize;
 
 pub(super) use self::clip::posed;
 pub(super) use self::grids::{bytes_as_base64, numbers_as_base64};
-#[cfg(feature = "schema")]
-pub(super) use self::points::Point;
-pub(super) use self::points::{list, point, rings};
 
 use self::cursor::Cursor;
 use self::layout::Layout;
