@@ -1,4 +1,4 @@
-/** Servers that count what a page downloads. */
+/** Servers that count the downloads of a page. */
 import { readdir, readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { connect, createServer as createTcpServer } from 'node:net';
@@ -53,7 +53,7 @@ export async function staticServer(folder) {
 }
 
 /**
- * Forwards connections to the server of a framework, and counts what comes back.
+ * Forwards connections to the server of a framework, and counts the bytes that come back.
  * @param {number} port
  * @returns {Promise<CountingServer>}
  */

@@ -48,7 +48,7 @@ export async function secondsToFirstDrag(page, address) {
 }
 
 /**
- * What the page reports by itself, as it comes.
+ * Reports of the page by itself, as they come.
  * @param {Page} page
  */
 function problemsOf(page) {

@@ -15,7 +15,7 @@ export function loadedModule(): Promise<WebAssembly.Module> {
   return loading;
 }
 
-/** @throws Error that names the address, and says what is wrong with the file. */
+/** @throws Error that names the address and the fault of the file. */
 export async function compiled(url: URL): Promise<WebAssembly.Module> {
   try {
     return await fetched(url);

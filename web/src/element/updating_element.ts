@@ -25,7 +25,7 @@ export abstract class UpdatingElement extends AnyElement {
   }
 
   readonly #values = new Map<string, unknown>();
-  /** What the page set before the element was defined. */
+  /** Values that the page set before the element was defined. */
   readonly #early: Readonly<Record<string, unknown>>;
   #changes = new Map<string, unknown>();
   readonly #reflected = new Set<string>();
@@ -92,11 +92,11 @@ export abstract class UpdatingElement extends AnyElement {
     this.requestUpdate();
   }
 
-  /** @internal What it changes belongs to the update under way. */
+  /** @internal Its changes belong to the update under way. */
   protected abstract willUpdate(changes: Changes): void;
   /** @internal A template of lit-html. */
   protected abstract render(): unknown;
-  /** @internal What it changes needs another update. */
+  /** @internal Its changes need another update. */
   protected abstract updated(changes: Changes): void;
 
   get #properties(): Properties {
