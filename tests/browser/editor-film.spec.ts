@@ -289,9 +289,9 @@ test('Escape and a button cancel half way, and the next film is whole', async ({
   expect(downloads).toBe(1);
 });
 
-/** Runs a script at the beginning of the worker that writes films. */
+/** Runs a script at the beginning of the workers that write films. */
 async function inFilmWorker(page: Page, script: string): Promise<void> {
-  await page.route(/\/film(-[\w-]+)?\.js$/, async (route) => {
+  await page.route(/\/(animations|videos|zips)(-[\w-]+)?\.js$/, async (route) => {
     const response = await route.fetch();
     await route.fulfill({ response, body: `${script}\n${await response.text()}` });
   });
