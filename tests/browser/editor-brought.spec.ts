@@ -155,7 +155,7 @@ test.describe('addresses', () => {
     const editor = await Editor.open(page);
     await bringTexts(editor, 'drop', { 'text/uri-list': DISC });
     await expect(editor.notice).toContainText(
-      'disc.png could not be loaded. pictures.example does not let other pages read it, or cannot be reached.',
+      'disc.png could not be loaded. pictures.example does not let this page read it (CORS), or cannot be reached.',
     );
     await expect(editor.handles).toHaveCount(5);
   });

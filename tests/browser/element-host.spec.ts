@@ -332,3 +332,175 @@ test('a form submits the project, and needs a picture where it is required', asy
     disabled: false,
   });
 });
+
+test('a signal gives a picture up, while it is read and while it is solved', async ({ page }) => {
+  const editor = await Editor.open(page);
+  let asked = 0;
+  await page.route('**/never.png', () => {
+    asked++;
+  });
+  await listen(editor, ['load', 'error', 'change']);
+  const told = page.locator('c2-warp').evaluate(async (element, sample) => {
+    const warp = element as C2Warp;
+    const reasons: unknown[] = [];
+    const note = (reason: unknown) => reasons.push(reason);
+    await warp.load(sample, null, { signal: AbortSignal.abort('early') }).catch(note);
+    const reading = new AbortController();
+    const read = warp.load('never.png', null, { signal: reading.signal }).catch(note);
+    Object.assign(globalThis, { giveUp: () => reading.abort('read') });
+    await read;
+    const solving = new AbortController();
+    const file = await (await fetch(sample)).blob();
+    const solved = warp.load(file, null, { signal: solving.signal }).catch(note);
+    const onStage = () => warp.naturalWidth > 0 && warp.project.handles.length === 0;
+    while (!onStage()) await new Promise((resolve) => requestAnimationFrame(resolve));
+    solving.abort('solved');
+    await solved;
+    return { reasons, handles: warp.project.handles.length };
+  }, SAMPLE);
+  await expect.poll(() => asked).toBe(1);
+  await page.evaluate(() => (Reflect.get(globalThis, 'giveUp') as () => void)());
+  expect(await told).toEqual({ reasons: ['early', 'read', 'solved'], handles: 5 });
+  await expect(editor.solved).toContainText('sample');
+  expect(await heard(editor)).toEqual([]);
+});
+
+test('pictures of other origins are asked for with cookies where the page says so', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const cookies: string[] = [];
+  const allowed = { 'Access-Control-Allow-Credentials': 'true' };
+  const origin = new URL(page.url()).origin;
+  await page
+    .context()
+    .addCookies([
+      { name: 'who', value: 'me', domain: 'pictures.example', path: '/', sameSite: 'None', secure: true },
+    ]);
+  await page.route('https://pictures.example/**', async (route) => {
+    cookies.push((await route.request().allHeaders()).cookie ?? '');
+    await route.fulfill({
+      path: 'web/public/samples/cat.png',
+      headers: { ...allowed, 'Access-Control-Allow-Origin': origin, 'Content-Type': 'image/png' },
+    });
+  });
+  await listen(editor, ['error']);
+  await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    await warp.load('https://pictures.example/cat.png');
+    element.setAttribute('crossorigin', 'use-credentials');
+    await warp.updateComplete;
+    await warp.load('https://pictures.example/cat.png');
+    element.setAttribute('crossorigin', 'cookies');
+    await warp.updateComplete;
+  });
+  expect(cookies).toEqual(['', 'who=me']);
+  expect(await heard(editor)).toHaveLength(1);
+});
+
+test('what a page puts into the toolbar and the panel keeps its keys and its focus', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.locator('c2-warp').evaluate((element) => {
+    const button = document.createElement('button');
+    Object.assign(button, { textContent: 'Publish', slot: 'toolbar' });
+    button.addEventListener('click', () => Object.assign(globalThis, { published: true }));
+    const field = document.createElement('input');
+    Object.assign(field, { slot: 'panel', ariaLabel: 'Caption' });
+    element.append(button, field);
+  });
+  await page.getByRole('button', { name: 'Publish' }).click();
+  expect(await page.evaluate(() => Reflect.get(globalThis, 'published'))).toBe(true);
+  const field = page.getByRole('textbox', { name: 'Caption' });
+  await field.click();
+  await page.keyboard.type('bpv 1?');
+  await page.keyboard.press('Delete');
+  await expect(field).toHaveValue('bpv 1?');
+  expect(await tool(editor)).toBe('select');
+  await expect(editor.handle('left hand')).toBeVisible();
+  const [top, middle, panel] = await Promise.all([
+    page.locator('.top').boundingBox(),
+    page.getByRole('button', { name: 'Publish' }).boundingBox(),
+    page.locator('.panel').boundingBox(),
+  ]);
+  expect(middle && top && middle.y > top.y && middle.y + middle.height < top.y + top.height).toBe(true);
+  const at = await field.boundingBox();
+  expect(at && panel && at.x >= panel.x && at.x + at.width <= panel.x + panel.width).toBe(true);
+});
+
+test('new projects have the settings of the page, and nonsense is refused', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await listen(editor, ['error']);
+  const told = await page.locator('c2-warp').evaluate(async (element, sample) => {
+    const warp = element as C2Warp;
+    warp.defaults = { samples: 2000, pose: { density: 20 }, fix_boundary: true };
+    await warp.load(sample);
+    const { samples, pose, weighting, fix_boundary: held } = warp.project;
+    warp.defaults = { pose: { mode: 'harmonic' } };
+    await warp.load(sample);
+    const harmonic = [warp.project.weighting?.support, warp.project.pose?.density, warp.project.samples];
+    let refusal = '';
+    try {
+      Object.assign(warp, { defaults: { handles: [] } });
+    } catch (error) {
+      refusal = String(error);
+    }
+    const kept = warp.defaults;
+    warp.defaults = { samples: 3 };
+    return { samples, pose, support: weighting?.support, held, harmonic, refusal, kept };
+  }, SAMPLE);
+  expect(told).toEqual({
+    samples: 2000,
+    pose: { mode: 'rigid', blend: 'linear', density: 20 },
+    support: 'smooth',
+    held: true,
+    harmonic: ['paper', 0, 10000],
+    refusal: expect.stringContaining('found "handles"'),
+    kept: { pose: { mode: 'harmonic' } },
+  });
+  const defaults = () => page.locator('c2-warp').evaluate((element) => (element as C2Warp).defaults);
+  await expect.poll(defaults).toEqual({});
+  expect(await heard(editor)).toHaveLength(1);
+});
+
+test('a form waits until the pictures that it submits are drawn', async ({ page }) => {
+  await Editor.open(page);
+  const told = await page.evaluate(async (sample) => {
+    const form = document.createElement('form');
+    const warps = ['avatar', 'badge'].map((name) => {
+      const warp = document.createElement('c2-warp') as C2Warp;
+      Object.assign(warp, { name, submits: 'picture' });
+      form.append(warp);
+      return warp;
+    });
+    const button = document.createElement('button');
+    Object.assign(button, { name: 'by', value: 'button' });
+    form.append(button);
+    document.body.append(form);
+    for (const warp of warps) await warp.load(sample);
+    const sent = new Promise<FormData>((resolve) =>
+      form.addEventListener('submit', (event) => {
+        event.preventDefault();
+        resolve(new FormData(form, event.submitter));
+      }),
+    );
+    let submissions = 0;
+    form.addEventListener('submit', () => submissions++);
+    button.click();
+    button.click();
+    const data = await sent;
+    const size = async (name: string) => {
+      const file = data.get(name) as File;
+      const { width, height } = await createImageBitmap(file);
+      return [file.name, file.type, width, height];
+    };
+    const [first] = warps;
+    const { width, height } = await createImageBitmap((await first?.toBlob()) as Blob);
+    return {
+      sizes: [await size('avatar'), await size('badge')],
+      expected: [width, height],
+      by: data.get('by'),
+      submissions,
+      after: new FormData(form).has('avatar'),
+    };
+  }, SAMPLE);
+  const file = ['gingerbread-warped.png', 'image/png', ...told.expected];
+  expect(told).toMatchObject({ sizes: [file, file], by: 'button', submissions: 1, after: false });
+});

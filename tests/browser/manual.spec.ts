@@ -29,6 +29,6 @@ for (const [index, example] of EXAMPLES.entries()) {
   });
 }
 
-test('the manual has examples of a page, an article, a form and an animation', () => {
-  expect(EXAMPLES).toHaveLength(4);
+test('the manual has examples of a page, an article, a form, slots and an animation', () => {
+  expect(EXAMPLES).toHaveLength(5);
 });

@@ -5,12 +5,14 @@
  * |---|---|
  * | `src` | the address of the picture; a new address replaces the open picture |
  * | `project` | the address of the project file for `src`. Both are opened again when either changes |
+ * | `crossorigin` | `use-credentials`: requests to other origins carry cookies. Without it they do not |
  * | `tool` | `select`, `point`, `bar`, `polygon`, `lasso`, `brush`, `hand` or `lens` |
  * | `features` | words: the parts that people get, of `tools`, `open`, `save`, `export`, `animate`; without it all |
  * | `readonly` | people can look, pan and zoom, but change nothing; methods still can |
  * | `disabled` | people can do nothing |
  * | `posable` | only the picture and its handles, for an article; with `readonly`, only the picture |
- * | `name`, `required` | in a form: submits the project as JSON, and needs a picture |
+ * | `name`, `required` | in a form: submits its value, and needs a picture |
+ * | `submits` | the value in a form: `project`, the default, as JSON, or `picture`, warped, as a PNG file |
  * | `clip` | the name of the clip that `play()` plays; without it the first one |
  * | `autoplay` | plays the clip once the picture is open, unless people prefer reduced motion |
  * | `loop` | the clip begins again at its end |
@@ -44,7 +46,7 @@
  *
  * | code | |
  * |---|---|
- * | `attribute` | a value of `tool`, `theme` or `features` that means nothing |
+ * | `attribute` | a value of `tool`, `theme`, `features`, `crossorigin` or `submits` that means nothing |
  * | `address` | there is no such file, or no network |
  * | `file` | a folder, or a file that no longer exists |
  * | `picture` | not a picture, or not a readable one |
@@ -62,6 +64,7 @@
  * it is defined. Servers and workers can import this file: it defines no element there.
  */
 import type { Drawing } from './compute/drawing';
+import { checkDefaults, type ProjectDefaults } from './document/defaults';
 import { handleById } from './document/document';
 import { freeId } from './document/edits';
 import { checkedHandle } from './document/handle';
@@ -79,6 +82,7 @@ import { featuresOf } from './editor/features';
 import { attributesPending, type Carried, isOpening, nothingCarried } from './editor/opening_state';
 import type { Media, PageAttributes, Sample } from './editor/page';
 import type { PageQuestion } from './editor/page_question';
+import { stem } from './editor/picture';
 import { hasEnded, playedClip, playedDuration } from './editor/played_clip';
 import { documentOf, filedProject, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
@@ -100,7 +104,7 @@ import { namedSource } from './element/picture_source';
 import type { Properties } from './element/properties';
 import { ask } from './element/questions';
 import type { Changes } from './element/updating_element';
-import { WarpError } from './error';
+import { asError, WarpError } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
@@ -108,6 +112,7 @@ import { isToolName, type ToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
 
+export type { ProjectDefaults } from './document/defaults';
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
 export type { Sample } from './editor/page';
 export type * from './element/api';
@@ -139,6 +144,8 @@ export class C2Warp extends TypedElement {
     features: {},
     required: { type: Boolean, reflect: true },
     name: { reflect: true },
+    submits: { reflect: true },
+    crossOrigin: { reflect: true },
   };
 
   declare src: string | null;
@@ -161,11 +168,21 @@ export class C2Warp extends TypedElement {
   declare features: string | null;
   /** A form is not submitted without a picture. */
   declare required: boolean;
-  /** The name under which a form submits the project, as JSON. */
+  /** The name under which a form submits the value. */
   declare name: string | null;
+  /** The value in a form: `project`, the default, as JSON, or `picture`, warped, as a PNG file. */
+  declare submits: string | null;
+  /** `use-credentials`: requests for pictures and projects of other origins carry cookies. */
+  declare crossOrigin: string | null;
 
   readonly #emit = emitter(this);
-  readonly #control = new FormControl(this, () => (this.naturalWidth > 0 ? this.project : null));
+  readonly #control = new FormControl({
+    node: this,
+    project: () => (this.naturalWidth > 0 ? this.project : null),
+    picture: () => this.#picture(),
+    failed: (error) => this.#emit('error', asError(error)),
+  });
+  #defaults: ProjectDefaults = {};
   /** Calls of `load()`. */
   #asked = 0;
   /** Runs while the element is connected. */
@@ -197,9 +214,12 @@ export class C2Warp extends TypedElement {
     this.features = null;
     this.required = false;
     this.name = null;
+    this.submits = null;
+    this.crossOrigin = null;
     this.#adopt('project');
     this.#adopt('selection');
     this.#adopt('tool');
+    this.#adopt('defaults');
   }
 
   /**
@@ -245,6 +265,24 @@ export class C2Warp extends TypedElement {
   }
 
   /**
+   * Settings of new projects, with the keys of a project file: `samples`, `weighting`, `pose`, `fix_boundary`, `edges`
+   * and `loose_parts`. Those that are left out are the editor's. Projects that are opened keep their own.
+   *
+   * @throws RangeError that names an unknown key; TypeError for anything but an object or null. An invalid value is an
+   *   `error` with the code `project`, and all settings are the editor's again.
+   */
+  get defaults(): ProjectDefaults {
+    return deepCopy(this.#defaults);
+  }
+
+  set defaults(given: ProjectDefaults | null | undefined) {
+    const settings = given ?? {};
+    checkDefaults(settings);
+    this.#setDefaults(deepCopy(settings));
+    void this.#checkDefaults();
+  }
+
+  /**
    * The tool in hand, by whoever chose it. Setting one chooses it, where people could. A name that is none changes
    * nothing and emits an `error`.
    */
@@ -262,18 +300,20 @@ export class C2Warp extends TypedElement {
 
   /**
    * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
-   * With `notice`, a failure is told to the person too.
+   * With `notice`, a failure is told to the person too. `signal` gives it up.
    *
    * @throws Error with a `code` if the picture cannot be opened. The previous one stays open. If there was none, the
    *   picture stays without the handles that the solver refuses.
-   * @throws DOMException AbortError if another picture is opened or the element is removed first.
+   * @throws DOMException AbortError if another picture is opened or the element is removed first; the reason of
+   *   `signal` if that is aborted.
    * @throws TypeError if `source` is none of these.
    */
   async load(
     source: PictureSource,
     project?: string | URL | ProjectFile | null,
-    { notice = false }: LoadOptions = {},
+    options: LoadOptions = {},
   ): Promise<void> {
+    options.signal?.throwIfAborted();
     const runtime = this.#present;
     const given = project instanceof URL ? project.href : (project ?? null);
     // Copied now: the page may change its object later.
@@ -284,7 +324,8 @@ export class C2Warp extends TypedElement {
     const picture = named instanceof Promise ? await named : named;
     if (asked !== this.#asked || runtime !== this.#runtime)
       throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
-    await runtime.load(picture, copied, notice);
+    options.signal?.throwIfAborted();
+    await runtime.load(picture, copied, options);
   }
 
   /**
@@ -578,6 +619,7 @@ export class C2Warp extends TypedElement {
       schemeChanged: () => this.#runtime?.dispatch({ type: 'media-changed', media: this.#mediaNow }),
     };
     this.#runtime = new EditorRuntime(element, this.#attributes, this.#mediaNow, this.#carried);
+    void this.#checkDefaults();
     this.requestUpdate();
   }
 
@@ -648,6 +690,14 @@ export class C2Warp extends TypedElement {
     return this.#present.drawing(settings, options.pixelated);
   }
 
+  /** The warped picture, named as an export is. */
+  async #picture(): Promise<File> {
+    const blob = await this.toBlob();
+    return new File([blob], `${stem(this.#present.state.picture?.name ?? '')}-warped.png`, {
+      type: blob.type,
+    });
+  }
+
   #handle(id: string): Handle {
     const handle = handleById(documentOf(this.#present.state), id);
     if (!handle) throw new RangeError(`there is no handle "${id}"`);
@@ -678,6 +728,7 @@ export class C2Warp extends TypedElement {
     const { readonly, disabled, posable, clip, autoplay, loop, alt, src, projectSource, samples } = this;
     const tool = this.toolSource;
     const features = featuresOf(this.features);
+    const credentials = this.crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
     const hint = this.hint ? { text: this.hint, handle: this.hintFor } : null;
     return {
       readonly,
@@ -693,6 +744,8 @@ export class C2Warp extends TypedElement {
       projectSource,
       samples,
       features,
+      credentials,
+      defaults: this.#defaults,
     };
   }
 
@@ -702,6 +755,22 @@ export class C2Warp extends TypedElement {
     const [coarse, still] = [this.#coarsePointer.matches, this.#reducedMotion.matches];
     const folders = 'showDirectoryPicker' in globalThis;
     return { dark, coarse, still, platform: navigator.platform, folders };
+  }
+
+  #setDefaults(settings: ProjectDefaults): void {
+    this.#defaults = settings;
+    this.#runtime?.dispatch({ type: 'page-changed', page: this.#attributes });
+  }
+
+  /** The solver checks the values, once it has started. */
+  async #checkDefaults(): Promise<void> {
+    const settings = this.#defaults;
+    try {
+      await this.#runtime?.checkDefaults(settings);
+    } catch (error) {
+      if (this.#defaults === settings) this.#setDefaults({});
+      this.#emit('error', asError(error));
+    }
   }
 
   #setPageProject(project: ProjectFile | null): void {
@@ -758,7 +827,7 @@ export class C2Warp extends TypedElement {
   }
 
   /** Sets a property again that the page set before the element was upgraded: it would hide the accessor. */
-  #adopt(name: 'project' | 'selection' | 'tool'): void {
+  #adopt(name: 'project' | 'selection' | 'tool' | 'defaults'): void {
     if (!Reflect.getOwnPropertyDescriptor(this, name)) return;
     const value = Reflect.get(this, name);
     Reflect.deleteProperty(this, name);

@@ -1,5 +1,6 @@
 /** The edited document: the project and the selection. */
-import { DETAILS } from './bending';
+import { DETAILS, withMode } from './bending';
+import type { ProjectDefaults } from './defaults';
 import { domainOf } from './domain';
 import type { Handle, ImageRef, Project } from './project';
 
@@ -28,19 +29,33 @@ export const openDocument = (project: Project): Document => ({ project, selectio
  * held: its edges would leave gaps behind them.
  *
  * @param threshold the alpha threshold of a picture with transparency, `null` for an opaque picture.
+ * @param defaults the page's settings, which go before these.
  */
-export const newProject = (image: ImageRef, threshold: number | null): Project => ({
-  format: 'c2warp/1',
-  image,
-  domain: domainOf(threshold),
-  samples: 10000,
-  weighting: { shape_factor: 1, degree: 5, filling: 'line', support: 'smooth' },
-  pose: { mode: 'rigid', blend: 'linear', density: DETAILS.medium },
-  fix_boundary: threshold === null,
-  edges: true,
-  loose_parts: 'stay',
-  handles: [],
-});
+export function newProject(
+  image: ImageRef,
+  threshold: number | null,
+  defaults: ProjectDefaults = {},
+): Project {
+  const rigid: Project = {
+    format: 'c2warp/1',
+    image,
+    domain: domainOf(threshold),
+    samples: 10000,
+    weighting: { shape_factor: 1, degree: 5, filling: 'line', support: 'smooth' },
+    pose: { mode: 'rigid', blend: 'linear', density: DETAILS.medium },
+    fix_boundary: threshold === null,
+    edges: true,
+    loose_parts: 'stay',
+    handles: [],
+  };
+  const project = withMode(rigid, defaults.pose?.mode ?? 'rigid');
+  return {
+    ...project,
+    ...defaults,
+    weighting: { ...project.weighting, ...defaults.weighting },
+    pose: { ...project.pose, ...defaults.pose },
+  };
+}
 
 /** The project as its file holds it: without the poses of a clip. */
 export const fileProject = ({ project, moment }: Document): Project => moment?.base ?? project;

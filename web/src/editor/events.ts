@@ -233,6 +233,8 @@ type FileEvent =
       /** The person is told of a failure. */
       readonly notice: boolean;
     }
+  /** The page no longer wants the picture of this request. */
+  | { readonly type: 'load-cancelled'; readonly reply: number }
   /** The attributes `src` or `project` have changed; the new values follow with `page-changed`. */
   | { readonly type: 'source-changed' }
   /** Opens the picture that the attributes name. */

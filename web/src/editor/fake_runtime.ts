@@ -46,6 +46,8 @@ export const PAGE: PageAttributes = {
   projectSource: null,
   samples: [],
   features: null,
+  credentials: 'same-origin',
+  defaults: {},
 };
 
 export const MEDIA: Media = { dark: false, coarse: false, still: false, platform: 'Linux', folders: false };

@@ -1,5 +1,6 @@
 /** The surroundings of the editor: the attributes of its element, and the device. */
 
+import type { ProjectDefaults } from '../document/defaults';
 import type { Feature } from './features';
 
 /** The attributes of the element that the editor goes by. */
@@ -24,6 +25,10 @@ export interface PageAttributes {
   /** The addresses of the picture and its project; null where the page names none. */
   readonly src: string | null;
   readonly projectSource: string | null;
+  /** Whether requests for pictures and projects of other origins carry cookies. */
+  readonly credentials: 'same-origin' | 'include';
+  /** Settings of new projects, in place of the editor's. */
+  readonly defaults: ProjectDefaults;
   /** The parts of the editor that people get; null for all. */
   readonly features: readonly Feature[] | null;
   /** Pictures that the page offers to open. */

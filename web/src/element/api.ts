@@ -31,6 +31,8 @@ export type C2WarpProps = {
 export interface LoadOptions {
   /** A notice of the editor names a failure. By default only the page hears of it. */
   readonly notice?: boolean;
+  /** Gives the picture up: the promise rejects with the reason of the signal, and what was open before stays. */
+  readonly signal?: AbortSignal | undefined;
 }
 
 /** A picture for `load()`: an address, a file, or pixels. Pixels of a canvas or a bitmap are kept as a PNG. */

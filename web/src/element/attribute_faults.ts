@@ -2,6 +2,9 @@
 import { FEATURES, unknownFeatures } from '../editor/features';
 import { WarpError } from '../error';
 import { isToolName, TOOL_NAMES } from '../tools/machine';
+import { isSubmitted, SUBMITTED } from './form_control';
+
+const ORIGINS = ['', 'anonymous', 'use-credentials'];
 
 /** The faults of attributes with these names, in sentences for the author of the page. */
 export function attributeFaults(
@@ -9,10 +12,12 @@ export function attributeFaults(
     readonly toolSource: string | null;
     readonly theme: string | null;
     readonly features: string | null;
+    readonly crossOrigin: string | null;
+    readonly submits: string | null;
   },
   changed: { has(name: string): boolean },
 ): readonly WarpError[] {
-  const { toolSource, theme, features } = element;
+  const { toolSource, theme, features, crossOrigin, submits } = element;
   const faults: string[] = [];
   if (changed.has('toolSource') && toolSource !== null && !isToolName(toolSource))
     faults.push(`tool: expected one of ${TOOL_NAMES.join(', ')}, found "${toolSource}"`);
@@ -21,5 +26,10 @@ export function attributeFaults(
   const [unknown] = unknownFeatures(features);
   if (changed.has('features') && unknown !== undefined)
     faults.push(`features: expected words of ${FEATURES.join(', ')}, found "${unknown}"`);
+  // Without a value the attribute means `anonymous`, as on `<img>`.
+  if (changed.has('crossOrigin') && crossOrigin !== null && !ORIGINS.includes(crossOrigin))
+    faults.push(`crossorigin: expected anonymous or use-credentials, found "${crossOrigin}"`);
+  if (changed.has('submits') && submits !== null && !isSubmitted(submits))
+    faults.push(`submits: expected ${SUBMITTED.join(' or ')}, found "${submits}"`);
   return faults.map((fault) => new WarpError('attribute', fault));
 }

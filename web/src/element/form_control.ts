@@ -1,19 +1,41 @@
-/** The element as a control of a form: it submits the project as JSON, under its name. */
+/** The element as a control of a form: it submits the project as JSON, or the warped picture, under its name. */
 import type { Project } from '../document/project';
+import { type FormPicture, FormPictures } from './form_pictures';
 
 const MISSING = 'Open a picture.';
 
+/** What a form may submit. */
+export const SUBMITTED = ['project', 'picture'] as const;
+type Submitted = (typeof SUBMITTED)[number];
+
+export const isSubmitted = (word: string | null): word is Submitted =>
+  (SUBMITTED as readonly (string | null)[]).includes(word);
+
+/** The element, as its form sees it. */
+export interface Submitting {
+  readonly node: HTMLElement;
+  /** Null without a picture. */
+  project(): Project | null;
+  /** The warped picture, drawn now. */
+  picture(): Promise<File>;
+  failed(error: unknown): void;
+}
+
 export class FormControl {
-  readonly #element: HTMLElement;
-  readonly #project: () => Project | null;
+  readonly #element: Submitting;
   readonly #internals: ElementInternals;
   #listening = new AbortController();
+  /** As the one that draws a picture for a form. */
+  readonly #member: FormPicture;
 
-  /** @param project the project to submit; null without a picture. */
-  constructor(element: HTMLElement, project: () => Project | null) {
+  constructor(element: Submitting) {
     this.#element = element;
-    this.#project = project;
-    this.#internals = element.attachInternals();
+    this.#internals = element.node.attachInternals();
+    this.#member = {
+      isAsked: () => this.#submitsPicture && this.#name !== null && element.project() !== null,
+      draw: () => element.picture(),
+      failed: (error) => element.failed(error),
+    };
   }
 
   get form(): HTMLFormElement | null {
@@ -36,21 +58,37 @@ export class FormControl {
     return this.#internals.reportValidity();
   }
 
-  /** Called when the element gets another form. The project is written when it is submitted, not at each step. */
+  /** Called when the element gets another form. The value is made when it is submitted, not at each step. */
   associate(form: HTMLFormElement | null): void {
     this.#listening.abort();
     this.#listening = new AbortController();
-    const submit = ({ formData }: FormDataEvent) => {
-      const [name, project] = [this.#element.getAttribute('name'), this.#project()];
-      if (name && project && !this.#element.matches(':disabled'))
-        formData.append(name, JSON.stringify(project));
-    };
-    form?.addEventListener('formdata', submit, { signal: this.#listening.signal });
+    const { signal } = this.#listening;
+    form?.addEventListener('formdata', ({ formData }) => this.#append(formData), { signal });
+    if (form) FormPictures.of(form).add(this.#member, signal);
   }
 
   /** @param isMissing Whether there is no picture where one is required. */
   validate(isMissing: boolean): void {
     if (isMissing) this.#internals.setValidity({ valueMissing: true }, MISSING);
     else this.#internals.setValidity({});
+  }
+
+  get #name(): string | null {
+    const { node } = this.#element;
+    return node.matches(':disabled') ? null : node.getAttribute('name') || null;
+  }
+
+  get #submitsPicture(): boolean {
+    return this.#element.node.getAttribute('submits') === 'picture';
+  }
+
+  #append(data: FormData): void {
+    const [name, project] = [this.#name, this.#element.project()];
+    if (!name || !project) return;
+    if (!this.#submitsPicture) data.append(name, JSON.stringify(project));
+    else {
+      const drawn = this.form && FormPictures.of(this.form).drawnBy(this.#member);
+      if (drawn) data.append(name, drawn);
+    }
   }
 }

@@ -57,6 +57,8 @@ export class KeyboardInput {
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
     if (event.defaultPrevented || this.#editor.state.page.disabled) return;
+    // What the page puts into the slots has keys of its own.
+    if (!this.#root.contains(target)) return;
     // With Ctrl the menu has just closed, and the key goes on.
     if (target.closest('.context') && !event.ctrlKey && !event.metaKey) return;
     if (isField(target) && !this.#leavesField(event, target)) return;

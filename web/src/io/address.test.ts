@@ -15,9 +15,9 @@ describe('fileName', () => {
 
 describe('fetchFile', () => {
   it('rejects with a code if the file cannot be loaded', async () => {
-    const { signal } = new AbortController();
-    await expect(fetchFile('data:,hello', signal).then((file) => file.text())).resolves.toBe('hello');
-    await expect(fetchFile('nowhere:/cat.png', signal)).rejects.toMatchObject({
+    const options = { signal: new AbortController().signal, credentials: 'same-origin' } as const;
+    await expect(fetchFile('data:,hello', options).then((file) => file.text())).resolves.toBe('hello');
+    await expect(fetchFile('nowhere:/cat.png', options)).rejects.toMatchObject({
       code: 'address',
       message: expect.stringContaining('cat.png could not be loaded'),
     });

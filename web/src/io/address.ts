@@ -13,22 +13,28 @@ export function fileName(address: string): string {
   }
 }
 
+export interface FetchOptions {
+  readonly signal: AbortSignal;
+  /** Whether a request to another origin carries cookies. */
+  readonly credentials: RequestCredentials;
+}
+
 /**
  * Returns the file at a URL. A `data:` URL is decoded without a request, which a page's policy could forbid.
  *
  * @throws WarpError if the file cannot be loaded; AbortError if the signal is aborted.
  */
-export async function fetchFile(address: string, signal: AbortSignal): Promise<Blob> {
+export async function fetchFile(address: string, options: FetchOptions): Promise<Blob> {
   if (/^\s*data:/i.test(address)) return dataFile(address);
   try {
-    const response = await fetch(address, { signal });
+    const response = await fetch(address, options);
     if (!response.ok) throw refusal(address, `the server answered ${response.status}.`);
     if (/^text\/html\b/i.test(response.headers.get('Content-Type') ?? '')) {
       throw refusal(address, 'it is a web page. Give the address of the picture itself.');
     }
     return await response.blob();
   } catch (cause) {
-    if (codeOf(cause) === 'address' || signal.aborted) throw cause;
+    if (codeOf(cause) === 'address' || options.signal.aborted) throw cause;
     throw unreachable(address, cause);
   }
 }
@@ -42,7 +48,7 @@ function unreachable(address: string, cause: unknown): WarpError {
   const advice =
     host === null || host === globalThis.location?.host
       ? 'Check the address and the network connection.'
-      : `${host} does not let other pages read it, or cannot be reached. Save the picture, and open the file.`;
+      : `${host} does not let this page read it (CORS), or cannot be reached. Save the picture, and open the file.`;
   return new WarpError('address', `${fileName(address)} could not be loaded. ${advice}`, { cause });
 }
 

@@ -5,6 +5,8 @@
 import type { Drawing } from '../compute/drawing';
 import type { DrawingOptions } from '../compute/messages';
 import type { Pose } from '../compute/posed_picture';
+import type { ProjectDefaults } from '../document/defaults';
+import { newProject } from '../document/document';
 import type { ProjectFile } from '../document/project';
 import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorEvent } from '../editor/events';
@@ -42,7 +44,7 @@ import { type Frame, Frames } from './frames';
 import { LazyView } from './lazy_view';
 import { MediaWatcher } from './media_watcher';
 import { MenuPopover } from './menu_popover';
-import { Pictures } from './pictures';
+import { Pictures, withFileName } from './pictures';
 import { ReachCache } from './reach_cache';
 import { Solver } from './solver';
 import { Storage } from './storage';
@@ -199,13 +201,27 @@ export class EditorRuntime {
     this.#focus.untypeField();
   }
 
-  /** Opens a picture for the page. Resolves once it is solved. The newest call wins. */
-  load(source: string | NamedFile, project: string | ProjectFile | null, notice: boolean): Promise<void> {
+  /**
+   * Opens a picture for the page. Resolves once it is solved. The newest call wins.
+   *
+   * @throws the reason of the signal if that is aborted first. Then what was open before stays.
+   */
+  load(
+    source: string | NamedFile,
+    project: string | ProjectFile | null,
+    { notice = false, signal }: { readonly notice?: boolean; readonly signal?: AbortSignal | undefined },
+  ): Promise<void> {
     const reply = ++this.#lastReply;
-    return new Promise((resolve, reject) => {
+    const cancel = () => {
+      this.#settleLoad(reply, signal?.reason);
+      this.dispatch({ type: 'load-cancelled', reply });
+    };
+    const loaded = new Promise<void>((resolve, reject) => {
       this.#loads.set(reply, { resolve, reject });
       this.dispatch({ type: 'load-asked', reply, source, project, notice });
+      signal?.addEventListener('abort', cancel);
     });
+    return loaded.finally(() => signal?.removeEventListener('abort', cancel));
   }
 
   /** Adopts a project of the page. @throws RangeError that names the invalid key; WarpError for another size. */
@@ -216,6 +232,17 @@ export class EditorRuntime {
     const error = misfit(picture, project);
     if (error) throw error;
     this.dispatch({ type: 'project-adopted', project });
+  }
+
+  /** @throws WarpError `project` that names an invalid value in settings of new projects. */
+  async checkDefaults(defaults: ProjectDefaults): Promise<void> {
+    if (Object.keys(defaults).length === 0) return;
+    const project = newProject({ src: '', width: 1, height: 1 }, null, defaults);
+    try {
+      await this.#solver.readProject(JSON.stringify(project));
+    } catch (error) {
+      throw withFileName('defaults', error);
+    }
   }
 
   /** Where a point of the original is posed; null outside the warped area. */
@@ -373,7 +400,7 @@ export class EditorRuntime {
     return this.state.pixelated || getComputedStyle(this.canvas).imageRendering === 'pixelated';
   }
 
-  #settleLoad(reply: number, error: Error | 'superseded' | null): void {
+  #settleLoad(reply: number, error: unknown): void {
     const load = this.#loads.get(reply);
     this.#loads.delete(reply);
     if (error === null) load?.resolve();

@@ -76,7 +76,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'save-figure': (effect, { files, state, study }) =>
     files.saveFigure(effect.name, study.figureText(effect.figure, state)),
   'find-lens': (effect, { solver }) => solver.findLens(effect.solution, effect.at),
-  read: (effect, { files }) => files.read(effect.id, effect.pictures, effect.project, effect.inside),
+  read: (effect, { files, state }) => files.read(effect, state.page.credentials),
   'abandon-read': (effect, { files }) => files.abandon(effect.id),
   'settle-load': (effect, resources) => resources.settleLoad(effect.reply, effect.error),
   'adopt-page-project': (effect, resources) => resources.adoptPageProject(effect),

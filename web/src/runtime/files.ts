@@ -7,7 +7,7 @@ import type { Dispatch, EventOf } from '../editor/events';
 import { EXPORT_FORMATS, type PixelFormat } from '../editor/export_choices';
 import type { NamedFile, Picture } from '../editor/picture';
 import { asError } from '../error';
-import { fetchFile, fileName } from '../io/address';
+import { type FetchOptions, fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
 import { textChunk, textOfFile } from '../io/png_text';
 import { readBytes } from '../io/read';
@@ -18,6 +18,7 @@ import type { ExportFollowing } from './exports';
 import { type Pictures, withFileName } from './pictures';
 import type { Solver } from './solver';
 
+type ReadOrder = Extract<EditorEffect, { readonly type: 'read' }>;
 type ExportOrder = Extract<EditorEffect, { readonly type: 'export' }>;
 
 export class Files {
@@ -35,23 +36,22 @@ export class Files {
   /**
    * Reads a picture, a project, or both.
    *
-   * @param inside whether a project in a picture is read too.
+   * @param credentials whether requests to other origins carry cookies.
    */
   async read(
-    id: number,
-    sources: readonly (string | NamedFile)[],
-    given: ProjectSource | null,
-    inside: boolean,
+    { id, pictures: sources, project: given, inside }: ReadOrder,
+    credentials: RequestCredentials,
   ): Promise<void> {
     const controller = new AbortController();
     this.#reads.set(id, controller);
     const { signal } = controller;
+    const options = { signal, credentials };
     try {
       const files = await Promise.all(
-        sources.map((source) => (typeof source === 'string' ? fetched(source, signal) : source)),
+        sources.map((source) => (typeof source === 'string' ? fetched(source, options) : source)),
       );
       const { project, picture: own } =
-        given && !signal.aborted ? await this.#project(given, signal) : NO_PROJECT;
+        given && !signal.aborted ? await this.#project(given, options) : NO_PROJECT;
       if (signal.aborted) return;
       const pictures = files.length > 0 ? files : own ? [own] : [];
       const { picture, source } =
@@ -184,10 +184,9 @@ export class Files {
     return writtenFile(drawing, settings, following);
   }
 
-  async #project(given: ProjectSource, signal: AbortSignal): Promise<ReadProject> {
+  async #project(given: ProjectSource, options: FetchOptions): Promise<ReadProject> {
     if ('object' in given) return this.#parsed(JSON.stringify(given.object));
-    if ('address' in given) return this.#parsed(await (await fetchFile(given.address, signal)).text());
-    const { name, file } = given.named;
+    const { name, file } = 'address' in given ? await fetched(given.address, options) : given.named;
     try {
       return await this.#parsed(new TextDecoder().decode(await readBytes(file as Blob)));
     } catch (error) {
@@ -209,7 +208,7 @@ interface ReadProject {
 
 const NO_PROJECT = { project: null, picture: null };
 
-const fetched = async (address: string, signal: AbortSignal): Promise<NamedFile> => ({
+const fetched = async (address: string, options: FetchOptions): Promise<NamedFile> => ({
   name: fileName(address),
-  file: await fetchFile(address, signal),
+  file: await fetchFile(address, options),
 });

@@ -39,6 +39,7 @@ export function panel(model: EditorModel, dispatch: Dispatch): TemplateResult {
     ${overlaid ? overlayList(model, dispatch) : nothing}
     ${selected.length > 0 ? properties(selected, model, dispatch) : nothing}
     ${bending(model, dispatch, selected.length === 0 || settings)} ${handleList(model, dispatch)}
+    <slot name="panel"></slot>
   </section>`;
 }
 

@@ -33,6 +33,7 @@ export function topBar(model: EditorModel, dispatch: Dispatch, pages: ExportPage
     </div>
     <div class="group">${command('timeline', { text: 'Animate', pressed: model.timeline !== null })}</div>
     ${moreMenu(model, dispatch)}
+    <slot name="toolbar"></slot>
     ${title(model)}
     ${keysButton()} ${themeButton(model, dispatch)}
   </div>`;

@@ -1,6 +1,7 @@
 /** Putting a picture on the stage, with earlier work on it or none. */
 import { newProject, openDocument } from '../../document/document';
 import type { Emit } from '../effects';
+import type { PageAttributes } from '../page';
 import type { Picture } from '../picture';
 import type { EditorState } from '../state';
 import { openView } from '../view';
@@ -11,9 +12,12 @@ import { announce, clearNotices } from './notices';
 import { endStages, withSolution } from './solve_request';
 import { openWork } from './steps';
 
-/** A new project for a picture without one. */
-export function freshWork({ name: src, width, height, alphaThreshold }: Picture): Work {
-  const present = openDocument(newProject({ src, width, height }, alphaThreshold));
+/** A new project for a picture without one, with the settings of the page. */
+export function freshWork(
+  { name: src, width, height, alphaThreshold }: Picture,
+  { defaults }: PageAttributes,
+): Work {
+  const present = openDocument(newProject({ src, width, height }, alphaThreshold, defaults));
   return { record: { past: [], present, future: [] } };
 }
 

@@ -58,7 +58,7 @@ function tryRequested(
   const recent = recentAfter(state, request.purpose.by === 'back' ? request.work : null, request.purpose.by);
   const withProject = given !== null && !waiting;
   const trial = { request, withProject, carried, fresh: work === null, recent };
-  const tried = startTrial(state, trial, picture, work ?? freshWork(picture), emit);
+  const tried = startTrial(state, trial, picture, work ?? freshWork(picture, state.page), emit);
   // Not once it is solved: by then the person may have chosen another tool.
   return isOfPerson(request.purpose) ? chooseByHandles(tried, emit) : tried;
 }
@@ -150,12 +150,13 @@ export function endTrialOpened(before: EditorState, trial: Trial, emit: Emit): E
 /**
  * Ends the trial of a picture that cannot be solved: the previous picture comes back.
  *
+ * @param error why, or `superseded` if the page gave it up.
  * @param refused the solver refuses the project. Without a previous picture, the picture stays without its handles.
  */
 export function endTrialRejected(
   before: EditorState,
   trial: Trial,
-  error: Error,
+  error: Error | 'superseded',
   refused: boolean,
   emit: Emit,
 ): EditorState {
@@ -166,7 +167,7 @@ export function endTrialRejected(
     const { picture, work, tool } = trial.before;
     state = choose(putPicture(state, picture, work, emit), tool, emit);
   } else if (refused && picture && projectOf(state).handles.length > 0) {
-    state = putPicture(state, picture, freshWork(picture), emit);
+    state = putPicture(state, picture, freshWork(picture, state.page), emit);
   } else if (refused) state = closePicture(state, emit);
   state = offerNext(state, emit);
   if (!trial.request) {
@@ -175,7 +176,8 @@ export function endTrialRejected(
     return state;
   }
   if (restoring) state = restore(state, restoring.work, 'refusal', emit);
-  const outcome = trial.fresh && refused && picture ? inEditorWords(error, picture.name) : error;
+  const inWords = error !== 'superseded' && trial.fresh && refused && picture;
+  const outcome = inWords ? inEditorWords(error, picture.name) : error;
   emit({ type: 'follow-up', event: { type: 'request-ended', request: trial.request, outcome } });
   return state;
 }
@@ -252,7 +254,19 @@ function tryProjectWithPicture(
   return tryRequested(withOpening(state, { reading: request, overtaken: true }), opened, emit);
 }
 
-export const trialHandlers: Handlers<'read-ended' | 'read-failed'> = {
+/** Gives up the picture that the page asked for with this reply. What was open before stays. */
+function cancelLoad(state: EditorState, reply: number, emit: Emit): EditorState {
+  const isOf = (request: OpenRequest | null | undefined): boolean =>
+    request?.purpose.by === 'load' && request.purpose.reply === reply;
+  const { reading, trial } = state.opening;
+  if (isOf(reading)) return abandonReading(state, emit);
+  if (!trial || !isOf(trial.request)) return state;
+  const empty = trial.before ? state : closePicture(state, emit);
+  return { ...endTrialRejected(empty, trial, 'superseded', false, emit), waiting: [] };
+}
+
+export const trialHandlers: Handlers<'read-ended' | 'read-failed' | 'load-cancelled'> = {
+  'load-cancelled': (state, { reply }, emit) => cancelLoad(state, reply, emit),
   'read-ended': (state, { id, picture, source, project, carried }, emit) => {
     const { reading, restoring, readingProjects } = state.opening;
     if (picture && reading?.id === id)
