@@ -11,8 +11,8 @@ export interface FormPicture {
 const known = new WeakMap<HTMLFormElement, FormPictures>();
 
 /**
- * The pictures of one form. A submission is held back, and starts again with all pictures, so that every listener of the
- * page hears of it once and finds them in its data.
+ * The pictures of one form. A submission is held back, and starts again with all pictures. So every listener of the page
+ * hears of it once, and finds them in its data.
  */
 export class FormPictures {
   readonly #form: HTMLFormElement;
