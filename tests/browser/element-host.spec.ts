@@ -396,7 +396,7 @@ test('pictures of other origins are asked for with cookies where the page says s
   expect(await heard(editor)).toHaveLength(1);
 });
 
-test('what a page puts into the toolbar and the panel keeps its keys and its focus', async ({ page }) => {
+test('controls of a page in the toolbar and the panel keep their keys and focus', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => {
     const button = document.createElement('button');

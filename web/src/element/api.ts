@@ -31,7 +31,7 @@ export type C2WarpProps = {
 export interface LoadOptions {
   /** A notice of the editor names a failure. By default only the page hears of it. */
   readonly notice?: boolean;
-  /** Gives the picture up: the promise rejects with the reason of the signal, and what was open before stays. */
+  /** Gives the picture up: the promise rejects with the reason of the signal, and the picture before stays open. */
   readonly signal?: AbortSignal | undefined;
 }
 

@@ -11,7 +11,7 @@ export interface FormPicture {
 const known = new WeakMap<HTMLFormElement, FormPictures>();
 
 /**
- * The pictures of one form. A submission is held back, and starts again with all pictures. So every listener of the page
+ * The pictures of one form. A submission is held back, and starts again with all pictures. So every listener of a page
  * hears of it once, and finds them in its data.
  */
 export class FormPictures {

@@ -57,7 +57,7 @@ export class KeyboardInput {
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
     if (event.defaultPrevented || this.#editor.state.page.disabled) return;
-    // What the page puts into the slots has keys of its own.
+    // Controls of the page, in the slots, have keys of their own.
     if (!this.#root.contains(target)) return;
     // With Ctrl the menu has just closed, and the key goes on.
     if (target.closest('.context') && !event.ctrlKey && !event.metaKey) return;

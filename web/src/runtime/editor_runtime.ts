@@ -204,7 +204,7 @@ export class EditorRuntime {
   /**
    * Opens a picture for the page. Resolves once it is solved. The newest call wins.
    *
-   * @throws the reason of the signal if that is aborted first. Then what was open before stays.
+   * @throws the reason of the signal if that is aborted first. The picture before stays open.
    */
   load(
     source: string | NamedFile,

@@ -254,7 +254,7 @@ function tryProjectWithPicture(
   return tryRequested(withOpening(state, { reading: request, overtaken: true }), opened, emit);
 }
 
-/** Gives up the picture that the page asked for with this reply. What was open before stays. */
+/** Gives up the picture that the page asked for with this reply. The picture before stays open. */
 function cancelLoad(state: EditorState, reply: number, emit: Emit): EditorState {
   const isOf = (request: OpenRequest | null | undefined): boolean =>
     request?.purpose.by === 'load' && request.purpose.reply === reply;
