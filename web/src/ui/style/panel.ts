@@ -6,6 +6,9 @@ import { lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
 
 export const panelStyle = css`
+  slot[name='panel']::slotted(*) {
+    margin-block-start: 10px;
+  }
   .panel {
     position: absolute;
     z-index: ${ORDER.panel};
