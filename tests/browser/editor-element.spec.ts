@@ -126,8 +126,8 @@ test('invalid handles throw at once and add no step', async ({ page }) => {
     'there is a handle "head" already',
     'handle "bar", rest: expected 2 points or more [x, y]',
     'handle "5", id: expected a name',
-    'pose.mode: expected "harmonic" or "rigid", found "bogus"',
-    expect.stringContaining('handles[0].kind: expected'),
+    'C2WarpError: pose.mode: expected "harmonic" or "rigid", found "bogus"',
+    expect.stringContaining('C2WarpError: handles[0].kind: expected'),
   ]);
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });

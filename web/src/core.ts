@@ -7,13 +7,13 @@ export { encodePng } from './core/encode_png';
 export type { PosedSolution } from './core/posed';
 export type { Solution } from './core/solution';
 export type * from './core/types';
-export { WarpError } from './error';
+export { C2WarpError, type C2WarpErrorCode, type SolverErrorCode } from './error';
 export type { Warper };
 
 /**
  * Opens a picture.
  *
- * @throws WarpError with the code `picture` for anything but a picture, `engine` if the solver cannot be loaded.
+ * @throws C2WarpError with the code `picture` for anything but a picture, `engine` if the solver cannot be loaded.
  * @throws the reason of the signal if that is aborted.
  */
 export const createWarper = (picture: PictureInput, options?: WarperOptions): Promise<Warper> =>

@@ -7,7 +7,7 @@ export { encodePng } from './core/encode_png';
 export type { PosedSolution } from './core/posed';
 export type { Solution } from './core/solution';
 export type * from './core/types';
-export { WarpError } from './error';
+export { C2WarpError, type C2WarpErrorCode, type SolverErrorCode } from './error';
 export type { Warper };
 
 /** @see the one of `core.ts`. */

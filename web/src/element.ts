@@ -96,6 +96,7 @@ import type {
 } from './element/api';
 import { attributeFaults } from './element/attribute_faults';
 import { checkedPairs } from './element/checked_pairs';
+import { coded } from './element/coded';
 import { emitter, TypedElement } from './element/events';
 import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
 import { FormControl } from './element/form_control';
@@ -104,7 +105,7 @@ import { namedSource } from './element/picture_source';
 import type { Properties } from './element/properties';
 import { ask } from './element/questions';
 import type { Changes } from './element/updating_element';
-import { asError, WarpError } from './error';
+import { asC2WarpError, C2WarpError } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
@@ -117,6 +118,7 @@ export type { Handle, HandleFile, Project, ProjectFile } from './document/projec
 export type { Sample } from './editor/page';
 export type * from './element/api';
 export type { C2WarpEventMap } from './element/events';
+export { C2WarpError, type C2WarpErrorCode, type SolverErrorCode } from './error';
 
 export class C2Warp extends TypedElement {
   /** @internal */
@@ -180,7 +182,7 @@ export class C2Warp extends TypedElement {
     node: this,
     project: () => (this.naturalWidth > 0 ? this.project : null),
     picture: () => this.#picture(),
-    failed: (error) => this.#emit('error', asError(error)),
+    failed: (error) => this.#emit('error', asC2WarpError(error)),
   });
   #defaults: ProjectDefaults = {};
   /** Calls of `load()`. */
@@ -321,11 +323,11 @@ export class C2Warp extends TypedElement {
     const asked = ++this.#asked;
     const named = namedSource(source);
     // An address or a file is asked for at once.
-    const picture = named instanceof Promise ? await named : named;
+    const picture = named instanceof Promise ? await coded(named) : named;
     if (asked !== this.#asked || runtime !== this.#runtime)
       throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
     options.signal?.throwIfAborted();
-    await runtime.load(picture, copied, options);
+    await coded(runtime.load(picture, copied, options), options.signal);
   }
 
   /**
@@ -337,13 +339,13 @@ export class C2Warp extends TypedElement {
    */
   addHandle(handle: NewHandle): string {
     const { state, dispatch } = this.#present;
-    if (!state.picture) throw new RangeError('there is no picture yet to put a handle on');
+    if (!state.picture) throw new C2WarpError('no-picture', 'there is no picture yet to put a handle on');
     if (typeof handle !== 'object' || handle === null) throw new RangeError('a handle: expected an object');
     const id = handle.id ?? freeId(projectOf(state));
     if (handleById(documentOf(state), id)) throw new RangeError(`there is a handle "${id}" already`);
     const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
     if (added.kind === 'point' && this.#present.isOutside(added.rest))
-      throw new WarpError(
+      throw new C2WarpError(
         'handle-outside',
         `handle "${id}": ${added.rest.join(', ')} is outside the picture`,
         {
@@ -401,7 +403,10 @@ export class C2Warp extends TypedElement {
   async play(): Promise<void> {
     const { state, dispatch } = this.#present;
     if (!playedClip(state))
-      throw new RangeError(this.clip === null ? 'there is no clip' : `there is no clip "${this.clip}"`);
+      throw new C2WarpError(
+        'clip',
+        this.clip === null ? 'there is no clip' : `there is no clip "${this.clip}"`,
+      );
     dispatch({ type: 'play-asked' });
   }
 
@@ -500,7 +505,7 @@ export class C2Warp extends TypedElement {
   async toBlob(options: BlobOptions = {}): Promise<Blob> {
     checkWritten(options);
     const settings = fileSettings(options);
-    return writtenFile(this.#drawing(options), settings, options);
+    return coded(writtenFile(this.#drawing(options), settings, options), options.signal);
   }
 
   /**
@@ -511,7 +516,7 @@ export class C2Warp extends TypedElement {
   async toCanvas(options: WarpOptions = {}): Promise<HTMLCanvasElement> {
     checkDrawn(options);
     const canvas = this.ownerDocument.createElement('canvas');
-    await drawOn(canvas, this.#drawing(options), options.signal);
+    await coded(drawOn(canvas, this.#drawing(options), options.signal), options.signal);
     return canvas;
   }
 
@@ -684,10 +689,11 @@ export class C2Warp extends TypedElement {
     return named && Boolean(this.src);
   }
 
-  async #drawing(options: WarpOptions): Promise<Drawing> {
+  /** @throws RangeError at once for an invalid option. */
+  #drawing({ signal, pixelated, ...options }: WarpOptions): Promise<Drawing> {
     const settings = drawingSettings(options);
-    options.signal?.throwIfAborted();
-    return this.#present.drawing(settings, options.pixelated);
+    if (signal?.aborted) return Promise.reject(signal.reason);
+    return this.#present.drawing(settings, pixelated);
   }
 
   /** The warped picture, named as an export is. */
@@ -720,7 +726,8 @@ export class C2Warp extends TypedElement {
   }
 
   get #present(): EditorRuntime {
-    if (!this.#runtime) throw new Error('<c2-warp> is not on a page, and has no picture there');
+    if (!this.#runtime)
+      throw new C2WarpError('disconnected', '<c2-warp> is not on a page, and has no picture there');
     return this.#runtime;
   }
 
@@ -769,7 +776,7 @@ export class C2Warp extends TypedElement {
       await this.#runtime?.checkDefaults(settings);
     } catch (error) {
       if (this.#defaults === settings) this.#setDefaults({});
-      this.#emit('error', asError(error));
+      this.#emit('error', asC2WarpError(error));
     }
   }
 
@@ -821,7 +828,7 @@ export class C2Warp extends TypedElement {
         this.#emit(type, { label: notification.label, fraction: notification.fraction });
         break;
       case 'error':
-        this.#emit(type, notification.error);
+        this.#emit(type, asC2WarpError(notification.error));
         break;
     }
   }

@@ -1,4 +1,5 @@
 /** The one error class of the editor: a stable code for programs, a sentence for people, and the handles it names. */
+import type { ErrorCode } from './document/generated/error_code';
 
 /** The code of a failure of the solver itself, not of its input. */
 export const ENGINE = 'engine';
@@ -9,29 +10,79 @@ export const TOO_MUCH = 'too-much';
 /** The words of a solve that is too much. */
 export const TOO_MUCH_TO_SOLVE = 'This is more than the solver can do with the memory that there is.';
 
-export interface WarpErrorOptions extends ErrorOptions {
+/**
+ * Why something failed, for programs. The codes of `SolverErrorCode` are refusals by the solver.
+ *
+ * | code | |
+ * |---|---|
+ * | `attribute` | a value of `tool`, `theme` or `features` that means nothing |
+ * | `address` | there is no such file, or no network |
+ * | `file` | a folder, or a file that no longer exists |
+ * | `picture` | not a picture, not a readable one, or one of an unsupported size |
+ * | `project` | an invalid project; the message names the key |
+ * | `image-size` | the project is for a picture of another size |
+ * | `engine` | the solver could not be loaded or started, or was disposed of |
+ * | `webgl` | the browser has no WebGL2 |
+ * | `too-much` | the solver broke, nearly always for want of memory |
+ * | `export` | an export that cannot hold this project |
+ * | `clip` | there is no such clip, or no such time |
+ * | `points` | a list of points that is no list of pairs |
+ * | `no-picture` | there is no picture yet |
+ * | `disconnected` | the element is not on a page |
+ * | `failed` | anything else, such as a full storage; the message says what |
+ */
+export type C2WarpErrorCode =
+  | 'attribute'
+  | 'address'
+  | 'file'
+  | 'picture'
+  | 'project'
+  | 'image-size'
+  | typeof ENGINE
+  | 'webgl'
+  | typeof TOO_MUCH
+  | 'export'
+  | 'clip'
+  | 'points'
+  | 'no-picture'
+  | 'disconnected'
+  | 'failed'
+  | SolverErrorCode;
+
+/** The codes by which the solver refuses its input. */
+export type SolverErrorCode = ErrorCode;
+
+export interface C2WarpErrorOptions extends ErrorOptions {
   /** Ids of the handles that the message names. */
   readonly handles?: readonly string[];
 }
 
-export class WarpError extends Error {
-  readonly code: string;
+/** Why something failed. Its `message` is a sentence for people. */
+export class C2WarpError extends Error {
+  /** The reason, for programs. */
+  readonly code: C2WarpErrorCode;
+  /** Ids of the handles that the message names. */
   readonly handles: readonly string[];
 
-  constructor(code: string, message: string, { handles = [], ...options }: WarpErrorOptions = {}) {
+  constructor(code: C2WarpErrorCode, message: string, { handles = [], ...options }: C2WarpErrorOptions = {}) {
     super(message, options);
-    this.name = 'WarpError';
+    this.name = 'C2WarpError';
     this.code = code;
     this.handles = handles;
   }
 }
 
+/** An error of the WebAssembly module: it has the same fields, but not the class. */
+type Coded = Partial<Pick<C2WarpError, 'code' | 'handles'>>;
+
 /** The code of an error; empty if it has none. */
-export const codeOf = (error: unknown): string => String((error as { code?: unknown } | null)?.code ?? '');
+export function codeOf(error: unknown): C2WarpErrorCode | '' {
+  const code = (error as Coded | null)?.code;
+  return typeof code === 'string' ? code : '';
+}
 
 /** The ids of the handles that an error names. */
-export const handlesOf = (error: unknown): readonly string[] =>
-  error instanceof WarpError ? error.handles : [];
+export const handlesOf = (error: unknown): readonly string[] => (error as Coded | null)?.handles ?? [];
 
 /** Whether the solver itself failed, for example because its files are missing. */
 export const isEngineFailure = (error: unknown): boolean => codeOf(error) === ENGINE;
@@ -41,3 +92,10 @@ export const isAbort = (error: unknown): boolean => (error as Error | null)?.nam
 
 export const asError = (thrown: unknown): Error =>
   thrown instanceof Error ? thrown : new Error(String(thrown));
+
+/** The error that a page hears of. One without a code gets `failed`. */
+export function asC2WarpError(thrown: unknown): C2WarpError {
+  if (thrown instanceof C2WarpError) return thrown;
+  const handles = handlesOf(thrown);
+  return new C2WarpError(codeOf(thrown) || 'failed', asError(thrown).message, { handles, cause: thrown });
+}

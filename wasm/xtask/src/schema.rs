@@ -4,7 +4,6 @@
 //! the project, the report of a solve, its stages, codes of errors, limits and settings. The files are committed, so
 //! the page type-checks without Rust. `--check` fails if they are out of date.
 
-use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -39,6 +38,7 @@ pub(crate) fn write(root: &Path, check: bool) -> Result<(), SchemaError> {
         ("web/src/document/generated/project.schema.json", json),
         ("web/src/document/generated/project.ts", typescript::declarations(project.as_value())?),
         ("web/src/document/generated/settings.ts", settings(project.as_value())),
+        ("web/src/document/generated/error_code.ts", error_codes()),
         ("web/src/compute/generated/report.ts", report()?),
         ("web/src/document/generated/study.ts", typescript::declarations(&output_schema::<Study>())?),
         ("web/src/document/generated/lens.ts", typescript::declarations(&output_schema::<Lens>())?),
@@ -69,14 +69,19 @@ fn write_file(path: &Path, text: &str) -> Result<(), SchemaError> {
         .map_err(|reason| SchemaError::Write { path: path.into(), reason })
 }
 
-/// The report of a solve, its stages, and the codes of errors.
+/// The report of a solve, and its stages.
 fn report() -> Result<String, Unknown> {
     let mut text = typescript::declarations(&output_schema::<Inspection>())?;
     typescript::declare(&mut text, "Stage", &output_schema::<Stage>())?;
-    let codes: Vec<String> = Error::CODES.into_iter().map(|code| format!("  | '{code}'")).collect();
-    write!(text, "\n/** The code of a refused input. */\nexport type ErrorCode =\n{};\n", codes.join("\n"))
-        .expect("writing to memory does not fail");
     Ok(text)
+}
+
+fn error_codes() -> String {
+    let codes: Vec<String> = Error::CODES.into_iter().map(|code| format!("  | '{code}'")).collect();
+    format!(
+        "{HEADER}\n/** The code of an input that the solver refuses. */\nexport type ErrorCode =\n{};\n",
+        codes.join("\n")
+    )
 }
 
 fn output_schema<T: JsonSchema>() -> Value {

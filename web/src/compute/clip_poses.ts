@@ -16,7 +16,7 @@ export interface ClipPoses {
 
 /**
  * Requires the module to be loaded. Handles without a track keep their pose.
- * @throws WarpError for a clip that does not fit the handles, with the path of the offending key.
+ * @throws C2WarpError for a clip that does not fit the handles, with the path of the offending key.
  */
 export const createClipPoses = (clip: Clip, handles: readonly Handle[]): ClipPoses =>
   createModuleClip(clip, handles);

@@ -34,7 +34,7 @@ export class Drawing {
 
   /**
    * All rows from top to bottom, once. The worker draws one band ahead. Leaving the loop releases the drawing.
-   * @throws DOMException `AbortError` when another picture comes first; WarpError otherwise.
+   * @throws DOMException `AbortError` when another picture comes first; C2WarpError otherwise.
    */
   async *bands(): AsyncGenerator<Uint8Array<ArrayBuffer>, void> {
     try {

@@ -9,7 +9,7 @@ import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { Clip, Project } from '../document/project';
 import type { Suggestion } from '../document/suggestion';
-import { ENGINE, WarpError } from '../error';
+import { C2WarpError, ENGINE } from '../error';
 import type { Vec } from '../geometry/vec';
 import { startWorker } from '../start_worker';
 import { Drawing } from './drawing';
@@ -47,14 +47,14 @@ export class Engine {
     this.#link = link;
   }
 
-  /** @throws WarpError with the code `engine` where the module cannot be loaded, or the worker not be started. */
+  /** @throws C2WarpError with the code `engine` where the module cannot be loaded, or the worker not be started. */
   static async start(): Promise<Engine> {
     const module = await loadModule();
     try {
       return new Engine(new Link(() => startWorker(worker), module, worker));
     } catch (error) {
       const message = 'The solver could not be started: this browser or this page does not allow workers.';
-      throw new WarpError(ENGINE, message, { cause: error });
+      throw new C2WarpError(ENGINE, message, { cause: error });
     }
   }
 
@@ -68,7 +68,7 @@ export class Engine {
 
   /**
    * @param onProgress Called with each stage once it is done.
-   * @throws DOMException `AbortError` when a newer solve or picture overtakes this one; WarpError otherwise.
+   * @throws DOMException `AbortError` when a newer solve or picture overtakes this one; C2WarpError otherwise.
    */
   async solve(project: Project, onProgress?: (stage: Stage) => void): Promise<SolutionData> {
     const turn = ++this.#newestSolve;
@@ -81,7 +81,7 @@ export class Engine {
   /**
    * Fills the picture behind the domain of a project that was solved; null if it has no fill. The newest call wins.
    * @param onProgress Called with the part that is done, from 0 to 1.
-   * @throws DOMException `AbortError` when a newer fill or picture overtakes this one; WarpError otherwise.
+   * @throws DOMException `AbortError` when a newer fill or picture overtakes this one; C2WarpError otherwise.
    */
   async fill(project: Project, onProgress: (part: number) => void): Promise<FillData | null> {
     const picture = this.#picture;
@@ -99,7 +99,7 @@ export class Engine {
   /**
    * Fits a project that was made for another picture to the present one.
    * @param own the project's own picture, if its outline is to be lined up with that of the present one.
-   * @throws as {@link cells}; WarpError if the project does not fit.
+   * @throws as {@link cells}; C2WarpError if the project does not fit.
    */
   async fit(project: Project, own: PixelSource | null): Promise<FittedProject> {
     return JSON.parse(await this.#ask('fit', { project: JSON.stringify(project), own }));
@@ -122,7 +122,7 @@ export class Engine {
   /**
    * Prepares to draw the warped picture in straight alpha. Solves go on between its bands. With a moment the handles
    * are posed as there.
-   * @throws DOMException `AbortError` when another picture comes before the worker has this one; WarpError otherwise.
+   * @throws DOMException `AbortError` when another picture comes before the worker has this one; C2WarpError otherwise.
    */
   async draw(project: Project, options: DrawingOptions, moment: ClipMoment | null = null): Promise<Drawing> {
     const picture = this.#picture;
@@ -146,7 +146,7 @@ export class Engine {
 
   /**
    * The borders between the cells of a project's solution.
-   * @throws DOMException `AbortError` when another picture comes before the worker has this one; WarpError otherwise.
+   * @throws DOMException `AbortError` when another picture comes before the worker has this one; C2WarpError otherwise.
    */
   cells(project: Project): Promise<CellBorders> {
     return this.#ask('cells', { project: problemText(project) });

@@ -3,7 +3,7 @@
  * on meanwhile, and a cancel stops it at once.
  */
 import type { Project } from '../document/project';
-import { ENGINE, TOO_MUCH, WarpError } from '../error';
+import { C2WarpError, ENGINE, TOO_MUCH } from '../error';
 import { startWorker } from '../start_worker';
 import type { ExportReply, ExportRequest, Exports } from './exporting_messages';
 import { compiled } from './loading';
@@ -23,7 +23,7 @@ const TOO_LARGE: Readonly<Record<keyof Exports, string>> = {
  * Carries out an order for a project and its picture.
  *
  * @param onProgress Called with the part that is done, from 0 to 1.
- * @throws The reason of the signal; WarpError for a project that the export cannot hold.
+ * @throws The reason of the signal; C2WarpError for a project that the export cannot hold.
  */
 export async function solvedExport<K extends keyof Exports>(
   order: Exports[K]['order'] & { readonly kind: K },
@@ -34,7 +34,7 @@ export async function solvedExport<K extends keyof Exports>(
 ): Promise<Exports[K]['made']> {
   const address = new URL('./generated/c2warp_export_bg.wasm', import.meta.url);
   const module = await compiled(address).catch((cause: Error) => {
-    throw new WarpError(ENGINE, `${NOT_STARTED}: ${cause.message}`, { cause });
+    throw new C2WarpError(ENGINE, `${NOT_STARTED}: ${cause.message}`, { cause });
   });
   signal.throwIfAborted();
   const worker = startWorker(exporter);
@@ -43,14 +43,14 @@ export async function solvedExport<K extends keyof Exports>(
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.onerror = (cause) => {
         const message = `${NOT_STARTED}: is ${exporter} there, and does the page allow workers?`;
-        reject(new WarpError(ENGINE, message, { cause }));
+        reject(new C2WarpError(ENGINE, message, { cause }));
       };
       worker.onmessage = ({ data }: MessageEvent<ExportReply>) => {
         if ('part' in data) onProgress(data.part);
         // The worker answers an order of this kind.
         else if ('made' in data) resolve(data.made as Exports[K]['made']);
-        else if (data.refused === null) reject(new WarpError(TOO_MUCH, TOO_LARGE[order.kind]));
-        else reject(new WarpError('export', sentence(data.refused)));
+        else if (data.refused === null) reject(new C2WarpError(TOO_MUCH, TOO_LARGE[order.kind]));
+        else reject(new C2WarpError('export', sentence(data.refused)));
       };
       const { port1, port2: pixels } = new MessageChannel();
       const { width, height } = source;

@@ -31,7 +31,7 @@ export class Filming {
 
   /**
    * A frame, counted from 0, ready to be drawn. Cheapest in their order.
-   * @throws DOMException `AbortError` when another picture comes first; WarpError otherwise.
+   * @throws DOMException `AbortError` when another picture comes first; C2WarpError otherwise.
    */
   frame(frame: number): Promise<Drawing> {
     return this.#drawing(this.#link.send('frame', { film: this.#size.film, frame }));

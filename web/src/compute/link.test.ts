@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { Link, type Port } from './link';
 import type { Boot, Reply, Request } from './messages';
 
@@ -61,11 +61,11 @@ describe('Link', () => {
 
   it('passes on the code and the message of a failure, and the handles that it names', async () => {
     const { link, worker } = linked();
-    const failure = { code: 'handle-outside', message: 'outside', handles: ['head'] };
+    const failure = { code: 'handle-outside', message: 'outside', handles: ['head'] } as const;
     const solve = link.send('solve', { project: '{}' });
     worker(0).reply({ id: 1, kind: 'failed', failure });
     await expect(solve).rejects.toMatchObject(failure);
-    await expect(solve).rejects.toBeInstanceOf(WarpError);
+    await expect(solve).rejects.toBeInstanceOf(C2WarpError);
   });
 
   it('asks the source of a picture to send the pixels to each worker', () => {

@@ -5,18 +5,9 @@
  * Requests that are pending when a worker dies are sent again to its successor, after the picture; a request that was
  * pending at two deaths is rejected.
  */
-import { ENGINE, TOO_MUCH, TOO_MUCH_TO_SOLVE, WarpError } from '../error';
+import { C2WarpError, ENGINE, TOO_MUCH, TOO_MUCH_TO_SOLVE } from '../error';
 import { failureError, superseded } from './errors';
-import {
-  type Boot,
-  type Messages,
-  type Name,
-  type ProgressOf,
-  type Reply,
-  type Request,
-  type SentPicture,
-  SUPERSEDED,
-} from './messages';
+import type { Boot, Messages, Name, ProgressOf, Reply, Request, SentPicture } from './messages';
 import type { PixelSource } from './solution';
 
 /** The part of a Worker that is used here. */
@@ -174,7 +165,7 @@ export class Link {
     }
     this.#pending.delete(reply.id);
     if (reply.kind === 'done') pending.resolve(reply.body);
-    else pending.reject(reply.failure.code === SUPERSEDED ? superseded() : failureError(reply.failure));
+    else pending.reject(reply.kind === 'superseded' ? superseded() : failureError(reply.failure));
   }
 
   /** @param started the worker had started, so that a request is to blame. */
@@ -187,8 +178,8 @@ export class Link {
       if (pending.request.name === 'picture') this.#picture = undefined;
       pending.reject(
         started
-          ? new WarpError(TOO_MUCH, BROKE[pending.request.name], { cause })
-          : new WarpError(ENGINE, notStarted(this.#address), { cause }),
+          ? new C2WarpError(TOO_MUCH, BROKE[pending.request.name], { cause })
+          : new C2WarpError(ENGINE, notStarted(this.#address), { cause }),
       );
     }
     // A successor without requests could die of the same picture again and again.

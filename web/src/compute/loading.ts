@@ -1,11 +1,11 @@
 /** The file of the solver's module. */
-import { ENGINE, WarpError } from '../error';
+import { C2WarpError, ENGINE } from '../error';
 
 export const SOLVER = new URL('./generated/c2warp_bg.wasm', import.meta.url);
 
 let loading: Promise<WebAssembly.Module> | undefined;
 
-/** Fetches and compiles the solver once; later calls return the same module. @throws WarpError */
+/** Fetches and compiles the solver once; later calls return the same module. @throws C2WarpError */
 export function loadedModule(): Promise<WebAssembly.Module> {
   loading ??= compiled(SOLVER).catch((error: unknown) => {
     // A later call tries again: the network may be back.
@@ -36,8 +36,8 @@ async function fetched(url: URL): Promise<WebAssembly.Module> {
 }
 
 /** The error of a solver that does not load. */
-export const notLoaded = (cause: unknown): WarpError =>
-  new WarpError(ENGINE, `The solver could not be loaded: ${words(cause)}`, { cause });
+export const notLoaded = (cause: unknown): C2WarpError =>
+  new C2WarpError(ENGINE, `The solver could not be loaded: ${words(cause)}`, { cause });
 
 /** Browsers throw a TypeError where nothing comes, and a CompileError also for a file that is cut off. */
 function reason(error: unknown): string {

@@ -1,6 +1,7 @@
 /** The messages between a solver and its owner, such as a worker and its page. */
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
+import type { C2WarpErrorCode } from '../error';
 import type { Area } from '../geometry/area';
 import type { PointWeights, PosedMesh } from './points';
 import type { CellBorders, FillData, PixelSource, SolutionData, Stage } from './solution';
@@ -141,7 +142,7 @@ export type ProgressOf<N extends Name> = N extends 'solve' ? Stage : N extends '
 
 /** An error that crossed from the worker. */
 export interface Failure {
-  readonly code: string;
+  readonly code: C2WarpErrorCode;
   readonly message: string;
   /** Ids of the handles that the message names. */
   readonly handles?: readonly string[];
@@ -151,8 +152,7 @@ export type Reply =
   | { readonly id: number; readonly kind: 'done'; readonly body: Messages[Name][1] }
   | { readonly id: number; readonly kind: 'progress'; readonly stage: ProgressOf<Name> }
   | { readonly id: number; readonly kind: 'failed'; readonly failure: Failure }
+  /** A newer request has made this one pointless. */
+  | { readonly id: number; readonly kind: 'superseded' }
   /** The module panicked: the worker must be replaced. `started`: it had a session, so a request is to blame. */
   | { readonly kind: 'died'; readonly started: boolean; readonly message: string };
-
-/** Code of the failure that answers a superseded solve. */
-export const SUPERSEDED = 'superseded';

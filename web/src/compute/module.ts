@@ -1,7 +1,7 @@
 /** The solver's module, compiled once for all editors of a page. The only page file that imports the generated code. */
 
 import type { Clip, Handle, Project } from '../document/project';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import init, {
   frame_times,
   ClipPoses as ModuleClip,
@@ -16,11 +16,11 @@ export type { ModuleClip, ModulePicture, ModulePlayback };
 
 let starting: Promise<WebAssembly.Module> | undefined;
 
-/** Fetches, compiles and instantiates the module once; later calls return the same one. @throws WarpError */
+/** Fetches, compiles and instantiates the module once; later calls return the same one. @throws C2WarpError */
 export function loadModule(): Promise<WebAssembly.Module> {
   starting ??= start().catch((error: unknown) => {
     starting = undefined;
-    throw error instanceof WarpError ? error : notLoaded(error);
+    throw error instanceof C2WarpError ? error : notLoaded(error);
   });
   return starting;
 }

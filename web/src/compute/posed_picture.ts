@@ -19,13 +19,13 @@ export interface PosedPicture {
   /**
    * The picture posed as in a project, and as stiff. Handles of the solution that the project lacks, or has with other
    * corners, keep the pose that they were solved with. Handles that are not solved yet move nothing.
-   * @throws WarpError if no such pose exists, such as a bar of no length. Show the last pose then.
+   * @throws C2WarpError if no such pose exists, such as a bar of no length. Show the last pose then.
    */
   pose(project: Project): Pose;
 
   /**
    * The picture along a clip. Handles without a track keep their pose in `project`.
-   * @throws WarpError for a clip that does not fit the handles.
+   * @throws C2WarpError for a clip that does not fit the handles.
    */
   playback(clip: Clip, project: Project): Playback;
 
@@ -53,7 +53,7 @@ export interface PosedPicture {
   /**
    * Vertices: how far each follows a move of the selected handles. 1 moves as far as they do, 0 stays.
    * Null if the solution has none of them.
-   * @throws WarpError if no such pose exists.
+   * @throws C2WarpError if no such pose exists.
    */
   reach(project: Project, selection: readonly string[]): Float32Array<ArrayBuffer> | null;
 
@@ -88,7 +88,7 @@ export interface Playback {
   /**
    * The pose at any time in seconds. A time later than all before takes a pose for each sixtieth of a second up to it.
    * @param project The project with its handles posed as at that time. The pose answers for it.
-   * @throws WarpError if no such pose exists.
+   * @throws C2WarpError if no such pose exists.
    */
   pose(project: Project, time: number): Pose;
 

@@ -5,6 +5,7 @@
  * Errors with a code are sent as replies. Anything else is a panic, after which the module's memory cannot be trusted:
  * the service reports that it died, and its owner starts another.
  */
+import { asError, C2WarpError, codeOf, handlesOf } from '../error';
 import init, {
   __wbg_reset_state,
   Canvas,
@@ -13,17 +14,7 @@ import init, {
   Session,
   type Solution,
 } from './generated/c2warp';
-import {
-  type Boot,
-  type DrawingSize,
-  type Failure,
-  type FilmSize,
-  type Messages,
-  type Moment,
-  type Reply,
-  type Request,
-  SUPERSEDED,
-} from './messages';
+import type { Boot, DrawingSize, Failure, FilmSize, Messages, Moment, Reply, Request } from './messages';
 import { nextTask, Queue } from './queue';
 import type { Report, SolutionData, Stage } from './solution';
 import { WARM_UP } from './warm_up';
@@ -130,7 +121,7 @@ export class SolverService {
         return done(session.suggest(request.body.project));
       case 'solve': {
         if (!(await this.#advanced(session, request.body.project, id))) {
-          return this.#post({ id, kind: 'failed', failure: { code: SUPERSEDED, message: 'superseded' } });
+          return this.#post({ id, kind: 'superseded' });
         }
         const solution = copiedOut(session.solution());
         return done(solution, buffers(solution));
@@ -252,7 +243,7 @@ export class SolverService {
       this.#post({ id, kind: 'progress', stage: part });
       await nextTask();
       if (waits(ENDS_FILLS)) {
-        this.#post({ id, kind: 'failed', failure: { code: SUPERSEDED, message: 'superseded' } });
+        this.#post({ id, kind: 'superseded' });
         return false;
       }
       if (waits(['solve'])) {
@@ -295,13 +286,13 @@ const sizeOf = (film: number, { width, height, frames, endlessly }: Filming): Fi
   endlessly,
 });
 
-/** The pixels that arrive at a port. @throws Error with the code `picture` if the picture was released. */
+/** The pixels that arrive at a port. @throws C2WarpError with the code `picture` if the picture was released. */
 function received(port: MessagePort): Promise<Uint8Array> {
   return new Promise((resolve, reject) => {
     port.onmessage = ({ data }: MessageEvent<Uint8Array | null>) => {
       port.close();
       if (data) resolve(data);
-      else reject(Object.assign(new Error(RELEASED), { code: 'picture' }));
+      else reject(new C2WarpError('picture', RELEASED));
     };
   });
 }
@@ -335,9 +326,8 @@ function buffers({ report: _, ...arrays }: SolutionData): ArrayBuffer[] {
 }
 
 function asFailure(error: unknown): Failure | undefined {
-  if (!(error instanceof Error) || !('code' in error) || typeof error.code !== 'string') return undefined;
-  const { handles } = error as Partial<Failure>;
-  return { code: error.code, message: error.message, ...(handles && { handles }) };
+  const code = codeOf(error);
+  return code ? { code, message: asError(error).message, handles: handlesOf(error) } : undefined;
 }
 
 function warmUp(): void {

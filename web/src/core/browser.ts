@@ -3,7 +3,7 @@ import type { Port } from '../compute/link';
 import { loadedModule } from '../compute/loading';
 import type { Pixels } from '../compute/solution';
 import worker from '../compute/worker/worker?worker&url';
-import { ENGINE, WarpError } from '../error';
+import { C2WarpError, ENGINE } from '../error';
 import { decodePicture, type Platform } from '../io/decode';
 import { pagePlatform } from '../io/page_platform';
 import { startWorker } from '../start_worker';
@@ -29,7 +29,7 @@ export const browser: Environment = {
         : new Worker(new URL(worker, import.meta.url), { type: 'module' });
     } catch (cause) {
       const message = 'The solver could not be started: this browser or this page does not allow workers.';
-      throw new WarpError(ENGINE, message, { cause });
+      throw new C2WarpError(ENGINE, message, { cause });
     }
   },
 
@@ -45,7 +45,7 @@ export const browser: Environment = {
     const { width, height } = input;
     const canvas = new OffscreenCanvas(width, height);
     const context = canvas.getContext('2d', { willReadFrequently: true });
-    if (!context) throw new WarpError('picture', 'This browser has no 2D canvas here: pass pixels.');
+    if (!context) throw new C2WarpError('picture', 'This browser has no 2D canvas here: pass pixels.');
     context.drawImage(input, 0, 0);
     const { data } = context.getImageData(0, 0, width, height);
     return { width, height, rgba: new Uint8Array(data.buffer) };

@@ -3,7 +3,7 @@ import { encode } from 'fast-png';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { Session } from '../compute/generated/c2warp';
 import { createWarper, encodePng, type Warper } from '../core_node';
-import type { WarpError } from '../error';
+import type { C2WarpError } from '../error';
 
 const file = (name: string) => readFileSync(new URL(`../../public/samples/${name}`, import.meta.url));
 
@@ -31,7 +31,7 @@ afterEach(() => {
 const codeOf = async (work: Promise<unknown>) =>
   work.then(
     () => 'done',
-    (error: WarpError) => error.code,
+    (error: C2WarpError) => error.code,
   );
 
 describe('createWarper in Node', () => {

@@ -6,13 +6,13 @@ import type { PictureInput, WarpedImage } from './types';
 export interface Environment {
   /** Whether a worker solves unless the caller says otherwise. */
   readonly usesWorker: boolean;
-  /** The compiled solver of this package. @throws WarpError with the code `engine`. */
+  /** The compiled solver of this package. @throws C2WarpError with the code `engine`. */
   loadModule(): Promise<WebAssembly.Module>;
   /** The address of the worker; undefined if there is none. */
   readonly workerAddress?: string;
-  /** Starts a worker with a solver. @throws WarpError with the code `engine`. */
+  /** Starts a worker with a solver. @throws C2WarpError with the code `engine`. */
   spawn(): Port;
-  /** Decodes a file. @throws WarpError with the code `picture`. */
+  /** Decodes a file. @throws C2WarpError with the code `picture`. */
   decode(bytes: Uint8Array<ArrayBuffer>, signal: AbortSignal): Promise<Pixels>;
   /** The pixels of a bitmap or a canvas; undefined for any other object. */
   drawn(input: Exclude<PictureInput, ArrayBuffer>): Pixels | undefined;

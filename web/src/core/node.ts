@@ -2,7 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import { notLoaded, SOLVER } from '../compute/loading';
 import type { Pixels } from '../compute/solution';
-import { ENGINE, WarpError } from '../error';
+import { C2WarpError, ENGINE } from '../error';
 import { readHeader } from '../io/formats/header';
 import { checkSize } from '../io/limits';
 import type { Environment } from './environment';
@@ -27,19 +27,19 @@ export const node: Environment = {
   },
 
   spawn() {
-    throw new WarpError(ENGINE, NO_WORKER);
+    throw new C2WarpError(ENGINE, NO_WORKER);
   },
 
   async decode({ buffer }) {
     const { kind, name, size, end } = readHeader(buffer);
-    if (kind !== 'png') throw new WarpError('picture', refusal(name));
+    if (kind !== 'png') throw new C2WarpError('picture', refusal(name));
     if (size) checkSize(size.width, size.height);
-    if (end === 'missing') throw new WarpError('picture', 'The picture is incomplete: its end is missing.');
+    if (end === 'missing') throw new C2WarpError('picture', 'The picture is incomplete: its end is missing.');
     try {
       return pngPixels(buffer);
     } catch (cause) {
       const message = `The picture is damaged: ${(cause as Error).message}.`;
-      throw new WarpError('picture', message, { cause });
+      throw new C2WarpError('picture', message, { cause });
     }
   },
 

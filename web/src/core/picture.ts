@@ -1,6 +1,6 @@
 /** The pixels of a picture that a program hands over. */
 import type { Pixels } from '../compute/solution';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { checkSize } from '../io/limits';
 import type { Environment } from './environment';
 import type { PictureInput, PixelData, WarperOptions } from './types';
@@ -11,7 +11,7 @@ const UNKNOWN =
 /**
  * Returns a copy of the pixels.
  *
- * @throws WarpError with the code `picture` for anything but a picture of a supported size.
+ * @throws C2WarpError with the code `picture` for anything but a picture of a supported size.
  * @throws the reason of the signal if that is aborted.
  */
 export async function pixelsOf(
@@ -27,10 +27,10 @@ export async function pixelsOf(
     signal.throwIfAborted();
     return copied(decoded);
   }
-  if (typeof input !== 'object' || input === null) throw new WarpError('picture', UNKNOWN);
+  if (typeof input !== 'object' || input === null) throw new C2WarpError('picture', UNKNOWN);
   if ('data' in input) return copied(input);
   const drawn = environment.drawn(input as Exclude<PictureInput, ArrayBuffer>);
-  if (!drawn) throw new WarpError('picture', UNKNOWN);
+  if (!drawn) throw new C2WarpError('picture', UNKNOWN);
   return drawn;
 }
 
@@ -50,11 +50,11 @@ async function bytesOf(input: PictureInput): Promise<Uint8Array<ArrayBuffer> | u
 
 function copied({ width, height, data }: PixelData): Pixels {
   checkSize(width, height);
-  if (!ArrayBuffer.isView(data) || data.BYTES_PER_ELEMENT !== 1) throw new WarpError('picture', UNKNOWN);
+  if (!ArrayBuffer.isView(data) || data.BYTES_PER_ELEMENT !== 1) throw new C2WarpError('picture', UNKNOWN);
   const bytes = width * height * 4;
   if (data.length !== bytes) {
     const message = `Expected ${bytes} bytes for ${width} × ${height} pixels in RGBA, found ${data.length}.`;
-    throw new WarpError('picture', message);
+    throw new C2WarpError('picture', message);
   }
   return { width, height, rgba: Uint8Array.from(data) };
 }

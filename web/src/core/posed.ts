@@ -24,7 +24,7 @@ export class PosedSolution {
    * The posed places of points of the picture: those of `c2warp map`.
    *
    * @param points Points × 2, in image pixels.
-   * @throws WarpError with the code `pose` for a pose that cannot be made.
+   * @throws C2WarpError with the code `pose` for a pose that cannot be made.
    * @throws the reason of the signal if that is aborted.
    */
   async map(points: Float64Array, { signal }: Cancellable = {}): Promise<MappedPoints> {
@@ -65,7 +65,7 @@ export class PosedSolution {
   /**
    * Draws the warped picture at full quality: the pixels of `c2warp warp`.
    *
-   * @throws WarpError with the code `scale` or `canvas` for a result without pixels or with too many.
+   * @throws C2WarpError with the code `scale` or `canvas` for a result without pixels or with too many.
    * @throws as {@link map}.
    */
   async warp(options: WarpOptions = {}): Promise<WarpedPicture> {

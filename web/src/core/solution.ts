@@ -3,7 +3,7 @@ import type { Moment, Points } from '../compute/messages';
 import type { PointWeights } from '../compute/points';
 import type { SolutionData } from '../compute/solution';
 import type { HandleFile, ProjectFile } from '../document/project';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import type { Environment } from './environment';
 import { PosedSolution } from './posed';
 import type { Solver } from './solver';
@@ -50,12 +50,12 @@ export class Solution {
    * Poses handles, by their ids. Handles that are not named keep their pose in the project. The solution does not
    * change. The solver refuses invalid poses at the first use of the result.
    *
-   * @throws WarpError with the code `pose` if there is no such handle.
+   * @throws C2WarpError with the code `pose` if there is no such handle.
    */
   pose(poses: Readonly<Record<string, HandlePose>> = {}): PosedSolution {
     const unknown = Object.keys(poses).find((id) => this.project.handles.every((handle) => handle.id !== id));
     if (unknown !== undefined) {
-      throw new WarpError('pose', `There is no handle ${JSON.stringify(unknown)}.`, { handles: [unknown] });
+      throw new C2WarpError('pose', `There is no handle ${JSON.stringify(unknown)}.`, { handles: [unknown] });
     }
     const handles = this.project.handles.map((handle) => ({ ...handle, ...poses[handle.id] }) as HandleFile);
     return this.#posed({ ...this.project, handles }, null);
@@ -65,12 +65,13 @@ export class Solution {
    * Poses all handles as a clip of the project does at a time.
    *
    * @param time Seconds.
-   * @throws WarpError with the code `clip` if there is no such clip, or the time is no finite number.
+   * @throws C2WarpError with the code `clip` if there is no such clip, or the time is no finite number.
    */
   clip(name: string, time: number): PosedSolution {
     const clip = this.project.clips?.find((clip) => clip.name === name);
-    if (!clip) throw new WarpError('clip', `There is no clip ${JSON.stringify(name)}.`);
-    if (!Number.isFinite(time)) throw new WarpError('clip', `The time of a clip is in seconds, not ${time}.`);
+    if (!clip) throw new C2WarpError('clip', `There is no clip ${JSON.stringify(name)}.`);
+    if (!Number.isFinite(time))
+      throw new C2WarpError('clip', `The time of a clip is in seconds, not ${time}.`);
     return this.#posed(this.project, { clip: JSON.stringify(clip), time });
   }
 

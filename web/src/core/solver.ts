@@ -3,7 +3,7 @@ import { Drawing } from '../compute/drawing';
 import type { Link } from '../compute/link';
 import type { DrawingOptions, Messages, Moment, Points } from '../compute/messages';
 import type { SolutionData } from '../compute/solution';
-import { ENGINE, WarpError } from '../error';
+import { C2WarpError, ENGINE } from '../error';
 import type { SolveOptions } from './types';
 
 const DISPOSED = 'The warper is disposed of.';
@@ -63,7 +63,7 @@ export class Solver {
     bodyOf: (batch: Points) => Messages[N][0],
     signal?: AbortSignal,
   ): AsyncGenerator<Messages[N][1]> {
-    if (!(points instanceof Float64Array) || points.length % 2 !== 0) throw new WarpError('points', PAIRS);
+    if (!(points instanceof Float64Array) || points.length % 2 !== 0) throw new C2WarpError('points', PAIRS);
     let from = 0;
     do {
       yield await this.ask(name, bodyOf(points.slice(from, from + 2 * BATCH)), signal);
@@ -91,7 +91,7 @@ export class Solver {
 
   #check(signal: AbortSignal | undefined): void {
     signal?.throwIfAborted();
-    if (this.#disposed) throw new WarpError(ENGINE, DISPOSED);
+    if (this.#disposed) throw new C2WarpError(ENGINE, DISPOSED);
   }
 }
 

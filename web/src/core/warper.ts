@@ -4,7 +4,7 @@ import { Link } from '../compute/link';
 import { LocalPort } from '../compute/local_port';
 import type { PixelSource } from '../compute/solution';
 import type { ProjectFile } from '../document/project';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import type { Environment } from './environment';
 import { pixelsOf } from './picture';
 import { Solution } from './solution';
@@ -67,7 +67,7 @@ export class Warper {
   /**
    * Solves a project: finds how its handles move each point of the picture. Solves run one after another.
    *
-   * @throws WarpError with the code `project` and the path of the offending key, or another code of the solver such as
+   * @throws C2WarpError with the code `project` and the path of the offending key, or another code of the solver such as
    * `handle-outside`.
    * @throws the reason of the signal if that is aborted.
    */
@@ -91,7 +91,7 @@ export class Warper {
     const { width, height } = this;
     const given: unknown = typeof input === 'string' ? parsed(input) : input;
     if (typeof given !== 'object' || given === null) {
-      throw new WarpError('project', 'A project is an object with handles, or the text of a project file.');
+      throw new C2WarpError('project', 'A project is an object with handles, or the text of a project file.');
     }
     const image = { src: '', width, height };
     return copied({ format: 'c2warp/1', image, handles: [], ...given }) as ProjectFile;
@@ -105,6 +105,6 @@ function asProject(read: () => unknown): unknown {
   try {
     return read();
   } catch (cause) {
-    throw new WarpError('project', `The project is not JSON: ${(cause as Error).message}`, { cause });
+    throw new C2WarpError('project', `The project is not JSON: ${(cause as Error).message}`, { cause });
   }
 }

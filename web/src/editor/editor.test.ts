@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { isSameWork } from '../document/document';
 import { timeline, undoLabel } from '../document/history';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { COMMANDS, type CommandName } from './commands';
 import type { EditorEvent } from './events';
 import { FakeRuntime, PAGE, testPicture } from './fake_runtime';
@@ -119,15 +119,15 @@ const STEPS: readonly Step[] = [
     runtime.posedByPage ||= handles.length > 0;
   },
   (runtime, random) => runtime.read(testPicture(among(['a.png', 'b.png'], random))),
-  (runtime) => runtime.failRead(new WarpError('picture', 'no picture')),
+  (runtime) => runtime.failRead(new C2WarpError('picture', 'no picture')),
   ...Array<Step>(6).fill((runtime) => runtime.solve()),
   (runtime, random) => {
     const named = documentOf(runtime.state)
       .project.handles.slice(-1)
       .map(({ id }) => id);
-    runtime.refuse(new WarpError('handle-outside', 'outside', { handles: random() < 0.7 ? named : [] }));
+    runtime.refuse(new C2WarpError('handle-outside', 'outside', { handles: random() < 0.7 ? named : [] }));
   },
-  (runtime) => runtime.refuse(new WarpError('engine', 'failed'), true),
+  (runtime) => runtime.refuse(new C2WarpError('engine', 'failed'), true),
 ];
 
 /** Ends what is in progress, so that undo takes back a whole step. */

@@ -1,6 +1,6 @@
 /** The words of errors for people, where the solver's own words name project keys or ids. */
 import { nameOf } from '../document/handle';
-import { codeOf, handlesOf, TOO_MUCH, WarpError } from '../error';
+import { C2WarpError, codeOf, handlesOf, TOO_MUCH } from '../error';
 
 /** By the codes of errors whose messages are in words of the solver and of project files. */
 const REFUSALS: Readonly<Record<string, (name: string, other: string) => string>> = {
@@ -53,6 +53,7 @@ const TEXTS: Readonly<Record<string, string>> = {
 
 /** The error in words for the editor, with the same `code`; other errors are returned unchanged. */
 export function inEditorWords(error: Error, name: string): Error {
-  const text = TEXTS[codeOf(error)];
-  return text === undefined ? error : new WarpError(codeOf(error), `${name}: ${text}`, { cause: error });
+  const code = codeOf(error);
+  const text = TEXTS[code];
+  return code && text ? new C2WarpError(code, `${name}: ${text}`, { cause: error }) : error;
 }

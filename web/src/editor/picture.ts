@@ -1,7 +1,7 @@
 /** The open picture as the editor knows it: its size and what its pixels suggest. The runtime holds the pixels. */
 
 import type { Project } from '../document/project';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import type { Size } from '../geometry/camera';
 
 /** A file that the editor passes on unread: a `Blob` of the runtime. */
@@ -53,11 +53,11 @@ export const belongs = (picture: Pick<Picture, 'name'> & Size, project: Project)
 const fileNameOf = (src: string): string => src.split(/[/\\]/).at(-1) ?? '';
 
 /** The error for a project that belongs to a picture of another size; null if the size fits. */
-export function misfit(picture: Picture, project: Project): WarpError | null {
+export function misfit(picture: Picture, project: Project): C2WarpError | null {
   if (fits(picture, project)) return null;
   const { width, height } = project.image;
   const sizes = `${width} × ${height} px; ${picture.name} has ${picture.width} × ${picture.height} px`;
-  return new WarpError('image-size', `The project is for a picture of ${sizes}.`);
+  return new C2WarpError('image-size', `The project is for a picture of ${sizes}.`);
 }
 
 /** A name as a part of a file's name: characters that it cannot have become hyphens. */

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { newProject } from '../document/document';
 import { timeline } from '../document/history';
 import type { Project } from '../document/project';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { drawingsOf } from '../tools/machine';
@@ -168,7 +168,7 @@ describe('input while a picture is being opened', () => {
   it('is dropped with a picture that cannot be read, and leaves the previous one alone', () => {
     const [runtime] = asked({ before: 'picture', project: null });
     for (const event of [run('point'), ...press([50, 50])]) send(runtime, event);
-    runtime.failRead(new WarpError('picture', 'no picture'));
+    runtime.failRead(new C2WarpError('picture', 'no picture'));
     expect(shownNotice(runtime.state)?.text).toBe('no picture');
     expect(runtime.state.waiting).toEqual([]);
     expect(documentOf(runtime.state).project).toMatchObject({ image: { src: 'old.png' }, handles: [] });
@@ -223,7 +223,7 @@ describe('a refused picture', () => {
     runtime.dispatch({ type: 'files-received', files: [{ name: 'b.png', file: picture.file }] });
     runtime.read(testPicture('b.png'));
     expect(runtime.state.tools.tool).toBe('point');
-    runtime.refuse(new WarpError('nothing-opaque', 'nothing'));
+    runtime.refuse(new C2WarpError('nothing-opaque', 'nothing'));
     expect(runtime.state.tools.tool).toBe('select');
   });
 });

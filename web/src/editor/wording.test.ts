@@ -3,7 +3,7 @@ import { type Document, newProject, openDocument } from '../document/document';
 import { addHandle, changeHandles, selectHandles } from '../document/edits';
 import { transformGroup } from '../document/group';
 import { DEPTHS, scaledTo } from '../document/handle';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { refusalWords } from './error_texts';
 import { cornerWords, depthWords, draftWords, placeWords, selectionName } from './wording';
 
@@ -54,10 +54,11 @@ describe('words', () => {
 
   it('put what the solver refuses in words of the editor, by its code', () => {
     const message = 'handle “left-hand” at (1, 2) lies outside the domain';
-    const error = new WarpError('handle-outside', message, { handles: ['left-hand'] });
+    const error = new C2WarpError('handle-outside', message, { handles: ['left-hand'] });
     expect(refusalWords(error)).toMatch(/^“left hand” lies outside the shape/);
-    expect(refusalWords(new WarpError('bar-too-short', 'short', { handles: ['a'] }))).toBe('short');
-    const along = (...handles: string[]) => refusalWords(new WarpError('bars-overlap', 'along', { handles }));
+    expect(refusalWords(new C2WarpError('bar-too-short', 'short', { handles: ['a'] }))).toBe('short');
+    const along = (...handles: string[]) =>
+      refusalWords(new C2WarpError('bars-overlap', 'along', { handles }));
     expect(along('bar-1', 'left-leg')).toMatch(/^“Bar 1” and “left leg” run along each other/i);
     expect(along('polygon-1', 'polygon-1')).toMatch(/^“Polygon 1” runs back along itself/i);
     expect(refusalWords(new Error('no such file'))).toBe('no such file');

@@ -1,6 +1,6 @@
 /** Attributes with values that mean nothing. */
 import { FEATURES, unknownFeatures } from '../editor/features';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { isToolName, TOOL_NAMES } from '../tools/machine';
 import { isSubmitted, SUBMITTED } from './form_control';
 
@@ -16,7 +16,7 @@ export function attributeFaults(
     readonly submits: string | null;
   },
   changed: { has(name: string): boolean },
-): readonly WarpError[] {
+): readonly C2WarpError[] {
   const { toolSource, theme, features, crossOrigin, submits } = element;
   const faults: string[] = [];
   if (changed.has('toolSource') && toolSource !== null && !isToolName(toolSource))
@@ -31,5 +31,5 @@ export function attributeFaults(
     faults.push(`crossorigin: expected anonymous or use-credentials, found "${crossOrigin}"`);
   if (changed.has('submits') && submits !== null && !isSubmitted(submits))
     faults.push(`submits: expected ${SUBMITTED.join(' or ')}, found "${submits}"`);
-  return faults.map((fault) => new WarpError('attribute', fault));
+  return faults.map((fault) => new C2WarpError('attribute', fault));
 }

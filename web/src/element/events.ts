@@ -3,6 +3,7 @@
 import type { Handle, Project } from '../document/project';
 import type { Origin } from '../editor/effects';
 import type { ExportKind } from '../editor/export_choices';
+import type { C2WarpError } from '../error';
 import type { ToolName } from '../tools/machine';
 import { UpdatingElement } from './updating_element';
 
@@ -21,7 +22,7 @@ export interface EventDetails extends QuestionDetails {
   readonly historychange: { readonly undo: string | null; readonly redo: string | null };
   readonly titlechange: { readonly name: string | null; readonly unsaved: boolean };
   readonly progress: { readonly label: string | null; readonly fraction: number | null };
-  readonly error: Error;
+  readonly error: C2WarpError;
 }
 
 /** The events that come before an act of a person. Without their default the editor does nothing. */

@@ -1,14 +1,15 @@
 /** The next picture of an element as a promise. */
+import type { C2WarpError } from '../error';
 import type { TypedElement } from './events';
 
 /** Resolves with the next `load`. Rejects with the `error` that comes before `ready`, if no `load` does. */
 export function loadOf(element: TypedElement): Promise<void> {
   const heard = new AbortController();
   const { signal } = heard;
-  let failure: Error | null = null;
+  let failure: C2WarpError | null = null;
   const loaded = new Promise<void>((resolve, reject) => {
     element.addEventListener('load', () => resolve(), { signal });
-    const told = ({ detail }: CustomEvent<Error>) => {
+    const told = ({ detail }: CustomEvent<C2WarpError>) => {
       failure = detail;
     };
     element.addEventListener('error', told, { signal });

@@ -1,7 +1,7 @@
 /** Pictures that a page has at hand, as the editor opens them: an address, or a file with its name. */
 
 import type { NamedFile } from '../editor/picture';
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import type { PictureSource } from './api';
 
 /** The name of a picture without a file. */
@@ -32,24 +32,25 @@ const isDrawable = (source: unknown): source is Drawable =>
 /** The file itself is read again: its pixels are exact, and a saved project can name it. */
 function addressOf(image: HTMLImageElement): string {
   const address = image.currentSrc || image.src;
-  if (!address) throw new WarpError('picture', 'load: the image has no address yet');
+  if (!address) throw new C2WarpError('picture', 'load: the image has no address yet');
   return address;
 }
 
-/** @throws WarpError `picture` for a picture without pixels, or with pixels of another origin. */
+/** @throws C2WarpError `picture` for a picture without pixels, or with pixels of another origin. */
 async function pngOf(source: Drawable): Promise<Blob> {
   const { width, height } = source;
   if (width === 0 || height === 0)
-    throw new WarpError('picture', `load: the picture has ${width} × ${height} pixels`);
+    throw new C2WarpError('picture', `load: the picture has ${width} × ${height} pixels`);
   const canvas = new OffscreenCanvas(width, height);
   const pen = canvas.getContext('2d');
-  if (!pen) throw new WarpError('picture', `load: the browser has no canvas of ${width} × ${height} pixels`);
+  if (!pen)
+    throw new C2WarpError('picture', `load: the browser has no canvas of ${width} × ${height} pixels`);
   if ('data' in source) pen.putImageData(source, 0, 0);
   else pen.drawImage(source, 0, 0);
   try {
     return await canvas.convertToBlob({ type: 'image/png' });
   } catch (cause) {
-    throw new WarpError(
+    throw new C2WarpError(
       'picture',
       'load: the canvas has pixels of another origin, which no script may read',
       {

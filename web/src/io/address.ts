@@ -1,5 +1,5 @@
 /** Loads files by URL. */
-import { codeOf, WarpError } from '../error';
+import { C2WarpError, codeOf } from '../error';
 
 /** Returns the last part of a URL or path; `picture.png` for `data:` and `blob:` URLs, which have no name. */
 export function fileName(address: string): string {
@@ -22,7 +22,7 @@ export interface FetchOptions {
 /**
  * Returns the file at a URL. A `data:` URL is decoded without a request, which a page's policy could forbid.
  *
- * @throws WarpError if the file cannot be loaded; AbortError if the signal is aborted.
+ * @throws C2WarpError if the file cannot be loaded; AbortError if the signal is aborted.
  */
 export async function fetchFile(address: string, options: FetchOptions): Promise<Blob> {
   if (/^\s*data:/i.test(address)) return dataFile(address);
@@ -39,20 +39,20 @@ export async function fetchFile(address: string, options: FetchOptions): Promise
   }
 }
 
-const refusal = (address: string, why: string): WarpError =>
-  new WarpError('address', `${fileName(address)} could not be loaded: ${why}`);
+const refusal = (address: string, why: string): C2WarpError =>
+  new C2WarpError('address', `${fileName(address)} could not be loaded: ${why}`);
 
 /** Browsers do not tell a page whether a server refuses it or cannot be reached. */
-function unreachable(address: string, cause: unknown): WarpError {
+function unreachable(address: string, cause: unknown): C2WarpError {
   const [, host = null] = /^\s*https?:\/\/([^/?#]+)/i.exec(address) ?? [];
   const advice =
     host === null || host === globalThis.location?.host
       ? 'Check the address and the network connection.'
       : `${host} does not let this page read it (CORS), or cannot be reached. Save the picture, and open the file.`;
-  return new WarpError('address', `${fileName(address)} could not be loaded. ${advice}`, { cause });
+  return new C2WarpError('address', `${fileName(address)} could not be loaded. ${advice}`, { cause });
 }
 
-/** Decodes a `data:` URL (RFC 2397). @throws WarpError if it is damaged. */
+/** Decodes a `data:` URL (RFC 2397). @throws C2WarpError if it is damaged. */
 export function dataFile(address: string): Blob {
   const [, type = '', base64, content = ''] =
     /^\s*data:([^,;]*)(?:;[^,;]*?)*?(;base64)?,(.*)$/is.exec(address) ?? [];
@@ -62,7 +62,7 @@ export function dataFile(address: string): Blob {
       : new TextEncoder().encode(decodeURIComponent(content));
     return new Blob([bytes], { type });
   } catch (cause) {
-    throw new WarpError(
+    throw new C2WarpError(
       'address',
       'The picture in the address is damaged. Copy it again, or save it as a file.',
       {

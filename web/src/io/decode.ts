@@ -7,7 +7,7 @@
  * It runs in a worker, or in the page if the worker lacks something: see {@link Platform}.
  */
 
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { type Header, readHeader } from './formats/header';
 import { probes } from './formats/jpeg';
 import { withoutExif } from './formats/webp';
@@ -39,7 +39,7 @@ const INCOMPLETE = 'The picture is incomplete: the end of the file is missing. G
 /**
  * Returns the picture in a file.
  *
- * @throws WarpError if the file is not a picture, is incomplete, or has an unsupported size.
+ * @throws C2WarpError if the file is not a picture, is incomplete, or has an unsupported size.
  * @throws ReadError if the bytes cannot be read.
  * @throws AbortError if the signal is aborted.
  */
@@ -48,14 +48,14 @@ export async function decodePicture(
   platform: Platform,
   signal: AbortSignal,
 ): Promise<DecodedPicture> {
-  if (file.size === 0) throw new WarpError('picture', 'The file is empty.');
+  if (file.size === 0) throw new C2WarpError('picture', 'The file is empty.');
   const bytes = await readBytes(file);
   const header = readHeader(bytes);
   const { kind, size, end, moves, orientation = 1 } = header;
   if (kind === 'drawing') throw unreadable(header);
   // Checked before decoding: a small file can hold more pixels than fit in memory.
   if (size) checkSize(size.width, size.height);
-  if (end === 'missing') throw new WarpError('picture', INCOMPLETE);
+  if (end === 'missing') throw new C2WarpError('picture', INCOMPLETE);
   const decoder = new Decoder(header, platform, signal);
   if (typeof end === 'number') return { ...(await decoder.decodeUnmarked(probes(bytes, end))), moves };
   if (orientation === 1) return { ...(await decoder.decode(file)), moves };
@@ -75,14 +75,14 @@ function isSame(a: Uint8Array<ArrayBuffer>, b: Uint8Array<ArrayBuffer>): boolean
 }
 
 /** The error for a file that the browser cannot decode. */
-function unreadable({ kind, name }: Header, cause?: unknown): WarpError {
+function unreadable({ kind, name }: Header, cause?: unknown): C2WarpError {
   const message =
     name === undefined
       ? 'The file is not a picture that this browser can read. Use PNG, JPEG or WebP.'
       : kind === 'other' || kind === 'drawing'
         ? `This is ${name}. Save it as PNG, JPEG or WebP.`
         : 'The picture is damaged, or this browser cannot read it. Save it again as PNG, JPEG or WebP.';
-  return new WarpError('picture', message, { cause });
+  return new C2WarpError('picture', message, { cause });
 }
 
 /** Set by the first picture that can have transparency. */
@@ -128,7 +128,7 @@ class Decoder {
       if (other && isSame(picture.rgba, other.rgba)) continue;
       picture.bitmap.close();
       this.#signal.throwIfAborted();
-      throw new WarpError('picture', INCOMPLETE);
+      throw new C2WarpError('picture', INCOMPLETE);
     }
     return picture;
   }

@@ -3,7 +3,7 @@
  *
  * Small drawings are enlarged, so that handles find room.
  */
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { readBytes } from './read';
 
 /** The longer side of small drawings, in pixels. */
@@ -28,10 +28,10 @@ const TOO_LARGE = 'The drawing has more than 64 MB. Simplify it.';
 /**
  * The picture of a drawing.
  *
- * @throws WarpError if the drawing cannot be shown; ReadError if the bytes cannot be read.
+ * @throws C2WarpError if the drawing cannot be shown; ReadError if the bytes cannot be read.
  */
 export async function drawnPicture(file: Blob): Promise<Drawn> {
-  if (file.size > MOST_BYTES) throw new WarpError('picture', TOO_LARGE);
+  if (file.size > MOST_BYTES) throw new C2WarpError('picture', TOO_LARGE);
   const text = new TextDecoder().decode(await readBytes(file));
   const { sized, width, height } = sizedDrawing(text);
   return {
@@ -46,14 +46,14 @@ interface SizedDrawing {
   readonly height: number;
 }
 
-/** A drawing with a size in whole pixels. @throws WarpError if it has no size. */
+/** A drawing with a size in whole pixels. @throws C2WarpError if it has no size. */
 export function sizedDrawing(text: string): SizedDrawing {
   const prologue =
     /^(?:\s|\ufeff|<\?[\s\S]*?\?>|<!--[\s\S]*?-->|<!DOCTYPE(?:[^[>]|\[[\s\S]*?\])*>)*/i.exec(text)?.[0] ?? '';
   const [tag, name, attributes = ''] =
     /^<((?:[\w.-]+:)?svg)((?:\s+[\w:.-]+\s*=\s*(?:"[^"]*"|'[^']*'))*\s*)/.exec(text.slice(prologue.length)) ??
     [];
-  if (tag === undefined) throw new WarpError('picture', DAMAGED);
+  if (tag === undefined) throw new C2WarpError('picture', DAMAGED);
   const box =
     attributeOf(attributes, 'viewBox')
       ?.trim()
@@ -64,7 +64,7 @@ export function sizedDrawing(text: string): SizedDrawing {
   const ratio = boxWidth / boxHeight;
   const across = ownWidth ?? (ownHeight === null ? boxWidth : ownHeight * ratio);
   const down = ownHeight ?? (ownWidth === null ? boxHeight : ownWidth / ratio);
-  if (!(across > 0 && down > 0 && Number.isFinite(across * down))) throw new WarpError('picture', NO_SIZE);
+  if (!(across > 0 && down > 0 && Number.isFinite(across * down))) throw new C2WarpError('picture', NO_SIZE);
   const side = Math.max(across, down);
   const scale = Math.min(Math.max(side, LEAST_SIDE), MOST_SIDE) / side;
   const [width, height] = [across, down].map((length) => Math.max(1, Math.round(length * scale))) as [
@@ -113,7 +113,7 @@ async function rendered(file: Blob, width: number, height: number): Promise<Blob
     if (!png) throw new Error('no memory for the canvas');
     return png;
   } catch (cause) {
-    throw new WarpError('picture', DAMAGED, { cause });
+    throw new C2WarpError('picture', DAMAGED, { cause });
   } finally {
     URL.revokeObjectURL(image.src);
   }

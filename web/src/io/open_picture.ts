@@ -3,7 +3,7 @@
  *
  * If the worker lacks something, or cannot start, the page reads the picture itself.
  */
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import { sharedWorker } from '../start_worker';
 import type { Display } from './display';
 import type { Luminance } from './luminance';
@@ -34,7 +34,7 @@ export interface OpenPicture {
 /**
  * Returns the picture in a file. The caller releases it.
  *
- * @throws WarpError if the file is not a picture, is incomplete, or has an unsupported size.
+ * @throws C2WarpError if the file is not a picture, is incomplete, or has an unsupported size.
  * @throws AbortError if the signal is aborted.
  */
 export async function openPicture(file: Blob, signal: AbortSignal): Promise<OpenPicture> {
@@ -92,7 +92,7 @@ async function openInWorker(file: Blob, signal: AbortSignal): Promise<OpenPictur
     }
     release();
     if (reply.kind === 'lacking') return null;
-    throw new WarpError(reply.code, reply.message);
+    throw new C2WarpError(reply.code, reply.message);
   } catch (error) {
     release();
     throw error;

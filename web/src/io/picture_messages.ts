@@ -1,4 +1,5 @@
 /** The messages between the page and the worker that reads pictures. Each picture has a port of its own. */
+import type { C2WarpErrorCode } from '../error';
 import type { Display } from './display';
 import type { PictureFacts } from './read_picture';
 
@@ -11,7 +12,7 @@ export interface ReadRequest {
 /** The first and only reply. */
 export type ReadReply =
   | { readonly kind: 'read'; readonly facts: PictureFacts; readonly display: Display }
-  | { readonly kind: 'refused'; readonly code: string; readonly message: string }
+  | { readonly kind: 'refused'; readonly code: C2WarpErrorCode; readonly message: string }
   /** The page must read this picture, because the worker lacks a part of the platform. */
   | { readonly kind: 'lacking' };
 

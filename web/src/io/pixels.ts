@@ -2,7 +2,7 @@
  * Reads the exact bytes of a picture in straight alpha, through a WebGL texture. A 2D canvas would premultiply and
  * round, and lose the colours of transparent pixels.
  */
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 
 /** A picture in straight alpha, rows from the top. */
 export interface Rgba {
@@ -32,7 +32,7 @@ let releaseTimer: ReturnType<typeof setTimeout> | undefined;
  * Returns the pixels of a picture: RGBA in straight alpha, rows from the top.
  *
  * @param picture Decoded without premultiplying, `width` × `height` pixels.
- * @throws WarpError if the browser has no WebGL2, or loses the context meanwhile.
+ * @throws C2WarpError if the browser has no WebGL2, or loses the context meanwhile.
  */
 export function straightPixels(
   picture: DecodedImage,
@@ -51,7 +51,7 @@ export function straightPixels(
   }
   // A lost context reads as zeros.
   if (gl.isContextLost()) {
-    throw new WarpError(
+    throw new C2WarpError(
       'picture',
       'The graphics context was lost while the picture was read. Open the picture again.',
     );
@@ -75,7 +75,7 @@ function pixelContext(createContext: CreateContext): WebGL2RenderingContext {
 }
 
 function prepared(gl: WebGL2RenderingContext | null): WebGL2RenderingContext {
-  if (!gl) throw new WarpError('picture', NO_WEBGL);
+  if (!gl) throw new C2WarpError('picture', NO_WEBGL);
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   return gl;

@@ -3,7 +3,7 @@
  *
  * Cost: linear in the number of chunks and the length of the text. Pixels are neither read nor copied.
  */
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 import type { PngChunk } from './encoding';
 import { latin } from './formats/latin';
 import { crc32, SIGNATURE } from './png_chunk';
@@ -30,7 +30,7 @@ export async function textOfFile(file: Blob, keyword: string): Promise<string | 
 /**
  * The text of a keyword in the bytes of any file; null if there is none.
  *
- * @throws WarpError with the code `project` if the chunk is damaged, too long, or compressed.
+ * @throws C2WarpError with the code `project` if the chunk is damaged, too long, or compressed.
  */
 export function textIn(file: ArrayBuffer, keyword: string): string | null {
   const view = new DataView(file);
@@ -63,7 +63,8 @@ function textOf(named: Uint8Array, checksum: number, keywordLength: number): str
   }
 }
 
-const damaged = (what: string): WarpError => new WarpError('project', `The project in this picture ${what}.`);
+const damaged = (what: string): C2WarpError =>
+  new C2WarpError('project', `The project in this picture ${what}.`);
 
 const isPng = (view: DataView): boolean =>
   SIGNATURE.every((byte, at) => at < view.byteLength && view.getUint8(at) === byte);

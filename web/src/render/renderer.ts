@@ -33,7 +33,7 @@ export class Renderer {
   /** Called when the picture must be drawn again: the context was restored, or `wake` was called. */
   onrestore: (() => void) | null = null;
 
-  /** @throws Error with the code `webgl` if the browser has no WebGL2. */
+  /** @throws C2WarpError with the code `webgl` if the browser has no WebGL2. */
   constructor(canvas: HTMLCanvasElement) {
     this.#surface = surfaceOf(canvas);
     const { gl } = this.#surface;

@@ -5,6 +5,7 @@
  * first canvases of a page have a context each, and all others share one. A shared surface copies each frame to its own
  * canvas, which costs time but has no limit.
  */
+import { C2WarpError } from '../error';
 import type { Size } from '../geometry/camera';
 
 export interface Surface {
@@ -22,7 +23,7 @@ const MAX_OWN = 4;
 let own = 0;
 let common: WebGL2RenderingContext | undefined;
 
-/** @throws Error with the code `webgl` if the browser has no WebGL2. */
+/** @throws C2WarpError with the code `webgl` if the browser has no WebGL2. */
 export function surfaceOf(canvas: HTMLCanvasElement): Surface {
   return own < MAX_OWN ? ownSurface(canvas) : sharedSurface(canvas);
 }
@@ -72,5 +73,5 @@ function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   if (gl) return gl;
   const message =
     'This browser cannot draw with WebGL2. Switch on hardware acceleration or use another browser.';
-  throw Object.assign(new Error(message), { code: 'webgl' });
+  throw new C2WarpError('webgl', message);
 }

@@ -7,7 +7,7 @@ import type { Pictures } from './pictures';
 
 type Order = Extract<EditorEffect, { readonly type: 'export' }>;
 
-/** @throws The reason of the signal; WarpError for a drawing that cannot be bent. */
+/** @throws The reason of the signal; C2WarpError for a drawing that cannot be bent. */
 export async function bentFile(
   { project, moment, picture, choices }: Order,
   pictures: Pictures,

@@ -16,7 +16,7 @@ export interface SplitProject {
   readonly picture: NamedFile | null;
 }
 
-/** @throws WarpError if the picture in the text is damaged. */
+/** @throws C2WarpError if the picture in the text is damaged. */
 export function splitProject(text: string): SplitProject {
   const whole = parsed(text);
   const src = whole?.image?.src;

@@ -21,7 +21,7 @@ import { misfit, type NamedFile } from '../editor/picture';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
 import { drawn } from '../editor/update/drawn';
-import { asError } from '../error';
+import { asError, C2WarpError } from '../error';
 import { deviceView } from '../geometry/camera';
 import type { HeatMap } from '../geometry/heat';
 import type { MappedPoint } from '../geometry/place';
@@ -224,17 +224,18 @@ export class EditorRuntime {
     return loaded.finally(() => signal?.removeEventListener('abort', cancel));
   }
 
-  /** Adopts a project of the page. @throws RangeError that names the invalid key; WarpError for another size. */
+  /** Adopts a project of the page. @throws C2WarpError that names the invalid key, or both sizes. */
   adopt(given: ProjectFile): void {
     const { picture, solution } = this.state;
-    if (!picture || !solution.ready) throw new RangeError('there is no picture yet to set a project for');
+    if (!picture || !solution.ready)
+      throw new C2WarpError('no-picture', 'there is no picture yet to set a project for');
     const project = this.#solver.checkProject(given);
     const error = misfit(picture, project);
     if (error) throw error;
     this.dispatch({ type: 'project-adopted', project });
   }
 
-  /** @throws WarpError `project` that names an invalid value in settings of new projects. */
+  /** @throws C2WarpError `project` that names an invalid value in settings of new projects. */
   async checkDefaults(defaults: ProjectDefaults): Promise<void> {
     if (Object.keys(defaults).length === 0) return;
     const project = newProject({ src: '', width: 1, height: 1 }, null, defaults);
@@ -281,7 +282,7 @@ export class EditorRuntime {
 
   /** The warped picture, ready to be drawn, see `Engine.draw`; by default as pixel art if it is shown so. */
   async drawing(asked: Omit<DrawingOptions, 'pixelated'>, pixelated = this.#isPixelated): Promise<Drawing> {
-    if (!this.state.picture) throw new RangeError('There is no picture yet.');
+    if (!this.state.picture) throw new C2WarpError('no-picture', 'There is no picture yet.');
     // The pose of this moment: the page may go on to the next one meanwhile.
     const { project, moment } = drawn(this.state);
     return this.#solver.draw(project, { ...asked, pixelated }, moment);

@@ -92,7 +92,7 @@ export class Files {
   /**
    * The first file that is a picture. A drawing is kept as another file than its source.
    *
-   * @throws WarpError about the first file if none is a picture.
+   * @throws C2WarpError about the first file if none is a picture.
    */
   async #firstPicture(
     files: readonly NamedFile[],

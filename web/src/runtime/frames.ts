@@ -57,7 +57,7 @@ export class Frames {
   #moving = false;
   #resting: ReturnType<typeof setTimeout> | undefined;
 
-  /** @throws Error with the code `webgl` if WebGL2 is not available. */
+  /** @throws C2WarpError with the code `webgl` if WebGL2 is not available. */
   constructor(canvas: HTMLCanvasElement, listener: FramesListener) {
     this.#listener = listener;
     this.#renderer = new Renderer(canvas);

@@ -1,6 +1,6 @@
 /** A part of the page that is loaded when it is first shown: most visitors never open it. */
 
-import { WarpError } from '../error';
+import { C2WarpError } from '../error';
 
 export interface LazyStyles {
   /** Its style sheets. */
@@ -24,7 +24,7 @@ export class LazyView<View extends LazyStyles> {
   }
 
   /** Loads the view unless that has begun. @param loaded called once it can be rendered. */
-  want(loaded: () => void, failed: (error: WarpError) => void): void {
+  want(loaded: () => void, failed: (error: C2WarpError) => void): void {
     if (this.#view || this.#loading) return;
     this.#loading = true;
     this.#load()
@@ -49,5 +49,5 @@ export class LazyView<View extends LazyStyles> {
   }
 }
 
-export const notLoaded = (cause: unknown): WarpError =>
-  new WarpError('file', 'This card could not be loaded: is the network there?', { cause });
+export const notLoaded = (cause: unknown): C2WarpError =>
+  new C2WarpError('file', 'This card could not be loaded: is the network there?', { cause });

@@ -1,7 +1,7 @@
 /** The pictures that the state names, opened. A picture that the state no longer names is released. */
 import type { Picture, SourceFile } from '../editor/picture';
 import type { EditorState } from '../editor/state';
-import { codeOf, WarpError } from '../error';
+import { asC2WarpError, C2WarpError } from '../error';
 import type { Drawn } from '../io/drawing';
 import { signatureOf } from '../io/formats/signature';
 import { type OpenPicture, openPicture } from '../io/open_picture';
@@ -22,7 +22,7 @@ export class Pictures {
   /**
    * Reads a picture. It stays open until the reader hands it over or drops it.
    *
-   * @throws WarpError whose message begins with the file's name; AbortError if the signal is aborted.
+   * @throws C2WarpError whose message begins with the file's name; AbortError if the signal is aborted.
    */
   async read(file: SourceFile, name: string, signal: AbortSignal): Promise<Picture> {
     const { open, kept } = await openedFile(file, name, signal);
@@ -113,8 +113,8 @@ async function openedFile(
   }
 }
 
-/** An error with the file's name before its message. Errors without a code, such as an AbortError, stay as they are. */
+/** An error with the file's name before its message. An AbortError stays as it is. */
 export function withFileName(name: string, error: unknown): unknown {
   if (!(error instanceof Error) || error instanceof DOMException) return error;
-  return new WarpError(codeOf(error), `${name}: ${error.message}`, { cause: error });
+  return new C2WarpError(asC2WarpError(error).code, `${name}: ${error.message}`, { cause: error });
 }

@@ -15,7 +15,15 @@ import { clipWithIdsOf, solveKey, withIdsOf } from '../document/solved';
 import type { Dispatch } from '../editor/events';
 import type { Solution, SolveReport } from '../editor/solution';
 import type { EditorState } from '../editor/state';
-import { asError, codeOf, isAbort, isEngineFailure, TOO_MUCH, TOO_MUCH_TO_SOLVE, WarpError } from '../error';
+import {
+  asError,
+  C2WarpError,
+  codeOf,
+  isAbort,
+  isEngineFailure,
+  TOO_MUCH,
+  TOO_MUCH_TO_SOLVE,
+} from '../error';
 import type { Vec } from '../geometry/vec';
 import type { TexturePatch } from '../render/picture';
 import { SolutionDeformation } from './deformation';
@@ -179,25 +187,25 @@ export class Solver {
     };
   }
 
-  /** Parses a project file. @throws WarpError with a message that names the invalid key. */
+  /** Parses a project file. @throws C2WarpError with a message that names the invalid key. */
   async readProject(text: string): Promise<Project> {
-    if (text.trim() === '') throw new WarpError('project', 'The file is empty.');
+    if (text.trim() === '') throw new C2WarpError('project', 'The file is empty.');
     await this.#started();
     try {
       return drawable(checkedProject(text));
     } catch (error) {
       throw isEngineFailure(error)
         ? error
-        : new WarpError('project', asError(error).message, { cause: error });
+        : new C2WarpError('project', asError(error).message, { cause: error });
     }
   }
 
-  /** Checks a project of the page. The engine must have started. @throws RangeError that names the invalid key. */
+  /** Checks a project of the page. The engine must have started. @throws C2WarpError that names the invalid key. */
   checkProject(given: ProjectFile): Project {
     try {
       return drawable(checkedProject(JSON.stringify(given)));
     } catch (cause) {
-      throw cause instanceof RangeError ? cause : new RangeError(asError(cause).message, { cause });
+      throw new C2WarpError('project', asError(cause).message, { cause });
     }
   }
 
@@ -240,7 +248,8 @@ export class Solver {
     if (isAbort(error)) return;
     const failed = isEngineFailure(error);
     // An error without a code is one of the page's module. The solution is to blame, whatever the reason.
-    const told = codeOf(error) === '' ? new WarpError(TOO_MUCH, TOO_MUCH_TO_SOLVE, { cause: error }) : error;
+    const told =
+      codeOf(error) === '' ? new C2WarpError(TOO_MUCH, TOO_MUCH_TO_SOLVE, { cause: error }) : error;
     // The engine may have given up the picture: the next solve starts another.
     if (failed || told !== error) this.#stop();
     this.#dispatch({ type: 'solve-refused', key, error: told, failed });

@@ -5,7 +5,7 @@ import type { EditorAccess } from '../editor/access';
 import type { EditorState } from '../editor/state';
 import type { FigureName } from '../editor/study_state';
 import { viewModel } from '../editor/view_model';
-import type { WarpError } from '../error';
+import type { C2WarpError } from '../error';
 import { svgText } from '../io/svg';
 import type { StudyView, VariantCanvases } from '../ui/study_view';
 import type { Compare } from './compare';
@@ -64,7 +64,7 @@ export class Study {
     this.#endComparison();
   }
 
-  #failed(error: WarpError): void {
+  #failed(error: C2WarpError): void {
     this.#compare = null;
     this.#editor.dispatch({ type: 'study-shown', page: null });
     this.#editor.dispatch({ type: 'error-reported', error });

@@ -75,34 +75,3 @@ export interface StageTimes {
 
 /** A stage of the solve. Between two stages a caller may decide to solve a newer project instead. */
 export type Stage = 'domain' | 'sampling' | 'regions' | 'weights';
-
-/** The code of a refused input. */
-export type ErrorCode =
-  | 'project'
-  | 'picture'
-  | 'picture-mismatch'
-  | 'scale'
-  | 'canvas'
-  | 'nothing-drawn'
-  | 'nothing-opaque'
-  | 'nothing-to-fill-from'
-  | 'no-outline'
-  | 'domain'
-  | 'handle-outside'
-  | 'handle-far-outside'
-  | 'handles-too-close'
-  | 'bar-too-short'
-  | 'bars-overlap'
-  | 'on-held-boundary'
-  | 'too-many-handles'
-  | 'too-many-corners'
-  | 'too-many-sites'
-  | 'too-much-memory'
-  | 'held-too-fine'
-  | 'unsupported'
-  | 'pose'
-  | 'film'
-  | 'point-outside'
-  | 'mesh'
-  | 'cloud'
-  | 'poser';

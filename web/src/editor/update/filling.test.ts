@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { isFilled, ringsOf } from '../../document/domain';
 import { undoLabel } from '../../document/history';
-import { WarpError } from '../../error';
+import { C2WarpError } from '../../error';
 import type { EditorEffect } from '../effects';
 import { type FakeRuntime, lassoed, RING } from '../fake_runtime';
 import { projectOf } from '../state';
@@ -80,7 +80,7 @@ describe('the fill of a lasso', () => {
     runtime.dispatch({
       type: 'fill-failed',
       key: keyOf(runtime),
-      error: new WarpError('nothing-to-fill-from', 'no pixel'),
+      error: new C2WarpError('nothing-to-fill-from', 'no pixel'),
     });
     expect(isOn(runtime)).toBe(false);
     expect(shownNotice(runtime.state)?.text).toContain('Nothing is left around the selection');

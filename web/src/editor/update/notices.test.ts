@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { ENGINE, WarpError } from '../../error';
+import { C2WarpError, ENGINE } from '../../error';
 import { FakeRuntime } from '../fake_runtime';
 import { BRUSHED_STILL } from '../notice_texts';
 import { projectOf } from '../state';
@@ -85,7 +85,7 @@ describe('the reset of all handles', () => {
 });
 
 describe('an error', () => {
-  const error = new WarpError(ENGINE, 'The solver could not be loaded');
+  const error = new C2WarpError(ENGINE, 'The solver could not be loaded');
 
   it('of the solver can be retried, and closes once the solver works', () => {
     const runtime = new FakeRuntime();

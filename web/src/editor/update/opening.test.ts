@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { addHandle } from '../../document/edits';
 import type { Project } from '../../document/project';
-import { WarpError } from '../../error';
+import { C2WarpError } from '../../error';
 import type { EditorEffect } from '../effects';
 import { FakeRuntime, PAGE, testFile, testPicture } from '../fake_runtime';
 import type { NamedFile } from '../picture';
@@ -12,8 +12,8 @@ import { shownNotice } from './notices';
 
 const cat = testPicture('cat.png');
 const dog = testPicture('dog.png');
-const refusal = new WarpError('handle-outside', 'outside');
-const engine = new WarpError('engine', 'the solver failed');
+const refusal = new C2WarpError('handle-outside', 'outside');
+const engine = new C2WarpError('engine', 'the solver failed');
 
 const opened = (): FakeRuntime => {
   const runtime = new FakeRuntime();
@@ -64,7 +64,7 @@ describe('opening a picture', () => {
   it('keeps the open picture when reading fails', () => {
     const runtime = opened();
     drop(runtime);
-    runtime.failRead(new WarpError('picture', 'dog.png: no picture'));
+    runtime.failRead(new C2WarpError('picture', 'dog.png: no picture'));
     expect(runtime.state.picture).toBe(cat);
     expect(shownNotice(runtime.state)?.text).toContain('no picture');
   });
@@ -97,7 +97,7 @@ describe('opening a picture', () => {
     const runtime = new FakeRuntime();
     drop(runtime, 'cat.png');
     runtime.read(cat);
-    runtime.refuse(new WarpError('nothing-opaque', 'alpha'));
+    runtime.refuse(new C2WarpError('nothing-opaque', 'alpha'));
     expect(runtime.state.picture).toBeNull();
     expect(shownNotice(runtime.state)?.text).toContain('cat.png: nothing in this picture');
   });
@@ -284,7 +284,7 @@ describe('a project file alone', () => {
   it('asks for its picture although an older error is shown', () => {
     const runtime = opened();
     drop(runtime, 'other.json');
-    runtime.failRead(new WarpError('project', 'other.json: format: missing'));
+    runtime.failRead(new C2WarpError('project', 'other.json: format: missing'));
     expect(shownNotice(runtime.state)?.kind).toBe('error');
     drop(runtime, 'pose.json');
     runtime.read(null, { ...other, image: { src: 'fox.png', width: 9, height: 9 } });
@@ -326,7 +326,7 @@ describe('a file with all', () => {
   it('opens as a picture where its project is damaged, and says so', () => {
     const runtime = opened();
     drop(runtime, 'dog.png');
-    runtime.read(dog, null, new WarpError('project', 'The project in this picture is damaged.'));
+    runtime.read(dog, null, new C2WarpError('project', 'The project in this picture is damaged.'));
     runtime.solve();
     expect(runtime.state.picture).toBe(dog);
     const text = 'dog.png opened as a picture only. The project in this picture is damaged.';
@@ -412,7 +412,7 @@ describe('the first content', () => {
   it('is the attributes where stored work cannot be opened, and the work is parked', () => {
     const runtime = started();
     runtime.dispatch({ type: 'storage-read', stored: stored() });
-    runtime.failRead(new WarpError('picture', 'stored.png: damaged'));
+    runtime.failRead(new C2WarpError('picture', 'stored.png: damaged'));
     runtime.read(testPicture('sample.png'));
     runtime.solve();
     expect(runtime.state.picture?.name).toBe('sample.png');

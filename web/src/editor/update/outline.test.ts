@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { settingsOf } from '../../document/settings';
-import { WarpError } from '../../error';
+import { C2WarpError } from '../../error';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf } from '../state';
 import { viewModel } from '../view_model';
@@ -35,7 +35,7 @@ describe('the least opacity', () => {
     slide(0.6);
     runtime.solve();
     slide(0.9);
-    runtime.refuse(new WarpError('handle-outside', 'outside', { handles: ['a'] }));
+    runtime.refuse(new C2WarpError('handle-outside', 'outside', { handles: ['a'] }));
     expect(projectOf(runtime.state).handles).toHaveLength(1);
     expect(threshold(runtime)).toBeLessThan(0.9);
     slide(0.4);

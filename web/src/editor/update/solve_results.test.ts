@@ -1,13 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { undoLabel } from '../../document/history';
-import { TOO_MUCH, WarpError } from '../../error';
+import { C2WarpError, TOO_MUCH } from '../../error';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { documentOf, projectOf } from '../state';
 import type { WorkSnapshot } from '../work';
 import { snapshotOf } from './autosave';
 import { shownNotice } from './notices';
 
-const tooMuch = new WarpError(
+const tooMuch = new C2WarpError(
   TOO_MUCH,
   'This is more than the solver can do with the memory that there is.',
   {
@@ -61,10 +61,10 @@ describe('a step that the solver breaks at', () => {
   });
 
   it('is taken back for any refusal, with the words of the editor', () => {
-    for (const code of ['too-much-memory', 'too-many-sites', 'held-too-fine']) {
+    for (const code of ['too-much-memory', 'too-many-sites', 'held-too-fine'] as const) {
       const runtime = opened();
       runtime.dispatch({ type: 'boundary-switched', held: true });
-      runtime.refuse(new WarpError(code, 'lower pose.density, or set fix_boundary to false'));
+      runtime.refuse(new C2WarpError(code, 'lower pose.density, or set fix_boundary to false'));
       expect(projectOf(runtime.state).fix_boundary).toBe(false);
       expect(shownNotice(runtime.state)?.text).toMatch(/^This|^The .+ The step was taken back\.$/);
       expect(shownNotice(runtime.state)?.text).not.toMatch(/pose|fix_boundary/);

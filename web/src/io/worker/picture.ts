@@ -3,6 +3,7 @@
  *
  * Decoding a hundred million pixels takes seconds, and copying them alone takes longer than a frame.
  */
+import { asC2WarpError } from '../../error';
 import type { Platform } from '../decode';
 import { buffersOf, luminanceOf } from '../luminance';
 import type { PictureRequest, ReadReply, ReadRequest } from '../picture_messages';
@@ -73,6 +74,6 @@ function sendCopy(pixels: Uint8Array<ArrayBuffer> | null, to: MessagePort): void
 
 function failure(error: unknown): ReadReply {
   if (error instanceof LackingError) return { kind: 'lacking' };
-  const { message, code = '' } = error as Error & { code?: string };
+  const { code, message } = asC2WarpError(error);
   return { kind: 'refused', code, message };
 }

@@ -1,0 +1,32 @@
+// Generated from the Rust types by `cargo run -p xtask -- schema`. Do not edit.
+
+/** The code of an input that the solver refuses. */
+export type ErrorCode =
+  | 'project'
+  | 'picture'
+  | 'picture-mismatch'
+  | 'scale'
+  | 'canvas'
+  | 'nothing-drawn'
+  | 'nothing-opaque'
+  | 'nothing-to-fill-from'
+  | 'no-outline'
+  | 'domain'
+  | 'handle-outside'
+  | 'handle-far-outside'
+  | 'handles-too-close'
+  | 'bar-too-short'
+  | 'bars-overlap'
+  | 'on-held-boundary'
+  | 'too-many-handles'
+  | 'too-many-corners'
+  | 'too-many-sites'
+  | 'too-much-memory'
+  | 'held-too-fine'
+  | 'unsupported'
+  | 'pose'
+  | 'film'
+  | 'point-outside'
+  | 'mesh'
+  | 'cloud'
+  | 'poser';
