@@ -1,11 +1,13 @@
 /**
  * `npm run build`: writes the editor as static files to web/dist, the element for other pages to web/dist/element, the
- * player of rigs to web/dist/player, and the solver without a screen, with the command, to web/dist/core.
+ * player of rigs to web/dist/player, the component for React to web/dist/react, and the solver without a screen, with
+ * the command, to web/dist/core. The manifest of the elements, and what is made from it, lies beside the element.
  */
 import { copyFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { buildCommand } from './command.mjs';
 import { writeDeclarations } from './declarations.mjs';
+import { writeManifestFiles } from './manifest/files.mjs';
 import { checkPlayerSize } from './player_size.mjs';
 import { prepare } from './prepare.mjs';
 import { main, ROOT, step, toolPath } from './steps.mjs';
@@ -16,11 +18,13 @@ await main(async () => {
   await vite('Element', 'web/vite.element.config.ts');
   await vite('Player', 'web/vite.player.config.ts');
   checkPlayerSize('web/dist/player');
+  await vite('Component for React', 'web/vite.react.config.ts');
   await vite('Core', 'web/vite.core.config.ts');
   copyFileSync(await buildCommand(), join(ROOT, 'web/dist/core/command.wasm'));
   await writeDeclarations('web/dist/element/types', 'element');
   await writeDeclarations('web/dist/player/types', 'player');
   await writeDeclarations('web/dist/core/types', 'core');
+  writeManifestFiles();
 });
 
 /**

@@ -39,6 +39,7 @@ const CHECKS = [
   ],
   ['Types generated from Rust', 'cargo', ['run', '--package', 'xtask', '--', 'schema', '--check']],
   ['Types (tsc)', process.execPath, [toolPath('tsc'), '--build', 'web/tsconfig.json']],
+  ['Manifest of the elements', process.execPath, ['web/scripts/manifest.mjs', '--check']],
   ['Format and lints (biome)', process.execPath, [toolPath('biome'), 'check', '--error-on-warnings']],
   ['Cycles of imports', process.execPath, ['web/scripts/cycles.mjs']],
   ['Prose', process.execPath, ['web/scripts/prose.mjs', '--limits']],

@@ -35,6 +35,12 @@ export async function npmPackage(folder) {
     ['web/scripts/build.mjs'],
     'It does not build. The reason is above.',
   );
+  await step(
+    'Types for users and their frameworks',
+    process.execPath,
+    [toolPath('tsc'), '--project', 'tests/types/tsconfig.json'],
+    'Programs of users do not compile. The reason is above.',
+  );
   heading('Package of npm');
   const { tarball, warnings } = packed(folder);
   console.log(tarball);

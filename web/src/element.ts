@@ -1,62 +1,13 @@
 /**
  * `<c2-warp>`: the editor as a custom element.
  *
- * | attribute | |
- * |---|---|
- * | `src` | the address of the picture; a new address replaces the open picture |
- * | `project` | the address of the project file for `src`. Both are opened again when either changes |
- * | `crossorigin` | `use-credentials`: requests to other origins carry cookies. Without it they do not |
- * | `tool` | `select`, `point`, `bar`, `polygon`, `lasso`, `brush`, `hand` or `lens` |
- * | `features` | words: the parts that people get, of `tools`, `open`, `save`, `export`, `animate`; without it all |
- * | `readonly` | people can look, pan and zoom, but change nothing; methods still can |
- * | `disabled` | people can do nothing |
- * | `posable` | only the picture and its handles, for an article; with `readonly`, only the picture |
- * | `name`, `required` | in a form: submits its value, and needs a picture |
- * | `submits` | the value in a form: `project`, the default, as JSON, or `picture`, warped, as a PNG file |
- * | `clip` | the name of the clip that `play()` plays; without it the first one |
- * | `autoplay` | plays the clip once the picture is open, unless people prefer reduced motion |
- * | `loop` | the clip begins again at its end |
- * | `theme` | `light` or `dark`; without it, the system's |
- * | `alt` | with `posable`: what the picture shows, for screen readers; without it they read its name |
- * | `hint`, `hint-for` | a hint shown until the first change, and the id of the handle it points to |
- * | `autosave` | a key in browser storage: work is saved after each step, and restored instead of the first `src` |
+ * Its manifest, types for frameworks and the tables of `web/docs/element.md` are made from the comments here, of
+ * `element/events.ts` and of `error.ts`.
  *
  * `tool` is selected when it is set, when the element is connected, and when `readonly` or `posable` is removed. With
  * `posable` people can only pose the existing handles. The page keeps all wheel, touch and key input that acts on no
- * handle.
- *
- * | event | |
- * |---|---|
- * | `ready` | once after each connection, when the initial content is open, absent, failed or superseded |
- * | `load` | a picture is open and solved; `detail.origin`: `page`, `person`, or `restored` for earlier work |
- * | `input` | during a drag; `detail.project` is a copy of the project |
- * | `change` | a step was done, undone or redone, by a person or a method; `detail.project` is a copy of the project |
- * | `selectionchange` | `detail.selection`: the ids, whatever changed the selection |
- * | `toolchange` | `detail.tool`: the tool in hand |
- * | `historychange` | `detail.undo`, `detail.redo`: labels of the next undo and redo steps, or null |
- * | `titlechange` | `detail.name`: the open picture's, or null; `detail.unsaved`: no file holds the last changes |
- * | `play`, `pause`, `timeupdate`, `ended` | of the clip, as those of `<video>` |
- * | `progress` | `detail.label`: the solver's stage, once a wait is noticeable, or the export; null when done. `detail.fraction`: the part of an export that is done, else null |
- * | `error` | `detail`: an Error that no method call can throw or reject with |
- * | `beforeopen`, `beforesave`, `beforeexport`, `beforeadd`, `beforeremove` | a person is about to do so, unless prevented |
- *
- * `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a document.
- *
- * The `code` of an Error says why something cannot be opened:
- *
- * | code | |
- * |---|---|
- * | `attribute` | a value of `tool`, `theme`, `features`, `crossorigin` or `submits` that means nothing |
- * | `address` | there is no such file, or no network |
- * | `file` | a folder, or a file that no longer exists |
- * | `picture` | not a picture, or not a readable one |
- * | `project` | an invalid project; the message names the key |
- * | `image-size` | the project is for a picture of another size |
- * | `engine` | the solver could not start |
- * | `webgl` | the browser has no WebGL2 |
- *
- * Any other code is a refusal by the solver, such as `handle-outside`. Its `handles` are the ids that the message
- * names.
+ * handle. `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a
+ * document.
  *
  * Setting `readonly` or `disabled`, and setting or removing `posable`, cancels the drag, drawing or typed number in
  * progress. A page may have several elements. An element that is removed releases its worker and its WebGL context, and
@@ -115,15 +66,47 @@ import { editorStyle } from './ui/style/editor';
 
 export type { ProjectDefaults } from './document/defaults';
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
+export type { Origin } from './editor/effects';
+export type { ExportKind } from './editor/export_choices';
 export type { Sample } from './editor/page';
 export type * from './element/api';
 export type { C2WarpEventMap } from './element/events';
 export { C2WarpError, type C2WarpErrorCode, type SolverErrorCode } from './error';
+export type { Vec } from './geometry/vec';
+export type { PictureType } from './io/encoding';
+export type { ToolName } from './tools/machine';
 
+/**
+ * An editor that warps a picture by handles.
+ *
+ * @slot toolbar - Controls of the page in the toolbar. They keep their keys. With `posable` they are not shown.
+ * @slot panel - Controls of the page at the end of the panel.
+ * @csspart stage - The picture with its handles, and the ground behind them.
+ * @csspart handle - A point handle, the middle of a bar or polygon, or a corner: the square that a finger hits.
+ * @csspart toolbar - The bar at the top.
+ * @csspart status - The line at the bottom.
+ * @csspart tools - The card of tools.
+ * @csspart panel - The card of properties.
+ * @csspart timeline - The card of the clips and their keys.
+ * @csspart button - A button in any of these, or beside a drawing.
+ * @csspart menu - The context menu, the list of keys, and the menu of a phone.
+ * @csspart notice - A message of the editor, and the card that finishes a drawing.
+ * @csspart hint - A few words over the picture, such as the purpose of a tool.
+ * @cssprop {<color>} --c2-accent - The colour of the selection and the focus. Text on it is white, and nearly black on
+ *   dark colours.
+ * @cssprop {<color>} --c2-handle - The colour of handles, bars and polygons, on light and dark pictures alike.
+ * @cssprop {<color>} --c2-ground - The first of two colours behind the picture. With `posable`, none unless set.
+ * @cssprop {<color>} --c2-checker - The second of them, in the squares of the pattern.
+ * @cssprop {<color>} --c2-surface - The colour of bars and cards.
+ * @cssprop {<color>} --c2-text - The colour of the text on bars and cards.
+ * @cssprop {<length>} --c2-radius - The corner radius of cards.
+ * @cssprop --c2-font - The font family.
+ */
 export class C2Warp extends TypedElement {
   /** @internal */
   static override readonly styles = editorStyle;
 
+  /** It is a control of its form. */
   static readonly formAssociated = true;
 
   /** @internal */
@@ -150,32 +133,48 @@ export class C2Warp extends TypedElement {
     crossOrigin: { reflect: true },
   };
 
+  /** The address of the picture. A new address replaces the open picture. */
   declare src: string | null;
+  /** The address of the project file for `src`. Both are opened again when either changes. */
   declare projectSource: string | null;
-  declare toolSource: string | null;
+  /** The tool that the page has set last. People may have chosen another one since: see the property `tool`. */
+  declare toolSource: ToolName | null;
+  /** People can look, pan and zoom, but change nothing. Methods still can. */
   declare readonly: boolean;
+  /** People can do nothing. Methods still can. */
   declare disabled: boolean;
+  /** Only the picture and its handles, for an article. With `readonly`, only the picture. */
   declare posable: boolean;
+  /** The name of the clip that `play()` plays. Without it the first one. */
   declare clip: string | null;
+  /** Plays the clip once the picture is open, unless people prefer reduced motion. */
   declare autoplay: boolean;
+  /** The clip begins again at its end. */
   declare loop: boolean;
-  declare theme: string | null;
+  /** Light or dark colours. Without it, those of the system. */
+  declare theme: 'light' | 'dark' | null;
+  /** With `posable`: what the picture shows, for screen readers. Without it they read its name. */
   declare alt: string | null;
+  /** A hint, shown until the first change. */
   declare hint: string | null;
+  /** The id of the handle that the hint points to. Without it the first one. */
   declare hintFor: string | null;
+  /**
+   * A key in browser storage. Work is stored there after each step, and restored in place of the first `src`.
+   */
   declare autosave: string | null;
-  /** Pictures that the menu beside Open offers. */
+  /** Pictures that the menu beside Open offers: a list of `{ name, src, project? }` with addresses. */
   declare samples: readonly Sample[];
-  /** The parts that people get: words of `tools`, `open`, `save`, `export` and `animate`; null for all. */
+  /** The parts that people get: words of `tools`, `open`, `save`, `export` and `animate`. Without it all. */
   declare features: string | null;
   /** A form is not submitted without a picture. */
   declare required: boolean;
   /** The name under which a form submits the value. */
   declare name: string | null;
-  /** The value in a form: `project`, the default, as JSON, or `picture`, warped, as a PNG file. */
-  declare submits: string | null;
-  /** `use-credentials`: requests for pictures and projects of other origins carry cookies. */
-  declare crossOrigin: string | null;
+  /** The value in a form: the project as JSON, which is the default, or the warped picture as a PNG file. */
+  declare submits: 'project' | 'picture' | null;
+  /** Whether requests to other origins carry cookies. Without it they do not. */
+  declare crossOrigin: 'anonymous' | 'use-credentials' | null;
 
   readonly #emit = emitter(this);
   readonly #control = new FormControl({
@@ -230,7 +229,8 @@ export class C2Warp extends TypedElement {
    * A project that is set earlier is applied to the next picture, whoever opens it. If the sizes differ, the element
    * emits an `error`. A string is the address of a project file, like the attribute.
    *
-   * @throws RangeError that names the invalid key; Error when read while the element is not connected.
+   * @throws C2WarpError `project` that names the invalid key, `image-size` for another size, `disconnected` when read
+   *   while the element is not connected.
    */
   get project(): Project {
     return deepCopy(filedProject(this.#present.state));
@@ -253,6 +253,8 @@ export class C2Warp extends TypedElement {
 
   /**
    * Ids of the selected handles; null selects none. A selection that is set earlier is applied to the next picture.
+   *
+   * @throws TypeError for anything but a list.
    */
   get selection(): readonly string[] {
     return [...documentOf(this.#present.state).selection];
@@ -277,7 +279,7 @@ export class C2Warp extends TypedElement {
     return deepCopy(this.#defaults);
   }
 
-  set defaults(given: ProjectDefaults | null | undefined) {
+  set defaults(given: ProjectDefaults | null) {
     const settings = given ?? {};
     checkDefaults(settings);
     this.#setDefaults(deepCopy(settings));
@@ -293,7 +295,7 @@ export class C2Warp extends TypedElement {
     return this.#runtime?.state.tools.tool ?? (isToolName(toolSource) ? toolSource : 'select');
   }
 
-  set tool(name: string | null | undefined) {
+  set tool(name: ToolName | null) {
     const before = this.toolSource;
     this.toolSource = name ?? null;
     // The attribute has named it before, and a person has chosen another one since.
@@ -304,8 +306,11 @@ export class C2Warp extends TypedElement {
    * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
    * With `notice`, a failure is told to the person too. `signal` gives it up.
    *
-   * @throws Error with a `code` if the picture cannot be opened. The previous one stays open. If there was none, the
-   *   picture stays without the handles that the solver refuses.
+   * @param source An address, a file, or pixels.
+   * @param project A project, or the address of a project file.
+   * @param options With `notice`, the editor names a failure.
+   * @throws C2WarpError if the picture cannot be opened. The previous one stays open. If there was none, the picture
+   *   stays without the handles that the solver refuses.
    * @throws DOMException AbortError if another picture is opened or the element is removed first; the reason of
    *   `signal` if that is aborted.
    * @throws TypeError if `source` is none of these.
@@ -334,8 +339,10 @@ export class C2Warp extends TypedElement {
    * Adds a handle, with a generated id if it has none, and returns the id. The solver may refuse the handle
    * later, for example too close to another. Then an `error` follows, and a `change` that removes this handle alone.
    *
-   * @throws RangeError if the id exists already, the handle is invalid, or no picture is open; Error `handle-outside`
-   *   for a point outside the picture.
+   * @param handle Its places are in pixels of the picture.
+   * @returns The id.
+   * @throws RangeError if the id exists already, or the handle is invalid.
+   * @throws C2WarpError `no-picture` if no picture is open, `handle-outside` for a point outside the picture.
    */
   addHandle(handle: NewHandle): string {
     const { state, dispatch } = this.#present;
@@ -356,7 +363,13 @@ export class C2Warp extends TypedElement {
     return id;
   }
 
-  /** @throws RangeError if there is no such handle, the id or kind would change, or the result is invalid. */
+  /**
+   * Changes a handle, as a step. Keys that are left out stay.
+   *
+   * @param id The handle.
+   * @param change Places in pixels of the picture, degrees, and a factor of the size.
+   * @throws RangeError if there is no such handle, the id or kind would change, or the result is invalid.
+   */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
     this.#present.dispatch({ type: 'handle-changed', handle: this.#changed(id, change) });
   }
@@ -367,6 +380,7 @@ export class C2Warp extends TypedElement {
    * This is no undo step, emits nothing and is not stored until the next step. Handles that a person holds at the
    * moment are left alone.
    *
+   * @param handles Places in pixels of the picture, degrees, and factors of the size.
    * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
    */
   pose(handles: readonly HandlePose[]): void {
@@ -376,15 +390,22 @@ export class C2Warp extends TypedElement {
     dispatch({ type: 'handles-posed', handles: posed });
   }
 
-  /** @throws RangeError if there is no such handle. */
+  /**
+   * Removes a handle, as a step.
+   *
+   * @param id The handle.
+   * @throws RangeError if there is no such handle.
+   */
   removeHandle(id: string): void {
     this.#present.dispatch({ type: 'handle-removed', id: this.#handle(id).id });
   }
 
+  /** Undoes the last step, if there is one. */
   undo(): void {
     this.#present.dispatch({ type: 'undo-asked' });
   }
 
+  /** Redoes the step that was undone last, if there is one. */
   redo(): void {
     this.#present.dispatch({ type: 'redo-asked' });
   }
@@ -398,7 +419,7 @@ export class C2Warp extends TypedElement {
    * Plays the clip, from its beginning if it has ended. Closes the timeline. People can go on to pose handles. These
    * ease back to the clip once they are let go.
    *
-   * @throws RangeError if the project has no such clip; Error if the element is not connected.
+   * @throws C2WarpError `clip` if the project has no such clip.
    */
   async play(): Promise<void> {
     const { state, dispatch } = this.#present;
@@ -410,19 +431,27 @@ export class C2Warp extends TypedElement {
     dispatch({ type: 'play-asked' });
   }
 
+  /** Pauses the clip. */
   pause(): void {
     this.#runtime?.dispatch({ type: 'pause-asked' });
   }
 
+  /** Whether the clip does not play. */
   get paused(): boolean {
     return !this.#runtime?.state.playback.playing;
   }
 
+  /** Whether the clip has played to its end. */
   get ended(): boolean {
     return this.#runtime !== null && hasEnded(this.#runtime.state);
   }
 
-  /** Seconds. Setting it shows that time of the clip. */
+  /**
+   * Seconds. Setting it shows that time of the clip.
+   *
+   * @default 0
+   * @throws TypeError for anything but a finite number.
+   */
   get currentTime(): number {
     return this.#runtime?.state.playback.time ?? 0;
   }
@@ -438,7 +467,12 @@ export class C2Warp extends TypedElement {
     return clip ? playedDuration(clip) : Number.NaN;
   }
 
-  /** 1 at first. Below 0 the clip plays backwards. */
+  /**
+   * The speed of the clip. Below 0 it plays backwards.
+   *
+   * @default 1
+   * @throws TypeError for anything but a finite number.
+   */
   get playbackRate(): number {
     return this.#runtime?.state.playback.rate ?? 1;
   }
@@ -448,7 +482,11 @@ export class C2Warp extends TypedElement {
     this.#present.dispatch({ type: 'rate-asked', rate });
   }
 
-  /** The posed place of a point of the original, image pixels; null outside the warped area. */
+  /**
+   * The posed place of a point of the original, image pixels; null outside the warped area.
+   *
+   * @param point Pixels of the picture.
+   */
   mapPoint(point: Vec): Vec | null {
     return this.#present.map(point)?.posed ?? null;
   }
@@ -457,6 +495,7 @@ export class C2Warp extends TypedElement {
    * The posed places of many points of the original: points × 2, image pixels, and NaN outside the warped area. All are
    * found in one walk over the mesh, which costs hardly more than that for a single point.
    *
+   * @param points Points × 2, pixels of the picture.
    * @throws TypeError unless `points` is a Float64Array of pairs.
    */
   mapPoints(points: Float64Array): Float64Array {
@@ -467,7 +506,8 @@ export class C2Warp extends TypedElement {
    * The points of the original that are drawn at many places of the warped picture: the inverse of `mapPoints`. NaN
    * where nothing is drawn. Where the picture covers itself, it is the part on top.
    *
-   * @throws as `mapPoints`.
+   * @param places Places × 2, pixels of the picture.
+   * @throws TypeError unless `places` is a Float64Array of pairs.
    */
   unmapPoints(places: Float64Array): Float64Array {
     return this.#present.locateAll(checkedPairs('unmapPoints', places));
@@ -476,6 +516,8 @@ export class C2Warp extends TypedElement {
   /**
    * The place of the shown picture, image pixels, under a place in the window such as `[event.clientX, event.clientY]`.
    * It may lie beside the picture. Null without a picture.
+   *
+   * @param client CSS pixels in the window.
    */
   clientToImage(client: Vec): Vec | null {
     return this.#present.imageAt(client);
@@ -484,6 +526,8 @@ export class C2Warp extends TypedElement {
   /**
    * The place in the window, CSS pixels, of a place of the shown picture such as that of `mapPoint`. Null without a
    * picture.
+   *
+   * @param image Pixels of the picture.
    */
   imageToClient(image: Vec): Vec | null {
     return this.#present.clientAt(image);
@@ -496,7 +540,9 @@ export class C2Warp extends TypedElement {
    * part. `pixelated` is for pixel art: each pixel is one of the original, or transparent. By default it is drawn as it
    * is shown. `signal` stops it.
    *
-   * @throws Error if no picture is open, the element is not connected, or the result would be empty or too large.
+   * @param options How it is drawn and written.
+   * @throws C2WarpError `no-picture` if none is open; `scale`, `canvas` or `nothing-drawn` if the result would be
+   *   empty or too large.
    * @throws TypeError for anything but an object of options, and for an unknown one; RangeError that names an invalid
    *   option.
    * @throws DOMException AbortError if another picture is opened, or the element is removed, first. The reason of
@@ -509,8 +555,9 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The same on a canvas of the page's document.
+   * The warped picture on a canvas of the page's document.
    *
+   * @param options How it is drawn.
    * @throws as `toBlob`.
    */
   async toCanvas(options: WarpOptions = {}): Promise<HTMLCanvasElement> {
@@ -520,16 +567,22 @@ export class C2Warp extends TypedElement {
     return canvas;
   }
 
-  /** The size of the open picture, pixels; 0 without one. */
+  /** The width of the open picture, pixels; 0 without one. */
   get naturalWidth(): number {
     return this.#runtime?.state.picture?.width ?? 0;
   }
 
+  /** The height of the open picture, pixels; 0 without one. */
   get naturalHeight(): number {
     return this.#runtime?.state.picture?.height ?? 0;
   }
 
-  /** CSS pixels per pixel of the picture, from 0.01 to 64. Setting it keeps the middle of the view. */
+  /**
+   * CSS pixels per pixel of the picture, from 0.01 to 64. Setting it keeps the middle of the view.
+   *
+   * @default 1
+   * @throws RangeError for anything but a number above 0.
+   */
   get zoom(): number {
     return this.#runtime?.state.view.camera.scale ?? 1;
   }
@@ -539,10 +592,12 @@ export class C2Warp extends TypedElement {
     this.#present.dispatch({ type: 'zoom-asked', scale });
   }
 
+  /** Whether there is a step to undo. */
   get canUndo(): boolean {
     return this.#runtime !== null && undoLabel(this.#runtime.state.document.history) !== null;
   }
 
+  /** Whether there is a step to redo. */
   get canRedo(): boolean {
     return this.#runtime !== null && redoLabel(this.#runtime.state.document.history) !== null;
   }
@@ -550,7 +605,7 @@ export class C2Warp extends TypedElement {
   /**
    * Resolves once a picture is open and solved, at once if one is.
    *
-   * @throws Error as an `error` event has it, if the picture of `src` cannot be opened and there is no other one.
+   * @throws C2WarpError as an `error` event has it, if the picture of `src` cannot be opened and there is no other one.
    */
   get loaded(): Promise<void> {
     const state = this.#runtime?.state;
@@ -564,22 +619,27 @@ export class C2Warp extends TypedElement {
     dispatch({ type: 'project-saved', project: projectOf(state) });
   }
 
+  /** The form that the element is a control of, or null. */
   get form(): HTMLFormElement | null {
     return this.#control.form;
   }
 
+  /** Whether the form may be submitted, and why not, as on form controls. */
   get validity(): ValidityState {
     return this.#control.validity;
   }
 
+  /** Why the form may not be submitted, for people; empty if it may. */
   get validationMessage(): string {
     return this.#control.validationMessage;
   }
 
+  /** Whether the form may be submitted. Fires `invalid` if not. */
   checkValidity(): boolean {
     return this.#control.checkValidity();
   }
 
+  /** Whether the form may be submitted. If not, the browser tells people why. */
   reportValidity(): boolean {
     return this.#control.reportValidity();
   }
@@ -604,7 +664,11 @@ export class C2Warp extends TypedElement {
     this.#carried = nothingCarried;
   }
 
-  /** Focuses the editor itself, which handles the keys. */
+  /**
+   * Focuses the editor itself, which handles the keys.
+   *
+   * @param options As those of other elements.
+   */
   override focus(options?: FocusOptions): void {
     this.shadowRoot?.querySelector<HTMLElement>('.shell')?.focus(options);
   }

@@ -15,7 +15,7 @@ export const TOO_MUCH_TO_SOLVE = 'This is more than the solver can do with the m
  *
  * | code | |
  * |---|---|
- * | `attribute` | a value of `tool`, `theme` or `features` that means nothing |
+ * | `attribute` | a value of `tool`, `theme`, `features`, `crossorigin` or `submits` that means nothing |
  * | `address` | there is no such file, or no network |
  * | `file` | a folder, or a file that no longer exists |
  * | `picture` | not a picture, not a readable one, or one of an unsupported size |

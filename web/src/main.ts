@@ -32,7 +32,8 @@ if (editor) {
     // The editor tells the person of a failure.
     editor.load(src, project, { notice: true }).catch(() => {});
   }
-  editor.theme = stored((storage) => storage.getItem(THEME));
+  const chosen = stored((storage) => storage.getItem(THEME));
+  if (chosen) editor.setAttribute(THEME, chosen);
   // The editor's theme switch sets the attribute.
   new MutationObserver(() => {
     const { theme } = editor;

@@ -67,8 +67,8 @@ export class Warper {
   /**
    * Solves a project: finds how its handles move each point of the picture. Solves run one after another.
    *
-   * @throws C2WarpError with the code `project` and the path of the offending key, or another code of the solver such as
-   * `handle-outside`.
+   * @throws C2WarpError with the code `project` and the path of the offending key, or another code of the solver such
+   *   as `handle-outside`.
    * @throws the reason of the signal if that is aborted.
    */
   async solve(project: ProjectInput, options: SolveOptions = {}): Promise<Solution> {

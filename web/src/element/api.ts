@@ -1,7 +1,6 @@
 /** Types of the arguments and attributes of `<c2-warp>`. */
-import type { Handle, HandleFile, ProjectFile } from '../document/project';
+import type { Handle, HandleFile } from '../document/project';
 import type { PictureType } from '../io/encoding';
-import type { C2WarpEventMap } from './events';
 
 /** A handle whose id is optional: the editor generates a missing one. */
 export type NewHandle<H = HandleFile> = H extends HandleFile
@@ -12,21 +11,6 @@ export type NewHandle<H = HandleFile> = H extends HandleFile
  * The pose of the handle with this id. Keys that are left out stay; `kind` and `rest` cannot change.
  */
 export type HandlePose = Pick<Handle, 'id'> & Partial<Handle>;
-
-/** The attributes, properties and listeners that a framework's template may set on the tag. */
-export type C2WarpProps = {
-  [T in keyof C2WarpEventMap as `on${T}`]?: ((event: C2WarpEventMap[T]) => void) | undefined;
-} & {
-  [T in 'src' | 'clip' | 'tool' | 'theme' | 'alt' | 'hint' | 'hint-for' | 'autosave']?:
-    | string
-    | null
-    | undefined;
-} & {
-  [T in 'readonly' | 'disabled' | 'posable' | 'autoplay' | 'loop']?: boolean | undefined;
-} & {
-  project?: ProjectFile | string | null | undefined;
-  selection?: readonly string[] | null | undefined;
-};
 
 export interface LoadOptions {
   /** A notice of the editor names a failure. By default only the page hears of it. */

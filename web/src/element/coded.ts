@@ -1,4 +1,4 @@
-/** What the methods of the element reject with. */
+/** Rejections of methods of the element. */
 import { asC2WarpError, isAbort } from '../error';
 
 /**

@@ -9,30 +9,53 @@ import { UpdatingElement } from './updating_element';
 
 /** The `detail` of each event; null if it has none. */
 export interface EventDetails extends QuestionDetails {
+  /** Once after each connection, when the initial content is open, absent, failed or superseded. */
   readonly ready: null;
+  /** A picture is open and solved. `origin` is `page`, `person`, or `restored` for earlier work. */
   readonly load: { readonly origin: Origin };
+  /** `tool` is the tool in hand now, by whoever chose it. */
   readonly toolchange: { readonly tool: ToolName };
+  /** The clip begins to play. */
   readonly play: null;
+  /** The clip pauses, also at its end. */
   readonly pause: null;
+  /** `currentTime` has changed, several times a second while the clip plays. */
   readonly timeupdate: null;
+  /** The clip has played to its end. */
   readonly ended: null;
+  /** During a drag. `project` is a copy of the project. @bubbles */
   readonly input: { readonly project: Project };
+  /** A step was done, undone or redone, by a person or a method. `project` is a copy of the project. @bubbles */
   readonly change: { readonly project: Project };
+  /** `selection` has the ids of the selected handles, whatever changed it. */
   readonly selectionchange: { readonly selection: readonly string[] };
+  /** `undo` and `redo` are labels of the next steps to undo and redo, or null. */
   readonly historychange: { readonly undo: string | null; readonly redo: string | null };
+  /** `name` is that of the open picture, or null. `unsaved`: no file holds the last changes. */
   readonly titlechange: { readonly name: string | null; readonly unsaved: boolean };
+  /**
+   * `label` is the stage of a noticeable wait, or the export; null at its end. `fraction` is the part of an export that
+   * is done, from 0 to 1, else null.
+   */
   readonly progress: { readonly label: string | null; readonly fraction: number | null };
+  /** `detail` is an error that no method can throw or reject with. */
   readonly error: C2WarpError;
 }
 
 /** The events that come before an act of a person. Without their default the editor does nothing. */
 export interface QuestionDetails {
-  /** `address` is null for files, and the files are none for an address. */
+  /**
+   * A person is about to open files, by picker, drop or paste, or an address. `address` is null for files, and there
+   * are no `files` for an address. @cancelable
+   */
   readonly beforeopen: { readonly files: readonly File[]; readonly address: string | null };
-  /** `picture` is to be in the file too, or is null. */
+  /** A person is about to save the project. `picture` is to be in the file too, or is null. @cancelable */
   readonly beforesave: { readonly name: string; readonly project: Project; readonly picture: File | null };
+  /** A person is about to export. `name` is that of the file. @cancelable */
   readonly beforeexport: { readonly name: string; readonly kind: ExportKind };
+  /** A person is about to add handles. @cancelable */
   readonly beforeadd: { readonly handles: readonly Handle[] };
+  /** A person is about to remove handles. @cancelable */
   readonly beforeremove: { readonly handles: readonly Handle[] };
 }
 

@@ -5,6 +5,12 @@ import type { Size } from './screen';
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class PlayerAttributes extends Base {
+  /**
+   * The address of the rig. A new one replaces it, and the newest wins.
+   *
+   * @attr
+   * @default ''
+   */
   get src(): string {
     return this.getAttribute('src') ?? '';
   }
@@ -13,7 +19,12 @@ export class PlayerAttributes extends Base {
     this.setAttribute('src', src);
   }
 
-  /** The address of an image that is shown until the rig is there, and if it fails. */
+  /**
+   * The address of an image that is shown until the rig is there, and if it fails.
+   *
+   * @attr
+   * @default ''
+   */
   get poster(): string {
     return this.getAttribute('poster') ?? '';
   }
@@ -22,7 +33,12 @@ export class PlayerAttributes extends Base {
     this.setAttribute('poster', poster);
   }
 
-  /** A description of the picture for screen readers. */
+  /**
+   * A description of the picture for screen readers.
+   *
+   * @attr
+   * @default ''
+   */
   get alt(): string {
     return this.getAttribute('alt') ?? '';
   }
@@ -31,7 +47,12 @@ export class PlayerAttributes extends Base {
     this.setAttribute('alt', alt);
   }
 
-  /** Readers may pose the handles, by pointer and by keyboard. */
+  /**
+   * Readers may pose the handles, by pointer and by keyboard.
+   *
+   * @attr
+   * @default false
+   */
   get posable(): boolean {
     return this.hasAttribute('posable');
   }
@@ -40,6 +61,12 @@ export class PlayerAttributes extends Base {
     this.toggleAttribute('posable', posable);
   }
 
+  /**
+   * Plays once the rig is there, unless people prefer reduced motion.
+   *
+   * @attr
+   * @default false
+   */
   get autoplay(): boolean {
     return this.hasAttribute('autoplay');
   }
@@ -48,6 +75,12 @@ export class PlayerAttributes extends Base {
     this.toggleAttribute('autoplay', autoplay);
   }
 
+  /**
+   * Begins again at the end.
+   *
+   * @attr
+   * @default false
+   */
   get loop(): boolean {
     return this.hasAttribute('loop');
   }
@@ -56,7 +89,7 @@ export class PlayerAttributes extends Base {
     this.toggleAttribute('loop', loop);
   }
 
-  /** The size that the page says, or null. */
+  /** @internal The size that the page says, or null. */
   protected get givenSize(): Size | null {
     const [width, height] = ['width', 'height'].map((name) => Number(this.getAttribute(name)));
     return width && height && width > 0 && height > 0 ? { width, height } : null;

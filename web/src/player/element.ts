@@ -20,6 +20,17 @@ import { type Stage, stage } from './stage';
 const UPDATE_S = 0.25;
 /** A longer gap between frames is a break, for example of a hidden tab. Milliseconds. */
 const BREAK_MS = 250;
+
+/**
+ * A player of rigs, with the words of `<video>`.
+ *
+ * @attr {number} width - The width in pixels of the page, for the shape before the rig is there. It needs `height`.
+ * @attr {number} height - The height in pixels of the page, for the same.
+ * @slot - Shown until the rig is there, and if it fails, where there is no poster.
+ * @csspart canvas - The picture.
+ * @csspart poster - The image of `poster`.
+ * @csspart handle - A grip, with `posable`.
+ */
 export class C2WarpPlayer extends PlayerAttributes {
   static readonly observedAttributes = [
     'src',
@@ -110,7 +121,11 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (name === 'autoplay' && after !== null && this.#source.loaded) this.#autoplay();
   }
 
-  /** The name of the clip. Without one, the first clip plays. */
+  /**
+   * The name of the clip. Without one, the first clip plays.
+   *
+   * @attr
+   */
   get clip(): string {
     return this.getAttribute('clip') ?? this.#clip?.name ?? '';
   }
@@ -136,6 +151,7 @@ export class C2WarpPlayer extends PlayerAttributes {
    * Poses handles in place of the clip, which pauses, until it plays or a time is set. Takes the handles of a project,
    * or ids with changes.
    *
+   * @param handles Places in pixels of the picture, degrees, and factors of the size.
    * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
    * @throws Error if the rig is not there yet, or its poses need the solver.
    */
@@ -151,6 +167,12 @@ export class C2WarpPlayer extends PlayerAttributes {
     return this.#clip ? cycleOf(this.#clip) : Number.NaN;
   }
 
+  /**
+   * Seconds. Setting it shows that time of the clip.
+   *
+   * @default 0
+   * @throws TypeError for anything but a finite number.
+   */
   get currentTime(): number {
     return this.#time;
   }
@@ -164,6 +186,12 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#ask();
   }
 
+  /**
+   * The speed. Below 0 the clip plays backwards.
+   *
+   * @default 1
+   * @throws TypeError for anything but a finite number.
+   */
   get playbackRate(): number {
     return this.#rate;
   }
@@ -174,20 +202,26 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.dispatchEvent(new Event('ratechange'));
   }
 
+  /** Whether the clip does not play. */
   get paused(): boolean {
     return this.#paused;
   }
 
+  /** Whether the clip has played to its end. */
   get ended(): boolean {
     return this.#ended;
   }
 
-  /** Why the source is not shown, or null. */
+  /** Why the source or the clip is not shown, or null. */
   get error(): Error | null {
     return this.#error;
   }
 
-  /** Plays, once the rig is there. Rejects if it cannot be shown. */
+  /**
+   * Plays, and resolves once the rig is there.
+   *
+   * @throws Error if the rig cannot be shown.
+   */
   async play(): Promise<void> {
     this.#autoplays = false;
     this.#begin();
@@ -195,6 +229,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (this.#error) throw this.#error;
   }
 
+  /** Pauses. */
   pause(): void {
     this.#autoplays = false;
     this.#stop();

@@ -1,0 +1,59 @@
+/** @jsxImportSource react */
+/** Templates of React. */
+
+import type { C2Warp } from 'c2warp';
+import type {} from 'c2warp/types/react';
+import { createRef } from 'react';
+
+const warp = createRef<C2Warp>();
+
+export const right = (
+  <>
+    <c2-warp
+      src="cat.png"
+      project={{ format: 'c2warp/1', image: { src: '', width: 2, height: 2 }, handles: [] }}
+      tool="lasso"
+      theme="dark"
+      readonly
+      posable={true}
+      hint-for="head"
+      selection={['head']}
+      samples={[{ name: 'Cat', src: 'cat.png' }]}
+      onselectionchange={({ detail }) => detail.selection.map((id) => id.length)}
+      onerror={({ detail }) => detail.code === 'webgl'}
+      onbeforesave={(event) => event.preventDefault()}
+      id="editor"
+      title="An editor"
+      aria-label="An editor"
+    />
+    <c2-warp-player
+      src="cat.c2rig"
+      loop
+      width={300}
+      onended={({ type }) => type.length}
+      onerror={({ message }) => message.length}
+    />
+    <c2-warp ref={warp} key="1" className="wide" onClick={({ currentTarget }) => currentTarget.undo()} />
+  </>
+);
+
+export const wrong = (
+  <>
+    {/* @ts-expect-error A boolean. */}
+    <c2-warp readonly={3} />
+    {/* @ts-expect-error There is no such tool. */}
+    <c2-warp tool="pencil" />
+    {/* @ts-expect-error There is no such theme. */}
+    <c2-warp theme="blue" />
+    {/* @ts-expect-error There is no such attribute. */}
+    <c2-warp pictures="cat.png" />
+    {/* @ts-expect-error A project has handles. */}
+    <c2-warp project={{ format: 'c2warp/1' }} />
+    {/* @ts-expect-error The ids are strings. */}
+    <c2-warp onselectionchange={({ detail }) => detail.selection.map((id) => id.toFixed())} />
+    {/* @ts-expect-error There is no such detail. */}
+    <c2-warp ontoolchange={({ detail }) => detail.selection} />
+    {/* @ts-expect-error A boolean. */}
+    <c2-warp-player loop={3} />
+  </>
+);

@@ -1,0 +1,21 @@
+/** The events of `<c2-warp-player>`: those of `<video>`, and of a control that readers pose. */
+export interface C2WarpPlayerEventMap {
+  /** The rig is there. */
+  readonly loadeddata: Event;
+  /** The clip begins to play. */
+  readonly play: Event;
+  /** The clip pauses, also at its end. */
+  readonly pause: Event;
+  /** `currentTime` has changed, four times a second while the clip plays. */
+  readonly timeupdate: Event;
+  /** `playbackRate` has been set. */
+  readonly ratechange: Event;
+  /** The clip has played to its end. */
+  readonly ended: Event;
+  /** The rig or the clip cannot be shown. `message` is a sentence for people. */
+  readonly error: ErrorEvent;
+  /** With `posable`: a reader poses a handle. @bubbles */
+  readonly input: Event;
+  /** With `posable`: a reader has posed a handle. @bubbles */
+  readonly change: Event;
+}

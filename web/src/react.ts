@@ -1,0 +1,54 @@
+/**
+ * `c2warp/react`: `<c2-warp>` as a component of React 18 and later.
+ *
+ * React 18 sets attributes alone, and no React hears of events such as `selectionchange` by `onSelectionChange`. So
+ * effects set properties and listen. They run before the element first updates, and never on a server. The types of
+ * the component are made from the manifest, as the tables are.
+ */
+import { EVENTS, PROPERTIES } from 'virtual:c2warp-react';
+import {
+  createElement,
+  forwardRef,
+  type HTMLAttributes,
+  useEffect,
+  useImperativeHandle,
+  useLayoutEffect,
+  useRef,
+} from 'react';
+import type { C2Warp as C2WarpElement } from './element';
+
+type Props = Readonly<Record<string, unknown>>;
+
+/** On servers, React 18 warns of layout effects. */
+const useSetting = typeof document === 'undefined' ? useEffect : useLayoutEffect;
+
+export const C2Warp = forwardRef<C2WarpElement, Props>(function C2Warp(props, ref) {
+  const host = useRef<C2WarpElement>(null);
+  const current = useRef(props);
+  const shown = useRef<Props>({});
+  useImperativeHandle(ref, () => host.current as C2WarpElement, []);
+  useSetting(() => {
+    const ended = new AbortController();
+    for (const [listener, type] of Object.entries(EVENTS)) {
+      const heard = (event: Event) => (current.current[listener] as EventListener | undefined)?.(event);
+      host.current?.addEventListener(type, heard, { signal: ended.signal });
+    }
+    return () => ended.abort();
+  }, []);
+  useSetting(() => {
+    current.current = props;
+    for (const [name, initial] of Object.entries(PROPERTIES)) {
+      // A property that is left out belongs to the element and its reader.
+      if (Object.is(props[name], shown.current[name])) continue;
+      Reflect.set(host.current as C2WarpElement, name, props[name] ?? initial);
+    }
+    shown.current = props;
+  });
+  return createElement('c2-warp', { ...others(props), ref: host } as HTMLAttributes<C2WarpElement>);
+});
+
+/** What any element has. React 18 knows no `className` on custom elements. */
+function others(props: Props): Props {
+  const given = Object.entries(props).filter(([name]) => !(name in PROPERTIES || name in EVENTS));
+  return Object.fromEntries(given.map(([name, value]) => [name === 'className' ? 'class' : name, value]));
+}
