@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { licences } from './scripts/licences.mjs';
+import { reactTables } from './scripts/manifest/react_tables.mjs';
 import { trimmed } from './scripts/trimmed.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
@@ -8,7 +9,7 @@ const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.u
 const { plugins, worker } = licences();
 
 export default defineConfig({
-  plugins: [trimmed(), ...plugins],
+  plugins: [trimmed(), ...plugins, reactTables()],
   root: path('.'),
   // Relative, so that the built page works at any address.
   base: './',

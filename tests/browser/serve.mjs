@@ -3,13 +3,15 @@
  *
  * The editor is at /, the harness at /harness/, the element at /element/, the player of rigs at /player/ and the core
  * at /core/. Pages that embed the element are at /plain/, /strict/ and /article/. All have the strictest Content
- * Security Policy that the program supports.
+ * Security Policy that the program supports. Pages with the component for React 19 and 18 are at /react/ and
+ * /react-18/.
  */
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
+import { reactTables } from '../../web/scripts/manifest/react_tables.mjs';
 
 const path = (/** @type {string} */ relative) => fileURLToPath(new URL(relative, import.meta.url));
 
@@ -32,6 +34,11 @@ await add('harness/', 'vite.config.ts', { root: path('harness'), publicDir: fals
 await add('element/', 'vite.element.config.ts', {});
 await add('player/', 'vite.player.config.ts', {});
 await add('core/', 'vite.core.config.ts', {});
+await addReact('react/', {});
+await addReact('react-18/', {
+  'react-dom': 'react-dom-18',
+  react: 'react-18',
+});
 for (const page of ['plain', 'strict', 'article'])
   files.set(`${page}/index.html`, await readFile(path(`${page}.html`)));
 
@@ -57,13 +64,34 @@ createServer(async (request, response) => {
  * @param {string} config
  * @param {import('vite').UserConfig} overrides
  */
-async function add(prefix, config, overrides) {
-  const result = await build({
-    ...overrides,
-    configFile: path(`../../web/${config}`),
-    logLevel: 'warn',
-    build: { write: false },
+function add(prefix, config, overrides) {
+  return addBuilt(prefix, { ...overrides, configFile: path(`../../web/${config}`) });
+}
+
+/**
+ * With the warnings of React's development build.
+ * @param {string} prefix
+ * @param {Record<string, string>} alias
+ */
+function addReact(prefix, alias) {
+  return addBuilt(prefix, {
+    configFile: false,
+    root: path('react'),
+    base: './',
+    publicDir: false,
+    mode: 'development',
+    define: { 'process.env.NODE_ENV': '"development"' },
+    resolve: { alias },
+    plugins: [reactTables()],
   });
+}
+
+/**
+ * @param {string} prefix
+ * @param {import('vite').InlineConfig} config
+ */
+async function addBuilt(prefix, config) {
+  const result = await build({ ...config, logLevel: 'warn', build: { write: false } });
   for (const bundle of [result].flat()) {
     if (!('output' in bundle)) continue;
     for (const file of bundle.output)
