@@ -4,14 +4,15 @@
  *
  * `--tarball FILE` tests a file that is packed already. It needs npm's registry.
  */
-import { mkdtemp, readdir, rm } from 'node:fs/promises';
+import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { launchChromium, prepareChromium } from './chromium.mjs';
 import { built, exampleNames, installed, linesOf, readExample, served } from './packages/embedding.mjs';
 import { secondsToFirstDrag } from './packages/first_drag.mjs';
-import { heading, main, StepError, step } from './steps.mjs';
+import { packed } from './packages/packed.mjs';
+import { heading, main } from './steps.mjs';
 
 /** @typedef {import('./packages/embedding.mjs').Embedding} Embedding */
 /** @typedef {import('./packages/embedding.mjs').Example} Example */
@@ -44,20 +45,6 @@ await main(async () => {
   for (const { cells } of rows) console.log(`| ${cells.join(' | ')} |`);
   if (rows.some(({ works }) => !works)) process.exitCode = 1;
 });
-
-/** Builds and packs the package. @param {string} folder @returns {Promise<string>} The file. */
-async function packed(folder) {
-  const npm = process.env.npm_execpath;
-  await step(
-    'Package',
-    npm ? process.execPath : 'npm',
-    [...(npm ? [npm] : []), 'pack', '--pack-destination', folder],
-    'The package cannot be packed. The reason is above.',
-  );
-  const name = (await readdir(folder)).find((file) => file.endsWith('.tgz'));
-  if (name === undefined) throw new StepError('npm packed nothing: run `npm pack` to see why.');
-  return join(folder, name);
-}
 
 /**
  * @param {Example} example

@@ -1,0 +1,1 @@
+import type {} from 'c2warp/types/svelte';
