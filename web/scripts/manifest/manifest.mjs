@@ -3,6 +3,7 @@
  *
  * The types and editor data of the package, and tables of the documentation, are made from it.
  */
+import { StepError } from '../steps.mjs';
 import { withSource } from './source.mjs';
 
 /** @typedef {import('custom-elements-manifest').Package} Package */
@@ -99,7 +100,9 @@ function element(source, { tag, name, file, events }) {
   const details = source.members(source.exported(events.file, events.name));
   const silent = [...members, ...details].filter(({ description }) => description === '');
   if (silent.length > 0)
-    throw new Error(silent.map((one) => `${one.file}: ${one.owner}.${one.name} has no comment`).join('\n'));
+    throw new StepError(
+      silent.map((one) => `${one.file}: ${one.owner}.${one.name} has no comment`).join('\n'),
+    );
   const { defaults, block } = source.text(symbol, 'properties');
   const options = optionsOf(block);
   const fields = members
@@ -209,7 +212,7 @@ function method(member, owner) {
       .map(({ text }) => [text.split(' ')[0] ?? '', text.slice(text.indexOf(' ') + 1)]),
   );
   const missing = parameters.find((parameter) => !notes.has(parameter.name));
-  if (missing) throw new Error(`${member.file}: ${owner}.${name}: @param ${missing.name} has no comment`);
+  if (missing) throw new StepError(`${member.file}: ${owner}.${name}: @param ${missing.name} has no comment`);
   const result = tags.find((tag) => ['return', 'returns'].includes(tag.name))?.text;
   return {
     kind: 'method',
@@ -275,6 +278,6 @@ const tagged = ({ tags }, tag) =>
     .map(({ text }) => {
       const [, type = '', name = '', description = ''] =
         text.match(/^(?:\{([^}]*)\} ?)?([\w-]*?) ?- (.+)$/s) ?? [];
-      if (!description) throw new Error(`@${tag} ${text}: expected a name, a dash and a sentence`);
+      if (!description) throw new StepError(`@${tag} ${text}: expected a name, a dash and a sentence`);
       return { name, description, type };
     });
