@@ -139,7 +139,7 @@ const isShown = ({ name, privacy, file, tags }) =>
 /** The names and attributes of properties, by `static properties`. @param {string} block */
 const optionsOf = (block) =>
   new Map(
-    [...block.matchAll(/^ {4}(\w+): \{(.*)\},$/gm)].map(([, name = '', text = '']) => {
+    [...block.matchAll(/^ {4}(\w+): \{(.*?)\}/gms)].map(([, name = '', text = '']) => {
       const attribute = text.match(/attribute: (?:'([^']+)'|false)/);
       return [
         name,
