@@ -2,6 +2,8 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { licences } from './scripts/licences.mjs';
 import { reactTables } from './scripts/manifest/react_tables.mjs';
+import { litHtml } from './scripts/lit_html.mjs';
+import { serviceWorker } from './scripts/service_worker.mjs';
 import { trimmed } from './scripts/trimmed.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
@@ -10,6 +12,7 @@ const { plugins, worker } = licences();
 
 export default defineConfig({
   plugins: [trimmed(), ...plugins, reactTables()],
+  plugins: [litHtml(), trimmed(), ...plugins, serviceWorker()],
   root: path('.'),
   // Relative, so that the built page works at any address.
   base: './',

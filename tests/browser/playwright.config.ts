@@ -19,6 +19,8 @@ export default defineConfig({
   use: {
     baseURL: origin,
     viewport: { width: 900, height: 700 },
+    // Its downloads take time, and `page.route` does not see them. `app.spec.ts` allows it.
+    serviceWorkers: 'block',
     // A trace of every step takes a quarter of a run. `--trace on` records it where it is wanted.
     screenshot: 'only-on-failure',
     launchOptions: { args: CHROMIUM_ARGS, ...(chromium ? { executablePath: chromium } : {}) },

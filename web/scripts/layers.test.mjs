@@ -34,6 +34,7 @@ const MAY = {
   io: ['error'],
   core: ['document', 'geometry', 'compute', 'io', 'error'],
   runtime: ALL,
+  app: ['editor'],
   element: [...ALL, 'runtime', 'element.ts'],
 };
 

@@ -34,6 +34,7 @@ import { attributesPending, type Carried, isOpening, nothingCarried } from './ed
 import type { Media, PageAttributes, Sample } from './editor/page';
 import type { PageQuestion } from './editor/page_question';
 import { stem } from './editor/picture';
+import { mayReceive } from './editor/permissions';
 import { hasEnded, playedClip, playedDuration } from './editor/played_clip';
 import { documentOf, filedProject, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
@@ -333,6 +334,27 @@ export class C2Warp extends TypedElement {
       throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
     options.signal?.throwIfAborted();
     await coded(runtime.load(picture, copied, options), options.signal);
+  }
+
+  /**
+   * Opens files as if a person had dropped them here: a picture, a project, or both. The rest is named in a notice.
+   *
+   * Does nothing where people may not open files. The person hears of a failure.
+   *
+   * @throws TypeError for anything but a list of files.
+   */
+  openFiles(files: Iterable<File>): void {
+    const { state, dispatch } = this.#present;
+    const given = [...files];
+    if (!given.every((file) => file instanceof File))
+      throw new TypeError('openFiles: expected a list of files');
+    if (!mayReceive(state)) return;
+    dispatch({ type: 'files-received', files: given.map((file) => ({ name: file.name, file })) });
+  }
+
+  /** Tells a person something in a notice, which passes after some seconds. With `posable` there are none. */
+  inform(text: string): void {
+    this.#present.dispatch({ type: 'person-informed', text: String(text) });
   }
 
   /**

@@ -1,8 +1,16 @@
 /** The editor's page: one element fills it, and opens the work of the last visit or else the sample. */
+import { receiveFiles } from './app/given_files';
+import { startNewest, storeVersions } from './app/versions';
+import type { C2Warp } from './element';
 import './element';
+import { trusted } from './start_worker';
 
 const editor = document.querySelector('c2-warp');
 const THEME = 'theme';
+/** Beside index.html, see `web/scripts/service_worker.mjs`. */
+const WORKER = './service-worker.js';
+/** Of the toolbar, which an installed editor's title bar adjoins. */
+const THEME_COLOURS = { light: '#ffffff', dark: '#232427' };
 
 /** Drawn for c2warp: see `web/scripts/draw-samples.mjs`. */
 const SAMPLES = [
@@ -37,8 +45,12 @@ if (editor) {
   // The editor's theme switch sets the attribute.
   new MutationObserver(() => {
     const { theme } = editor;
-    if (theme) stored((storage) => storage.setItem(THEME, theme));
+    if (theme !== 'light' && theme !== 'dark') return;
+    stored((storage) => storage.setItem(THEME, theme));
+    for (const meta of document.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]'))
+      meta.content = THEME_COLOURS[theme];
   }).observe(editor, { attributeFilter: [THEME] });
+  editor.theme = stored((storage) => storage.getItem(THEME));
   editor.addEventListener('titlechange', ({ detail: { name, unsaved } }) => {
     // The hint is about the first sample.
     if (name !== `${SAMPLES[0]?.name}.png`) editor.removeAttribute('hint');
@@ -46,6 +58,21 @@ if (editor) {
   });
   // Keys then work before the first click, and before the picture is open.
   editor.updateComplete.then(() => editor.focus({ preventScroll: true }));
+  runAsApp(editor);
+}
+
+/** Opens what the system gives, and keeps the editor for use without a network. */
+async function runAsApp(editor: C2Warp): Promise<void> {
+  const waits = await startNewest();
+  // A picture that opens closes the notices before it.
+  const settled = () => editor.loaded.catch(() => {});
+  const inform = (text: string) => settled().then(() => editor.inform(text));
+  receiveFiles((files) => editor.openFiles(files), inform);
+  // The development server has no worker: what it serves changes.
+  if (import.meta.hot) return;
+  // The downloads would slow the first picture down.
+  await settled();
+  await storeVersions(trusted(WORKER, 'c2warp'), waits, inform);
 }
 
 /** Returns the result of `ask` on the browser's storage, or `null` if the browser refuses storage. */

@@ -56,7 +56,8 @@ const importer = (address: string) => `
   import(${JSON.stringify(address)}).then(() => early.forEach((event) => onmessage(event)), reportError);
 `;
 
-function trusted(address: string, name: string): string {
+/** An address of a worker, as Trusted Types want it. */
+export function trusted(address: string, name: string): string {
   const { trustedTypes } = window as Partial<TrustedTypesWindow>;
   const policy = policies[name] ?? trustedTypes?.createPolicy(name, { createScriptURL: (own) => own });
   policies[name] = policy;

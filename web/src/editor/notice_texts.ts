@@ -27,6 +27,17 @@ export const OTHER_TAB =
 export const twoVersionsText = (picture: string): string =>
   `${picture} was changed in two tabs. This is the later version.`;
 
+export const NEW_VERSION = 'A new version is ready. It opens at the next start.';
+export const NEW_VERSION_WAITS =
+  'A new version is ready. It opens once the other windows of the editor are closed.';
+export const NOT_OFFLINE =
+  'The editor is not stored for use without a network: the download broke off. The next start tries again.';
+export const SHARE_FAILED = 'The shared picture did not arrive. Open its file here.';
+
+/** @param name of a file that the system gave. */
+export const notGivenText = (name: string): string =>
+  `${name} cannot be read: it was moved or changed. Open it here.`;
+
 const GRAPHICS_LOST = 'The graphics card is gone, so the picture cannot be shown.';
 
 /** @param stored whether a reload brings the work back; null without work that could be lost. */

@@ -1,0 +1,46 @@
+/** Files that the system gives to the installed editor: opened with it, or shared with it. */
+import { notGivenText, SHARE_FAILED } from '../editor/notice_texts';
+import { sharedCache } from './cache_names';
+import { SHARED, takeShared } from './shared_files';
+
+/** The part of the Launch Handler API that TypeScript does not know. */
+interface LaunchQueue {
+  setConsumer(consume: (launch: { readonly files?: readonly FileSystemFileHandle[] }) => void): void;
+}
+
+type Open = (files: readonly File[]) => void;
+type Inform = (text: string) => void;
+
+/** Hands over the files of this start, and those that are opened with the running editor later. */
+export function receiveFiles(open: Open, inform: Inform): void {
+  const { launchQueue } = globalThis as { launchQueue?: LaunchQueue };
+  launchQueue?.setConsumer(({ files = [] }) => {
+    openLaunched(files, open, inform);
+  });
+  if (new URLSearchParams(location.search).has(SHARED)) receiveShared(open, inform);
+}
+
+async function openLaunched(
+  handles: readonly FileSystemFileHandle[],
+  open: Open,
+  inform: Inform,
+): Promise<void> {
+  const files = [];
+  for (const handle of handles) {
+    try {
+      files.push(await handle.getFile());
+    } catch {
+      inform(notGivenText(handle.name));
+    }
+  }
+  if (files.length > 0) open(files);
+}
+
+async function receiveShared(open: Open, inform: Inform): Promise<void> {
+  const { href } = new URL('./', location.href);
+  // A reload has nothing to take any more.
+  history.replaceState(history.state, '', href);
+  const files = await caches.open(sharedCache(href)).then(takeShared, () => []);
+  if (files.length > 0) open(files);
+  else inform(SHARE_FAILED);
+}
