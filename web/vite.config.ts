@@ -1,8 +1,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { licences } from './scripts/licences.mjs';
-import { reactTables } from './scripts/manifest/react_tables.mjs';
 import { litHtml } from './scripts/lit_html.mjs';
+import { reactTables } from './scripts/manifest/react_tables.mjs';
 import { serviceWorker } from './scripts/service_worker.mjs';
 import { trimmed } from './scripts/trimmed.mjs';
 
@@ -11,8 +11,7 @@ const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.u
 const { plugins, worker } = licences();
 
 export default defineConfig({
-  plugins: [trimmed(), ...plugins, reactTables()],
-  plugins: [litHtml(), trimmed(), ...plugins, serviceWorker()],
+  plugins: [litHtml(), trimmed(), ...plugins, reactTables(), serviceWorker()],
   root: path('.'),
   // Relative, so that the built page works at any address.
   base: './',

@@ -118,7 +118,7 @@ test('an update is told once, and waits for the next start', async ({ page }) =>
   await update(page);
   await expect(page.getByText(NEW_VERSION)).toHaveCount(1);
   await expect(notice(page)).toHaveText(NEW_VERSION);
-  // The old version stays whole: what it loads now is its own, and the server has it no more.
+  // The old version stays whole: the server has this part of it no more.
   await openLens(page);
   expect(await versions(page)).toEqual(['first', 'first']);
   await expect(page.getByText(NEW_VERSION)).toBeHidden();
@@ -247,7 +247,7 @@ test('a share without a file is told', async ({ page }) => {
   await expect(notice(page)).toContainText('The shared picture did not arrive');
 });
 
-test('the manifest is valid, and names what is there', async ({ page }) => {
+test('the manifest is valid, and its files are there', async ({ page }) => {
   await opened(page);
   const session = await page.context().newCDPSession(page);
   const { url, errors, data } = await session.send('Page.getAppManifest');

@@ -1,4 +1,4 @@
-/** A proxy that records what a browser asks for: pages, workers and service workers alike. */
+/** A proxy that records the requests of a browser: pages, workers and service workers alike. */
 import { createServer, request as forward, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 

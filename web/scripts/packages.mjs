@@ -1,6 +1,7 @@
 /**
  * `npm run test:packages [-- NAME …]`: packs the package, installs the file in each folder of `web/examples`, and
- * builds and serves it there. It opens the page in Chromium and drags a handle. The table goes to web/docs/element.md.
+ * builds and serves it there. It opens the page in Chromium, and drags, scrolls or slides. The table goes to
+ * web/docs/element.md.
  *
  * `--tarball FILE` tests a file that is packed already. It needs npm's registry.
  */
@@ -10,7 +11,7 @@ import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { launchChromium, prepareChromium } from './chromium.mjs';
 import { built, exampleNames, installed, linesOf, readExample, served } from './packages/embedding.mjs';
-import { secondsToFirstDrag } from './packages/first_drag.mjs';
+import { secondsToFirstDeed } from './packages/first_deed.mjs';
 import { packed } from './packages/packed.mjs';
 import { heading, main } from './steps.mjs';
 
@@ -61,7 +62,7 @@ async function row(example, embedding, folder, tarball, browser) {
     const server = await served(embedding, folder);
     const page = await browser.newPage({ viewport: { width: 900, height: 700 }, reducedMotion: 'reduce' });
     try {
-      const seconds = await secondsToFirstDrag(page, server.address);
+      const seconds = await secondsToFirstDeed(page, server.address, example);
       const kilobytes = Math.round(server.bytes() / 1000);
       console.log(`works: ${seconds.toFixed(1)} s, ${kilobytes} kB`);
       return { works: true, cells: [embedding.title, lines, 'yes', seconds.toFixed(1), kilobytes] };

@@ -12,6 +12,9 @@ export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const OFFLINE =
   /ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ENETUNREACH|ETIMEDOUT|ECONNRESET|resolve host|could not connect|error sending request|failed to download|spurious network error|temporary failure/i;
 
+/** Whether a program failed for want of a network. @param {string} output */
+export const lacksNetwork = (output) => OFFLINE.test(output);
+
 /** Command line tools among the npm packages. Node runs them directly: quicker than npx, and the same on Windows. */
 const TOOLS = {
   attw: '@arethetypeswrong/cli/dist/index.js',
@@ -73,7 +76,7 @@ export async function step(title, program, args, hint) {
   const { code, output } = await run(program, args);
   if (code === 0) return;
   throw new StepError(
-    OFFLINE.test(output) ? `${title}: no network. Connect this machine and run the command again.` : hint,
+    lacksNetwork(output) ? `${title}: no network. Connect this machine and run the command again.` : hint,
   );
 }
 

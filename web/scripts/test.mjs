@@ -11,11 +11,13 @@ import { buildCommand } from './command.mjs';
 import { cargoCounts, playwrightCounts, summary, vitestCounts } from './counts.mjs';
 import { npmPackage } from './packing.mjs';
 import { prepare, prepareRustLints } from './prepare.mjs';
-import { heading, main, ROOT, run, StepError, toolPath } from './steps.mjs';
+import { heading, lacksNetwork, main, ROOT, run, StepError, toolPath } from './steps.mjs';
 
 /** @typedef {import('./counts.mjs').Counts} Counts */
 
 const OUTPUT = 'tests/output';
+/** Examples of embeddings: without a bundler, with one, and with a server. `npm run test:packages` has all. */
+const EXAMPLES = ['plain', 'vite', 'next'];
 
 await main(async () => {
   await prepare();
@@ -63,8 +65,17 @@ await main(async () => {
 /** @returns {Promise<Counts>} */
 async function packages() {
   try {
-    await npmPackage(join(ROOT, OUTPUT, 'packages'));
-    return { passed: 1, failed: 0, skipped: 0 };
+    const { tarball } = await npmPackage(join(ROOT, OUTPUT, 'packages'));
+    heading(`Examples: ${EXAMPLES.join(', ')}`);
+    const { code, output } = await run(process.execPath, [
+      'web/scripts/packages.mjs',
+      '--tarball',
+      tarball,
+      ...EXAMPLES,
+    ]);
+    if (code === 0) return { passed: 2, failed: 0, skipped: 0 };
+    // The registry is needed here alone.
+    return lacksNetwork(output) ? { passed: 1, failed: 0, skipped: 1 } : { passed: 1, failed: 1, skipped: 0 };
   } catch (error) {
     if (!(error instanceof StepError)) throw error;
     console.error(`✗ ${error.message}`);

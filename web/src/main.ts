@@ -40,8 +40,6 @@ if (editor) {
     // The editor tells the person of a failure.
     editor.load(src, project, { notice: true }).catch(() => {});
   }
-  const chosen = stored((storage) => storage.getItem(THEME));
-  if (chosen) editor.setAttribute(THEME, chosen);
   // The editor's theme switch sets the attribute.
   new MutationObserver(() => {
     const { theme } = editor;
@@ -50,7 +48,8 @@ if (editor) {
     for (const meta of document.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]'))
       meta.content = THEME_COLOURS[theme];
   }).observe(editor, { attributeFilter: [THEME] });
-  editor.theme = stored((storage) => storage.getItem(THEME));
+  const chosen = stored((storage) => storage.getItem(THEME));
+  if (chosen) editor.setAttribute(THEME, chosen);
   editor.addEventListener('titlechange', ({ detail: { name, unsaved } }) => {
     // The hint is about the first sample.
     if (name !== `${SAMPLES[0]?.name}.png`) editor.removeAttribute('hint');
@@ -61,14 +60,14 @@ if (editor) {
   runAsApp(editor);
 }
 
-/** Opens what the system gives, and keeps the editor for use without a network. */
+/** Opens files that the system gives, and keeps the editor for use without a network. */
 async function runAsApp(editor: C2Warp): Promise<void> {
   const waits = await startNewest();
   // A picture that opens closes the notices before it.
   const settled = () => editor.loaded.catch(() => {});
   const inform = (text: string) => settled().then(() => editor.inform(text));
   receiveFiles((files) => editor.openFiles(files), inform);
-  // The development server has no worker: what it serves changes.
+  // The development server has no worker: its files change.
   if (import.meta.hot) return;
   // The downloads would slow the first picture down.
   await settled();

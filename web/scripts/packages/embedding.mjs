@@ -17,11 +17,19 @@ import { forwardingServer, staticServer } from './counting_server.mjs';
  * @property {Record<string, string>} [with] Versions of packages in place of those in `package.json`.
  */
 
-/** @typedef {{ folder: string, pictures: string, embeddings: Embedding[] }} Example */
+/**
+ * @typedef {object} Example
+ * @property {string} folder
+ * @property {string} pictures The folder for the samples.
+ * @property {string[]} [samples] Their names.
+ * @property {import('./first_deed.mjs').Deed} [deed] What a person does to the page.
+ * @property {string} [handle] The handle that is dragged.
+ * @property {Embedding[]} embeddings
+ */
 
 const EXAMPLES = join(ROOT, 'web/examples');
 const SAMPLES = join(ROOT, 'web/public/samples');
-const PICTURE = ['gingerbread.png', 'gingerbread.c2warp.json'];
+const SAMPLE = 'gingerbread';
 const STARTS_MS = 60_000;
 const POLL_MS = 100;
 
@@ -62,7 +70,8 @@ export async function linesOf(folder) {
 export async function installed(example, embedding, folder, tarball) {
   await cp(example.folder, folder, { recursive: true });
   await mkdir(join(folder, example.pictures), { recursive: true });
-  for (const file of PICTURE) await cp(join(SAMPLES, file), join(folder, example.pictures, file));
+  const files = (example.samples ?? [SAMPLE]).flatMap((name) => [`${name}.png`, `${name}.c2warp.json`]);
+  for (const file of files) await cp(join(SAMPLES, file), join(folder, example.pictures, file));
   const file = join(folder, 'package.json');
   const given = JSON.parse(await readFile(file, 'utf8'));
   const dependencies = { ...given.dependencies, ...embedding.with, c2warp: `file:${tarball}` };

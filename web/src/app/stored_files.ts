@@ -1,7 +1,7 @@
 /**
  * The files of one version, stored by path and content.
  *
- * Versions share the files that they have in common, so that an update loads only what has changed. A download that
+ * Versions share the files that they have in common, so that an update loads changed files alone. A download that
  * breaks off goes on where it was.
  */
 

@@ -1,6 +1,11 @@
-/** Opens a page with `<c2-warp>` in a browser, drags a handle by the mouse, and compares the picture. */
+/** Opens a page with `<c2-warp>` in a browser, bends it as its readers do, and compares the picture. */
 
 /** @typedef {import('@playwright/test').Page} Page */
+
+/**
+ * A handle is dragged by the mouse, the page is scrolled to its end, or the first slider is set to its end.
+ * @typedef {'drag' | 'scroll' | 'slide'} Deed
+ */
 
 const OPENS_MS = 60_000;
 /** Of the window, towards the middle of the picture and up. */
@@ -15,25 +20,28 @@ const ICON = '/favicon.ico';
 /**
  * @param {Page} page
  * @param {string} address
- * @returns {Promise<number>} Seconds from the navigation until a handle could be dragged.
+ * @param {{ deed?: Deed, handle?: string }} example
+ * @returns {Promise<number>} Seconds from the navigation until the picture could be bent.
  * @throws Error that says what failed.
  */
-export async function secondsToFirstDrag(page, address) {
+export async function secondsToFirstDeed(page, address, { deed = 'drag', handle = 'left hand' }) {
   const problems = problemsOf(page);
   try {
     const start = performance.now();
     await page.goto(address);
-    const hand = page.getByRole('button', { name: /^handle left hand, /i });
-    await hand.waitFor({ timeout: OPENS_MS });
-    await page.locator('c2-warp .solved', { hasText: 'sample' }).waitFor({ timeout: OPENS_MS });
+    await page.waitForFunction(isLoaded, undefined, { timeout: OPENS_MS });
+    const dragged = page.getByRole('button', { name: new RegExp(`^handle ${handle}, `, 'i') });
+    if (deed === 'drag') await dragged.waitFor({ timeout: OPENS_MS });
     const seconds = (performance.now() - start) / 1000;
 
     const before = await pixels(page);
-    await drag(page, hand);
-    const after = await pixels(page);
+    if (deed === 'drag') await drag(page, dragged);
+    else if (deed === 'slide') await page.getByRole('slider').first().press('End');
+    else await page.keyboard.press('End');
+    const after = deed === 'scroll' ? await scrolled(page) : await pixels(page);
     const change = changedPart(before, after);
     if (change < LEAST_CHANGE)
-      throw new Error(`the drag changed ${(change * 100).toFixed(2)} % of the picture`);
+      throw new Error(`the deed changed ${(change * 100).toFixed(2)} % of the picture`);
     if (problems.length > 0) throw new Error('the page has errors');
     return seconds;
   } catch (error) {
@@ -45,6 +53,26 @@ export async function secondsToFirstDrag(page, address) {
     const [message] = String(error instanceof Error ? error.message : error).split('\n');
     throw new Error([message, ...(alert ? [`notice: ${alert.trim()}`] : []), ...problems].join('\n  '));
   }
+}
+
+/** Whether a picture is open and solved. It runs in the page. */
+async function isLoaded() {
+  await customElements.whenDefined('c2-warp');
+  const warp = /** @type {{ loaded?: Promise<void> } | null} */ (
+    /** @type {unknown} */ (document.querySelector('c2-warp'))
+  );
+  await warp?.loaded;
+  return warp !== null;
+}
+
+/** The picture at the end of the page. Browsers scroll there step by step. @param {Page} page */
+async function scrolled(page) {
+  await page.waitForFunction(() => {
+    const { scrollTop, scrollHeight, clientHeight } = document.documentElement;
+    return scrollTop > 0 && scrollTop + clientHeight > scrollHeight - 1;
+  });
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return pixels(page);
 }
 
 /**
@@ -83,10 +111,10 @@ async function drag(page, handle) {
 /** The warped picture at a quarter of its size. @param {Page} page @returns {Promise<number[]>} */
 const pixels = (page) =>
   page.locator('c2-warp').evaluate(async (element) => {
-    const warp = /** @type {{ toCanvas(scale: number): Promise<HTMLCanvasElement> }} */ (
+    const warp = /** @type {{ toCanvas(options: { scale: number }): Promise<HTMLCanvasElement> }} */ (
       /** @type {unknown} */ (element)
     );
-    const canvas = await warp.toCanvas(0.25);
+    const canvas = await warp.toCanvas({ scale: 0.25 });
     const context = canvas.getContext('2d');
     if (!context) throw new Error('no canvas');
     return [...context.getImageData(0, 0, canvas.width, canvas.height).data];
@@ -97,7 +125,7 @@ const pixels = (page) =>
  * @param {readonly number[]} after
  */
 function changedPart(before, after) {
-  if (before.length !== after.length) throw new Error('the picture has another size after the drag');
+  if (before.length !== after.length) throw new Error('the picture has another size afterwards');
   let changed = 0;
   for (let pixel = 0; pixel < before.length; pixel += 4) {
     const differs = [0, 1, 2, 3].some(
