@@ -3,14 +3,13 @@ import { useState } from 'react';
 import { createRoot } from 'react-dom/client';
 
 function App() {
-  const [selection, setSelection] = useState(['head']);
+  const [selection, setSelection] = useState([]);
   return (
     <>
       <c2-warp
         src="/gingerbread.png"
         project="/gingerbread.c2warp.json"
         style={{ height: 600 }}
-        selection={selection}
         onselectionchange={({ detail }) => setSelection(detail.selection)}
       />
       <p>Selected: {selection.join(', ') || 'nothing'}</p>
