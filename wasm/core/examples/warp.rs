@@ -25,7 +25,7 @@ fn warp(project: &Path, output: &Path, handle: &str, by: [f64; 2]) -> Result<(),
     let (mut project, picture) = opened::open(project)?;
     let named = |id: &str| format!("there is no handle {id}");
     let moved = project.handles.iter_mut().find(|one| one.id == handle).ok_or_else(|| named(handle))?;
-    for corner in &mut moved.posed {
+    for corner in moved.shape.posed_mut() {
         *corner += glam::DVec2::from(by);
     }
     let picture = Picture::new(picture.width(), picture.height(), &picture)?;

@@ -78,7 +78,7 @@ mod tests {
         assert!(rows.iter().all(|row| (row[2..].iter().sum::<f64>() - 1.0).abs() < 1e-3));
         let distance = |row: &[f64]| (row[0] - 124.0).hypot(row[1] - 516.0);
         let nearest = rows.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).ok_or("no rows")?;
-        assert!(nearest[3] > 0.9);
+        assert!(nearest[2..].iter().all(|&weight| weight <= nearest[3]), "{nearest:?}");
         Ok(())
     }
 }
