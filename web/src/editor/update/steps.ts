@@ -28,8 +28,13 @@ export function openWork(state: EditorState, { record, drawings, saved }: Work, 
   return edited(opened, 'open', emit);
 }
 
-/** Selects handles for the page. That ends a press, whose changes stay. */
+/**
+ * Selects handles for the page. That ends a press, whose changes stay.
+ *
+ * The same handles once more end nothing: pages that bind the selection both ways set it back during each press.
+ */
 export function selectForPage(state: EditorState, ids: readonly string[], emit: Emit): EditorState {
+  if (ids.join('\n') === selectionOf(state).join('\n')) return state;
   if (!isPressing(state.tools)) return select(state, ids, emit);
   const ended = endPressKeepingChanges(state, emit);
   const changed = ended.document.history.past !== state.document.history.past;
