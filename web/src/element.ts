@@ -341,6 +341,7 @@ export class C2Warp extends TypedElement {
    *
    * Does nothing where people may not open files. The person hears of a failure.
    *
+   * @param files At least a picture or a project.
    * @throws TypeError for anything but a list of files.
    */
   openFiles(files: Iterable<File>): void {
@@ -352,7 +353,11 @@ export class C2Warp extends TypedElement {
     dispatch({ type: 'files-received', files: given.map((file) => ({ name: file.name, file })) });
   }
 
-  /** Tells a person something in a notice, which passes after some seconds. With `posable` there are none. */
+  /**
+   * Tells a person something in a notice, which passes after some seconds. With `posable` there are none.
+   *
+   * @param text A sentence for people.
+   */
   inform(text: string): void {
     this.#present.dispatch({ type: 'person-informed', text: String(text) });
   }
