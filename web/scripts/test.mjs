@@ -16,8 +16,10 @@ import { heading, lacksNetwork, main, ROOT, run, StepError, toolPath } from './s
 /** @typedef {import('./counts.mjs').Counts} Counts */
 
 const OUTPUT = 'tests/output';
-/** Examples of embeddings: without a bundler, with one, and with a server. `npm run test:packages` has all. */
-const EXAMPLES = ['plain', 'vite', 'next'];
+/** The tables of quality have tests of their own, in `npm run test:long`: their solver takes minutes to compile. */
+const NOT_OF_QUALITY = ['--exclude', 'c2warp-quality'];
+/** Examples of embeddings: without a bundler, and with one. `npm run test:packages` has all. */
+const EXAMPLES = ['plain', 'vite'];
 
 await main(async () => {
   await prepare();
@@ -86,7 +88,7 @@ async function packages() {
 /** @returns {Promise<Counts>} */
 async function nativeTests() {
   heading('Native tests');
-  const { code, output } = await run('cargo', ['test', '--workspace', '--no-fail-fast']);
+  const { code, output } = await run('cargo', ['test', '--workspace', ...NOT_OF_QUALITY, '--no-fail-fast']);
   return endedWith(code, cargoCounts(output));
 }
 

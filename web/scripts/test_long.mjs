@@ -1,0 +1,29 @@
+/**
+ * `npm run test:long`: tests that take too long for `npm test`. These are all random sequences of input while a picture
+ * is opened, and the tests of the tables of quality.
+ */
+import { prepareChromium } from './chromium.mjs';
+import { prepare } from './prepare.mjs';
+import { heading, main, run, toolPath } from './steps.mjs';
+
+await main(async () => {
+  await prepare();
+  await prepareChromium();
+  heading('Random sequences');
+  const sequences = await run(
+    process.execPath,
+    [
+      toolPath('playwright'),
+      'test',
+      '--config',
+      'tests/browser/playwright.config.ts',
+      'editor-early',
+      '--grep',
+      'random sequences',
+    ],
+    { env: { LONG_TESTS: '1' } },
+  );
+  heading('Tables of quality');
+  const quality = await run('cargo', ['test', '--package', 'c2warp-quality']);
+  if (sequences.code !== 0 || quality.code !== 0) process.exitCode = 1;
+});
