@@ -109,7 +109,10 @@ export abstract class UpdatingElement extends AnyElement {
 
   /** @param before the update before, whose failure its own listeners hear of. */
   async #updateAfter(before: Promise<void>): Promise<void> {
-    await before.catch(() => {});
+    // One turn of the queue: what waits for the update in a microtask comes after it.
+    try {
+      await before;
+    } catch {}
     const changes = this.#changes;
     try {
       if (!this.#hasUpdated) Object.assign(this, this.#early);
