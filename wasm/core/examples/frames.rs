@@ -9,6 +9,7 @@ mod opened;
 use std::env;
 use std::error::Error;
 use std::fs;
+use std::io::{self, Write};
 use std::path::Path;
 
 use c2warp::clip::{FrameTimes, Playback};
@@ -21,8 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     match &*given {
         [project, clip, folder] => {
             let count = draw_frames(project.as_ref(), clip, folder.as_ref(), 1.0)?;
-            println!("{count} frames in {folder}");
-            Ok(())
+            Ok(writeln!(io::stdout(), "{count} frames in {folder}")?)
         }
         _ => Err("expected: PROJECT CLIP FOLDER".into()),
     }
