@@ -58,7 +58,7 @@ export class KeyboardInput {
     const target = event.target as Element;
     if (event.defaultPrevented || this.#editor.state.page.disabled) return;
     // Controls of the page, in the slots, have keys of their own.
-    if (!this.#root.contains(target)) return;
+    if (this.#root.host.contains(target)) return;
     // With Ctrl the menu has just closed, and the key goes on.
     if (target.closest('.context') && !event.ctrlKey && !event.metaKey) return;
     if (isField(target) && !this.#leavesField(event, target)) return;
