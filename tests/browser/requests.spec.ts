@@ -38,6 +38,9 @@ test('open, pose, export, film, rig and save ask the own server alone', async ({
           .poll(() => page.evaluate(() => navigator.serviceWorker.controller?.state))
           .toBe('activated');
         await page.reload();
+        // The reload may come before the browser has stored that the sample is open again.
+        await expect(editor.solved).toContainText('sample');
+        await editor.openRecent('gingerbread');
         await editor.ready();
       }
       await editor.dragHandle('right hand', { x: 10, y: -40 });
