@@ -74,10 +74,13 @@ async function inPage(page: Page, wanted: Wanted): Promise<Decoded> {
           element.onerror = () => failed(new Error(element.error?.message));
         });
         for (const time of wanted) {
-          element.currentTime = time;
-          await new Promise((done) => {
+          // `seeked` may come before the frame can be drawn.
+          const presented = new Promise((done) => element.requestVideoFrameCallback(done));
+          const seeked = new Promise((done) => {
             element.onseeked = done;
           });
+          element.currentTime = time;
+          await Promise.all([presented, seeked]);
           shown.push(pixels(element, element.videoWidth, element.videoHeight));
         }
         return { frames: null, seconds: element.duration, shown };
