@@ -27,8 +27,6 @@ pub enum FillMethod {
     Patches,
 }
 
-impl FillSpec {}
-
 #[cfg(test)]
 mod tests {
     use crate::project::{FillSpec, Project};

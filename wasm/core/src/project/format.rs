@@ -11,5 +11,3 @@ pub enum Format {
     #[cfg_attr(feature = "serde", serde(rename = "c2warp/1"))]
     V1,
 }
-
-impl Format {}

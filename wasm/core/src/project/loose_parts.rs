@@ -13,5 +13,3 @@ pub enum LooseParts {
     /// Each moves with the nearest point of a part that has a handle.
     Follow,
 }
-
-impl LooseParts {}

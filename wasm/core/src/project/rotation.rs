@@ -20,5 +20,3 @@ impl From<f64> for Rotation {
         Self::Degrees(degrees)
     }
 }
-
-impl Rotation {}

@@ -84,8 +84,6 @@ pub enum Continuity {
     C2,
 }
 
-impl Continuity {}
-
 fn default_shape_factor() -> f64 {
     1.0
 }

@@ -15,5 +15,3 @@ pub enum Ease {
     /// By a jump at the next key.
     Hold,
 }
-
-impl Ease {}
