@@ -17,6 +17,8 @@ export default defineConfig({
   base: './',
   cacheDir: path('../node_modules/.vite'),
   server: { fs: { allow: [path('..')] } },
+  // The pages of web/examples import a package that is installed there alone.
+  optimizeDeps: { entries: ['index.html'] },
   worker: { format: 'es', plugins: worker },
   build: {
     target: 'es2022',
