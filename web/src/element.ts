@@ -54,7 +54,7 @@ import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './eleme
 import { FormControl } from './element/form_control';
 import { loadOf } from './element/load_of';
 import { namedSource } from './element/picture_source';
-import type { Properties } from './element/properties';
+import { type Properties, taken } from './element/properties';
 import { ask } from './element/questions';
 import type { Changes } from './element/updating_element';
 import { asC2WarpError, C2WarpError } from './error';
@@ -218,10 +218,7 @@ export class C2Warp extends TypedElement {
     this.name = null;
     this.submits = null;
     this.crossOrigin = null;
-    this.#adopt('project');
-    this.#adopt('selection');
-    this.#adopt('tool');
-    this.#adopt('defaults');
+    Object.assign(this, taken(this, ['project', 'selection', 'tool', 'defaults']));
   }
 
   /**
@@ -856,8 +853,9 @@ export class C2Warp extends TypedElement {
   }
 
   #setDefaults(settings: ProjectDefaults): void {
+    const before = this.#defaults;
     this.#defaults = settings;
-    this.#runtime?.dispatch({ type: 'page-changed', page: this.#attributes });
+    this.propertyChanged('defaults', before);
   }
 
   /** The solver checks the values, once it has started. */
@@ -922,14 +920,6 @@ export class C2Warp extends TypedElement {
         this.#emit(type, asC2WarpError(notification.error));
         break;
     }
-  }
-
-  /** Sets a property again that the page set before the element was upgraded: it would hide the accessor. */
-  #adopt(name: 'project' | 'selection' | 'tool' | 'defaults'): void {
-    if (!Reflect.getOwnPropertyDescriptor(this, name)) return;
-    const value = Reflect.get(this, name);
-    Reflect.deleteProperty(this, name);
-    Reflect.set(this, name, value);
   }
 }
 

@@ -21,21 +21,14 @@ export interface Submitting {
   failed(error: unknown): void;
 }
 
-export class FormControl {
+export class FormControl implements FormPicture {
   readonly #element: Submitting;
   readonly #internals: ElementInternals;
   #listening = new AbortController();
-  /** As the one that draws a picture for a form. */
-  readonly #member: FormPicture;
 
   constructor(element: Submitting) {
     this.#element = element;
     this.#internals = element.node.attachInternals();
-    this.#member = {
-      isAsked: () => this.#submitsPicture && this.#name !== null && element.project() !== null,
-      draw: () => element.picture(),
-      failed: (error) => element.failed(error),
-    };
   }
 
   get form(): HTMLFormElement | null {
@@ -64,13 +57,25 @@ export class FormControl {
     this.#listening = new AbortController();
     const { signal } = this.#listening;
     form?.addEventListener('formdata', ({ formData }) => this.#append(formData), { signal });
-    if (form) FormPictures.of(form).add(this.#member, signal);
+    if (form) FormPictures.of(form).add(this, signal);
   }
 
   /** @param isMissing Whether there is no picture where one is required. */
   validate(isMissing: boolean): void {
     if (isMissing) this.#internals.setValidity({ valueMissing: true }, MISSING);
     else this.#internals.setValidity({});
+  }
+
+  isAsked(): boolean {
+    return this.#submitsPicture && this.#name !== null && this.#element.project() !== null;
+  }
+
+  draw(): Promise<File> {
+    return this.#element.picture();
+  }
+
+  failed(error: unknown): void {
+    this.#element.failed(error);
   }
 
   get #name(): string | null {
@@ -87,7 +92,7 @@ export class FormControl {
     if (!name || !project) return;
     if (!this.#submitsPicture) data.append(name, JSON.stringify(project));
     else {
-      const drawn = this.form && FormPictures.of(this.form).drawnBy(this.#member);
+      const drawn = this.form && FormPictures.of(this.form).drawnBy(this);
       if (drawn) data.append(name, drawn);
     }
   }

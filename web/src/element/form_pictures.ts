@@ -22,13 +22,12 @@ export class FormPictures {
   #isDrawing = false;
 
   static of(form: HTMLFormElement): FormPictures {
-    const pictures = known.get(form) ?? new FormPictures(form);
-    known.set(form, pictures);
-    return pictures;
+    return known.get(form) ?? new FormPictures(form);
   }
 
   private constructor(form: HTMLFormElement) {
     this.#form = form;
+    known.set(form, this);
     // In the capture phase, before the listeners of the page.
     form.addEventListener('submit', (event) => this.#hold(event), { capture: true });
   }

@@ -36,3 +36,14 @@ export function textOf({ type }: PropertyOptions, value: unknown): string | null
   if (type === Boolean) return value ? '' : null;
   return value === null || value === undefined ? null : String(value);
 }
+
+/** Takes away what a page set on an element before it was defined: own properties would hide accessors. */
+export function taken(from: object, names: readonly string[]): Record<string, unknown> {
+  const values: Record<string, unknown> = {};
+  for (const name of names) {
+    if (!Object.hasOwn(from, name)) continue;
+    values[name] = Reflect.get(from, name);
+    Reflect.deleteProperty(from, name);
+  }
+  return values;
+}

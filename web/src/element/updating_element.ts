@@ -6,7 +6,7 @@
  */
 import { type RootPart, render } from 'lit-html';
 import { AnyElement } from './html_element';
-import { attributeOf, type Properties, propertiesByAttribute, textOf, valueFrom } from './properties';
+import { attributeOf, type Properties, propertiesByAttribute, taken, textOf, valueFrom } from './properties';
 import { dress } from './style_sheets';
 
 /** Names of changed properties, with their values before. */
@@ -173,17 +173,6 @@ export abstract class UpdatingElement extends AnyElement {
     }
     return [...propertiesByAttribute(properties).keys()];
   }
-}
-
-/** Takes an object's own properties of these names away: they would hide accessors. */
-function taken(from: object, names: readonly string[]): Record<string, unknown> {
-  const values: Record<string, unknown> = {};
-  for (const name of names) {
-    if (!Object.hasOwn(from, name)) continue;
-    values[name] = Reflect.get(from, name);
-    Reflect.deleteProperty(from, name);
-  }
-  return values;
 }
 
 /** A promise with the function that resolves it. */
