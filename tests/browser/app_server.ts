@@ -2,26 +2,15 @@
 import { readFile } from 'node:fs/promises';
 import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { build } from 'vite';
+import { builtFiles } from '../../web/scripts/built_files.mjs';
+import { contentType } from '../../web/scripts/content_types.mjs';
 
 const PUBLIC = new URL('../../web/public/', import.meta.url);
 const CONFIG = fileURLToPath(new URL('../../web/vite.config.ts', import.meta.url));
 
 /** Not the root: the editor works in any folder. */
 const FOLDER = '/tools/editor/';
-
-const TYPES: Readonly<Record<string, string>> = {
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript',
-  '.css': 'text/css',
-  '.json': 'application/json',
-  '.wasm': 'application/wasm',
-  '.png': 'image/png',
-  '.svg': 'image/svg+xml',
-  '.webmanifest': 'application/manifest+json',
-};
 
 /** The strictest policy that the editor works under. */
 const POLICY = `
@@ -38,11 +27,9 @@ const MARKED = { main: '/src/main.ts', study: '/ui/study/study.ts' };
 export async function builtEditor(version: string): Promise<Files> {
   const { NODE_ENV } = process.env;
   process.env.NODE_ENV = 'production';
-  const files = new Map<string, string | Uint8Array>();
-  const built = await build({
+  const files = await builtFiles({
     configFile: CONFIG,
     logLevel: 'error',
-    build: { write: false },
     plugins: [
       {
         name: 'version',
@@ -53,11 +40,6 @@ export async function builtEditor(version: string): Promise<Files> {
       },
     ],
   });
-  for (const bundle of [built].flat()) {
-    if (!('output' in bundle)) continue;
-    for (const file of bundle.output)
-      files.set(file.fileName, file.type === 'asset' ? file.source : file.code);
-  }
   if (NODE_ENV === undefined) delete process.env.NODE_ENV;
   else process.env.NODE_ENV = NODE_ENV;
   return files;
@@ -124,7 +106,7 @@ export class AppServer {
     else
       response
         .writeHead(200, {
-          'Content-Type': TYPES[extname(name)] ?? 'text/plain',
+          'Content-Type': contentType(name),
           'Content-Security-Policy': POLICY,
           'Cache-Control': 'max-age=600',
         })

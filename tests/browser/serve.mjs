@@ -8,23 +8,13 @@
  */
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
-import { extname, join, normalize } from 'node:path';
+import { join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { build } from 'vite';
+import { builtFiles } from '../../web/scripts/built_files.mjs';
+import { contentType } from '../../web/scripts/content_types.mjs';
 import { reactTables } from '../../web/scripts/manifest/react_tables.mjs';
 
 const path = (/** @type {string} */ relative) => fileURLToPath(new URL(relative, import.meta.url));
-
-const TYPES = /** @type {Record<string, string>} */ ({
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript',
-  '.css': 'text/css',
-  '.json': 'application/json',
-  '.wasm': 'application/wasm',
-  '.png': 'image/png',
-  '.svg': 'image/svg+xml',
-  '.webmanifest': 'application/manifest+json',
-});
 
 const POLICY = "script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; object-src 'none'";
 
@@ -52,7 +42,7 @@ createServer(async (request, response) => {
     return;
   }
   const headers = {
-    'Content-Type': TYPES[extname(name)] ?? 'application/octet-stream',
+    'Content-Type': contentType(name),
     'Content-Security-Policy': POLICY,
     // Pages of other origins can load the element from here.
     'Access-Control-Allow-Origin': '*',
@@ -92,12 +82,8 @@ function addReact(prefix, alias) {
  * @param {import('vite').InlineConfig} config
  */
 async function addBuilt(prefix, config) {
-  const result = await build({ ...config, logLevel: 'warn', build: { write: false } });
-  for (const bundle of [result].flat()) {
-    if (!('output' in bundle)) continue;
-    for (const file of bundle.output)
-      files.set(prefix + file.fileName, file.type === 'asset' ? file.source : file.code);
-  }
+  const built = await builtFiles({ ...config, logLevel: 'warn' });
+  for (const [name, content] of built) files.set(prefix + name, content);
 }
 
 /** @param {string} name */

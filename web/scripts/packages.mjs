@@ -12,7 +12,7 @@ import { parseArgs } from 'node:util';
 import { launchChromium, prepareChromium } from './chromium.mjs';
 import { built, exampleNames, installed, linesOf, readExample, served } from './packages/embedding.mjs';
 import { secondsToFirstDeed } from './packages/first_deed.mjs';
-import { packed } from './packages/packed.mjs';
+import { builtPackage } from './packing.mjs';
 import { heading, main } from './steps.mjs';
 
 /** @typedef {import('./packages/embedding.mjs').Embedding} Embedding */
@@ -28,7 +28,9 @@ await main(async () => {
   const browser = await launchChromium();
   const rows = [];
   try {
-    const tarball = values.tarball ? resolve(values.tarball) : await packed(work);
+    const tarball = values.tarball
+      ? resolve(values.tarball)
+      : (await builtPackage(join(work, 'package'))).tarball;
     const names = positionals.length > 0 ? positionals : await exampleNames();
     for (const name of names) {
       const example = await readExample(name);

@@ -24,26 +24,36 @@ const NPM = process.env.npm_execpath
   : /** @type {const} */ (['npm']);
 
 /**
- * Builds, packs and checks the package of npm.
- * @param {string} folder For the tarball.
+ * Builds and packs the package of npm.
+ * @param {string} folder For the tarball. It is emptied first.
  * @returns {Promise<{ tarball: string, warnings: string[] }>}
  */
-export async function npmPackage(folder) {
+export async function builtPackage(folder) {
   await step(
     'Build of the package',
     process.execPath,
     ['web/scripts/build.mjs'],
     'It does not build. The reason is above.',
   );
+  heading('Package of npm');
+  const made = packed(folder);
+  console.log(made.tarball);
+  return made;
+}
+
+/**
+ * Builds, packs and checks the package of npm.
+ * @param {string} folder For the tarball.
+ * @returns {Promise<{ tarball: string, warnings: string[] }>}
+ */
+export async function npmPackage(folder) {
+  const { tarball, warnings } = await builtPackage(folder);
   await step(
     'Types for users and their frameworks',
     process.execPath,
     [toolPath('tsc'), '--project', 'tests/types/tsconfig.json'],
     'Programs of users do not compile. The reason is above.',
   );
-  heading('Package of npm');
-  const { tarball, warnings } = packed(folder);
-  console.log(tarball);
   await lint('publint', [toolPath('publint'), 'run', tarball, '--strict']);
   // Node reads ES modules only, and every later resolver knows "exports".
   await lint('Types of the package (attw)', [

@@ -6,11 +6,12 @@
  * `--tarball FILE` tests a file that is packed already. It needs npm's registry.
  */
 import { spawnSync } from 'node:child_process';
-import { cp, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { cp, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { packed } from './packages/packed.mjs';
+import { install } from './packages/embedding.mjs';
+import { builtPackage } from './packing.mjs';
 import { heading, main, ROOT, StepError } from './steps.mjs';
 
 const TEMPLATES = join(ROOT, 'tests/types/templates');
@@ -24,7 +25,9 @@ await main(async () => {
   });
   const work = await mkdtemp(join(tmpdir(), 'c2warp-templates-'));
   try {
-    const tarball = values.tarball ? resolve(values.tarball) : await packed(work);
+    const tarball = values.tarball
+      ? resolve(values.tarball)
+      : (await builtPackage(join(work, 'package'))).tarball;
     for (const name of positionals.length > 0 ? positionals : await readdir(TEMPLATES)) {
       heading(`Templates of ${name}`);
       await check(name, join(work, name), tarball);
@@ -41,15 +44,10 @@ await main(async () => {
  */
 async function check(name, folder, tarball) {
   await cp(join(TEMPLATES, name), folder, { recursive: true });
-  const file = join(folder, 'package.json');
-  const { dependencies, c2warp, ...rest } = JSON.parse(await readFile(file, 'utf8'));
-  await writeFile(
-    file,
-    JSON.stringify({ ...rest, dependencies: { ...dependencies, c2warp: `file:${tarball}` } }),
-  );
-  const installed = shell('npm install --no-audit --no-fund --loglevel=error', folder);
-  if (installed.status !== 0) throw new StepError(`npm cannot install: ${installed.output}`);
-  const { output } = shell(`npx ${c2warp.check}`, folder);
+  await install(folder, tarball);
+  const { c2warp } = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8'));
+  const { stdout, stderr } = spawnSync(`npx ${c2warp.check}`, { cwd: folder, shell: true, encoding: 'utf8' });
+  const output = stdout + stderr;
   const found = [...output.matchAll(FAULT)].map(([, a, b, c, d]) => `${a ?? c}:${b ?? d}`);
   /** @type {string[]} */
   const expected = [];
@@ -67,10 +65,4 @@ async function check(name, folder, tarball) {
       `${output}\nNot reported: ${missed.join(', ') || 'none'}. Wrongly: ${others.join(', ') || 'none'}.`,
     );
   console.log(`${expected.length} wrong lines are reported, and no others`);
-}
-
-/** @param {string} command @param {string} cwd */
-function shell(command, cwd) {
-  const { status, stdout, stderr } = spawnSync(command, { cwd, shell: true, encoding: 'utf8' });
-  return { status, output: stdout + stderr };
 }

@@ -4,19 +4,10 @@ import { createServer } from 'node:http';
 import { connect, createServer as createTcpServer } from 'node:net';
 import { extname, join, relative, sep } from 'node:path';
 import { brotliCompressSync, constants } from 'node:zlib';
+import { contentType } from '../content_types.mjs';
 
 /** @typedef {{ address: string, bytes: () => number, close: () => void }} CountingServer */
 
-const TYPES = /** @type {Record<string, string>} */ ({
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript',
-  '.mjs': 'text/javascript',
-  '.css': 'text/css',
-  '.json': 'application/json',
-  '.wasm': 'application/wasm',
-  '.png': 'image/png',
-  '.svg': 'image/svg+xml',
-});
 /** Pictures are compressed already. */
 const AS_THEY_ARE = ['.png'];
 
@@ -34,7 +25,7 @@ export async function staticServer(folder) {
     const content = await readFile(file);
     const isCompressed = !AS_THEY_ARE.includes(extname(file));
     files.set(`/${relative(folder, file).split(sep).join('/')}`, {
-      type: TYPES[extname(file)] ?? 'application/octet-stream',
+      type: contentType(file),
       isCompressed,
       body: isCompressed ? compressed(content) : content,
     });

@@ -3,7 +3,7 @@ import { spawn } from 'node:child_process';
 import { cp, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import { createServer } from 'node:net';
 import { delimiter, join } from 'node:path';
-import { ROOT } from '../steps.mjs';
+import { ROOT, StepError } from '../steps.mjs';
 import { forwardingServer, staticServer } from './counting_server.mjs';
 
 /**
@@ -72,9 +72,19 @@ export async function installed(example, embedding, folder, tarball) {
   await mkdir(join(folder, example.pictures), { recursive: true });
   const files = (example.samples ?? [SAMPLE]).flatMap((name) => [`${name}.png`, `${name}.c2warp.json`]);
   for (const file of files) await cp(join(SAMPLES, file), join(folder, example.pictures, file));
+  await install(folder, tarball, embedding.with);
+}
+
+/**
+ * Installs the packed package beside the dependencies of a folder's `package.json`.
+ * @param {string} folder
+ * @param {string} tarball
+ * @param {Record<string, string>} [versions] In place of those in the file.
+ */
+export async function install(folder, tarball, versions = {}) {
   const file = join(folder, 'package.json');
   const given = JSON.parse(await readFile(file, 'utf8'));
-  const dependencies = { ...given.dependencies, ...embedding.with, c2warp: `file:${tarball}` };
+  const dependencies = { ...given.dependencies, ...versions, c2warp: `file:${tarball}` };
   await writeFile(file, JSON.stringify({ ...given, dependencies }));
   await command('npm install --no-audit --no-fund --loglevel=error', folder);
 }
@@ -113,7 +123,7 @@ export async function served({ serve, start }, folder) {
 /** Runs a command of an example. @param {string} line @param {string} folder */
 async function command(line, folder) {
   const { ended, output } = started(line, folder);
-  if ((await ended) !== 0) throw new Error(`${line} failed:\n${output()}`);
+  if ((await ended) !== 0) throw new StepError(`${line} failed:\n${output()}`);
 }
 
 /** @param {string} line @param {string} folder */
