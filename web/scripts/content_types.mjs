@@ -1,4 +1,4 @@
-/** What servers of built files say of them. */
+/** Content types, for servers of built files. */
 import { extname } from 'node:path';
 
 const TYPES = /** @type {Record<string, string>} */ ({

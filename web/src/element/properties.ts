@@ -37,7 +37,7 @@ export function textOf({ type }: PropertyOptions, value: unknown): string | null
   return value === null || value === undefined ? null : String(value);
 }
 
-/** Takes away what a page set on an element before it was defined: own properties would hide accessors. */
+/** Takes an element's own properties, set before it was defined: they would hide accessors. */
 export function taken(from: object, names: readonly string[]): Record<string, unknown> {
   const values: Record<string, unknown> = {};
   for (const name of names) {
