@@ -5,7 +5,7 @@
  */
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
-import { runChecks } from './checks.mjs';
+import { NOT_OF_QUALITY, runChecks } from './checks.mjs';
 import { prepareChromium } from './chromium.mjs';
 import { buildCommand } from './command.mjs';
 import { cargoCounts, playwrightCounts, summary, vitestCounts } from './counts.mjs';
@@ -16,8 +16,6 @@ import { heading, lacksNetwork, main, ROOT, run, StepError, toolPath } from './s
 /** @typedef {import('./counts.mjs').Counts} Counts */
 
 const OUTPUT = 'tests/output';
-/** The tables of quality have tests of their own, in `npm run test:long`: their solver takes minutes to compile. */
-const NOT_OF_QUALITY = ['--exclude', 'c2warp-quality'];
 /** Examples of embeddings: without a bundler, and with one. `npm run test:packages` has all. */
 const EXAMPLES = ['plain', 'vite'];
 

@@ -3,11 +3,12 @@
  * is opened, and the tests of the tables of quality.
  */
 import { prepareChromium } from './chromium.mjs';
-import { prepare } from './prepare.mjs';
+import { prepare, prepareRustLints } from './prepare.mjs';
 import { heading, main, run, toolPath } from './steps.mjs';
 
 await main(async () => {
   await prepare();
+  await prepareRustLints();
   await prepareChromium();
   heading('Random sequences');
   const sequences = await run(
@@ -24,6 +25,15 @@ await main(async () => {
     { env: { LONG_TESTS: '1' } },
   );
   heading('Tables of quality');
+  const lints = await run('cargo', [
+    'clippy',
+    '--package',
+    'c2warp-quality',
+    '--all-targets',
+    '--',
+    '--deny',
+    'warnings',
+  ]);
   const quality = await run('cargo', ['test', '--package', 'c2warp-quality']);
-  if (sequences.code !== 0 || quality.code !== 0) process.exitCode = 1;
+  if ([sequences, lints, quality].some(({ code }) => code !== 0)) process.exitCode = 1;
 });
