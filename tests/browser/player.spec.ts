@@ -444,6 +444,10 @@ test('a damaged rig is reported, its content stays, and the page goes on', async
     'This rig is damaged: its checksum differs.',
     'This is not a rig.',
   ]);
+  const codes = await page
+    .locator('c2-warp-player')
+    .evaluateAll((players) => players.map((player) => (player as C2WarpPlayer).error?.code));
+  expect(codes).toEqual(['rig', 'rig', 'rig']);
   await expect(page.getByText('A gingerbread man')).toHaveCount(3);
   await expect(page.getByText('A gingerbread man').last()).toBeVisible();
   await added(page, { src: '/wave.c2rig' }, 'loadeddata');

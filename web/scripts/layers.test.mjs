@@ -29,7 +29,7 @@ const MAY = {
   ui: ['geometry', 'document', 'tools', 'editor'],
   input: ['geometry', 'editor', 'ui'],
   render: ['geometry', 'error', 'twgl.js'],
-  player: ['a shader'],
+  player: ['a shader', 'error'],
   compute: ['document', 'geometry', 'error'],
   io: ['error'],
   core: ['document', 'geometry', 'compute', 'io', 'error'],

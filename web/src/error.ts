@@ -1,4 +1,4 @@
-/** The one error class of the editor: a stable code for programs, a sentence for people, and the handles it names. */
+/** The error class of the editor, the player and the core: a stable code, a sentence for people, and named handles. */
 import type { ErrorCode } from './document/generated/error_code';
 
 /** The code of a failure of the solver itself, not of its input. */
@@ -25,6 +25,7 @@ export const TOO_MUCH_TO_SOLVE = 'This is more than the solver can do with the m
  * | `webgl` | the browser has no WebGL2 |
  * | `too-much` | the solver broke, nearly always for want of memory |
  * | `export` | an export that cannot hold this project |
+ * | `rig` | not a rig, a damaged one, or one that cannot be posed without the solver |
  * | `clip` | there is no such clip, or no such time |
  * | `points` | a list of points that is no list of pairs |
  * | `no-picture` | there is no picture yet |
@@ -42,6 +43,7 @@ export type C2WarpErrorCode =
   | 'webgl'
   | typeof TOO_MUCH
   | 'export'
+  | 'rig'
   | 'clip'
   | 'points'
   | 'no-picture'

@@ -1,6 +1,7 @@
 /** The entry `c2warp/player`: defines `<c2-warp-player>`. Servers can import it, too. */
 import { C2WarpPlayer } from './player/element';
 
+export { C2WarpError, type C2WarpErrorCode } from './error';
 export type { C2WarpPlayerEventMap } from './player/events';
 export type { HandlePose, PosedHandle } from './player/posed';
 export { C2WarpPlayer };

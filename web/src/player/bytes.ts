@@ -1,6 +1,7 @@
 /** Numbers in the sections of a rig: see web/docs/rig-format.md. */
+import { C2WarpError } from '../error';
 
-/** Reads a section from its beginning. Every method throws an Error if the section breaks the format. */
+/** Reads a section from its beginning. Every method throws a `C2WarpError` if the section breaks the format. */
 export interface Bytes {
   byte(): number;
   varint(): number;
@@ -20,7 +21,7 @@ export interface Bytes {
 export function bytesOf(part: string, data: Uint8Array): Bytes {
   const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
   let at = 0;
-  const wrong = (reason: string) => new Error(`This rig is damaged: ${part} ${reason}.`);
+  const wrong = (reason: string) => new C2WarpError('rig', `This rig is damaged: ${part} ${reason}.`);
   const check = (isRight: boolean, reason: string) => {
     if (!isRight) throw wrong(reason);
   };

@@ -4,6 +4,7 @@
  * Out of sight and in hidden tabs its time stands still, and nothing is computed.
  */
 
+import { asC2WarpError, C2WarpError } from '../error';
 import { PlayerAttributes } from './attributes';
 import { cycleOf, frameAt, motionAt, orderAt, type RigClip } from './clip';
 import { advanced } from './clock';
@@ -48,7 +49,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   readonly #screen: Screen;
   #stage: Stage | undefined;
   readonly #source: Source;
-  #error: Error | null = null;
+  #error: C2WarpError | null = null;
   #clip: RigClip | undefined;
   /** The handles as a page posed them, in place of the clip. */
   #posed: readonly Handle[] | undefined;
@@ -80,7 +81,7 @@ export class C2WarpPlayer extends PlayerAttributes {
         this.#grips.show(null, null);
       },
       forgotten: (loaded) => this.#stage?.forget(loaded),
-      failed: (error) => this.#fail(error),
+      failed: (thrown) => this.#fail(asC2WarpError(thrown)),
     });
     this.#screen = screenOf(this, this.#grips.element, {
       seen: () => {
@@ -153,12 +154,16 @@ export class C2WarpPlayer extends PlayerAttributes {
    *
    * @param handles Places in pixels of the picture, degrees, and factors of the size.
    * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
-   * @throws Error if the rig is not there yet, or its poses need the solver.
+   * @throws C2WarpError if the rig is not there yet, or its poses need the solver.
    */
   pose(handles: readonly HandlePose[]): void {
-    if (!this.#source.loaded) throw new Error('there is no rig yet that could be posed');
+    if (!this.#source.loaded) throw new C2WarpError('no-picture', 'there is no rig yet that could be posed');
     const { shares } = this.#source.loaded.rig;
-    if (!shares) throw new Error('this rig cannot be posed: its poses need the solver, as in the rigid mode');
+    if (!shares)
+      throw new C2WarpError(
+        'rig',
+        'this rig cannot be posed: its poses need the solver, as in the rigid mode',
+      );
     this.#pose(posedHandles(this.#handles(), handles));
   }
 
@@ -213,14 +218,14 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /** Why the source or the clip is not shown, or null. */
-  get error(): Error | null {
+  get error(): C2WarpError | null {
     return this.#error;
   }
 
   /**
    * Plays, and resolves once the rig is there.
    *
-   * @throws Error if the rig cannot be shown.
+   * @throws C2WarpError if the rig cannot be shown.
    */
   async play(): Promise<void> {
     this.#autoplays = false;
@@ -319,14 +324,14 @@ export class C2WarpPlayer extends PlayerAttributes {
     const wanted = this.getAttribute('clip');
     const found = wanted === null ? clips[0] : clips.find(({ name }) => name === wanted);
     if (found) this.#error = null;
-    else this.#fail(new Error(`There is no clip “${wanted}”: there is ${listed(this.clips)}.`));
+    else this.#fail(new C2WarpError('clip', `There is no clip “${wanted}”: there is ${listed(this.clips)}.`));
     const before = this.#clip;
     this.#clip = found ?? clips[0];
     if (before && before !== this.#clip) this.currentTime = 0;
     this.#ask();
   }
 
-  #fail(error: Error): void {
+  #fail(error: C2WarpError): void {
     this.#error = error;
     this.dispatchEvent(new ErrorEvent('error', { error, message: error.message }));
   }

@@ -1,4 +1,5 @@
 /** The file of a rig: header, checksum and sections. */
+import { C2WarpError } from '../error';
 
 export interface Section {
   readonly tag: string;
@@ -29,21 +30,24 @@ function crc32(data: Uint8Array): number {
 /**
  * The unpacked sections of a file, in its order, and whether it displaces its picture.
  *
- * @throws Error with a sentence for people if the bytes are no rig of a known version, or a damaged one.
+ * @throws C2WarpError with a sentence for people if the bytes are no rig of a known version, or a damaged one.
  */
 export async function sectionsOf(
   file: Uint8Array<ArrayBuffer>,
 ): Promise<{ readonly sections: readonly Section[]; readonly isDisplaced: boolean }> {
-  if (MAGIC.some((byte, at) => file[at] !== byte)) throw new Error('This is not a rig.');
+  if (MAGIC.some((byte, at) => file[at] !== byte)) throw new C2WarpError('rig', 'This is not a rig.');
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
   const word = (at: number) => (at + 4 <= file.length ? view.getUint32(at, true) : Number.NaN);
   const check = (isRight: boolean, reason: string) => {
-    if (!isRight) throw new Error(`This rig is damaged: ${reason}.`);
+    if (!isRight) throw new C2WarpError('rig', `This rig is damaged: ${reason}.`);
   };
   const [version, length, checksum, count] = [8, 12, 16, 20].map(word) as [number, number, number, number];
   check(file.length >= HEADER, 'it is cut short');
   if (!VERSIONS.includes(version))
-    throw new Error(`This rig has version ${version} of the format: version 1 or 2 is expected.`);
+    throw new C2WarpError(
+      'rig',
+      `This rig has version ${version} of the format: version 1 or 2 is expected.`,
+    );
   check(length === file.length, `it has ${file.length} bytes in place of ${length}`);
   check(checksum === crc32(file.subarray(CHECKED)), 'its checksum differs');
   check(count <= (length - HEADER) / ROW, 'its table is longer than the file');
@@ -80,6 +84,6 @@ async function unpacked(stored: Uint8Array<ArrayBuffer>, length: number): Promis
     if (at < length) throw new RangeError();
     return data;
   } catch {
-    throw new Error('This rig is damaged: a section cannot be unpacked.');
+    throw new C2WarpError('rig', 'This rig is damaged: a section cannot be unpacked.');
   }
 }

@@ -1,4 +1,5 @@
 /** The rigs of a page, each read once for all players that show it. */
+import { C2WarpError } from '../error';
 import { type Rig, readRig } from './rig';
 
 export interface Loaded {
@@ -38,16 +39,17 @@ export function giveBack(address: string, forget: (loaded: Loaded) => void): voi
 
 async function load(address: string): Promise<Loaded> {
   const response = await fetch(address).catch(() => {
-    throw new Error(`${address} cannot be loaded: is the file there?`);
+    throw new C2WarpError('address', `${address} cannot be loaded: is the file there?`);
   });
-  if (!response.ok) throw new Error(`${address} cannot be loaded: the server answers ${response.status}.`);
+  if (!response.ok)
+    throw new C2WarpError('address', `${address} cannot be loaded: the server answers ${response.status}.`);
   const rig = await readRig(new Uint8Array(await response.arrayBuffer()));
   const picture = await createImageBitmap(new Blob([rig.picture]), { premultiplyAlpha: 'premultiply' }).catch(
     () => {
-      throw new Error('This rig is damaged: its picture cannot be decoded.');
+      throw new C2WarpError('rig', 'This rig is damaged: its picture cannot be decoded.');
     },
   );
   if (picture.width === rig.width && picture.height === rig.height) return { rig, picture };
   picture.close();
-  throw new Error('This rig is damaged: its picture has another size.');
+  throw new C2WarpError('rig', 'This rig is damaged: its picture has another size.');
 }

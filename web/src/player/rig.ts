@@ -1,4 +1,5 @@
 /** Reads the file of a rig: see web/docs/rig-format.md. */
+import { C2WarpError } from '../error';
 import { type Bytes, bytesOf } from './bytes';
 import { type RigClip, readClip } from './clip';
 import { sectionsOf } from './file';
@@ -26,7 +27,7 @@ export interface Rig extends Mesh, Weights {
 /**
  * Reads a rig.
  *
- * @throws Error with a sentence for people if the bytes are no rig of a known version, or a damaged one.
+ * @throws C2WarpError with a sentence for people if the bytes are no rig of a known version, or a damaged one.
  */
 export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   const { sections, isDisplaced } = await sectionsOf(file);
@@ -34,7 +35,7 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   const known = sections.filter(({ tag }) => tags.test(tag));
   const next = (wanted: string, part: string) => {
     const { tag, data } = known.shift() ?? {};
-    if (!data || tag !== wanted) throw new Error(`This rig is damaged: ${part} is missing.`);
+    if (!data || tag !== wanted) throw new C2WarpError('rig', `This rig is damaged: ${part} is missing.`);
     return data;
   };
   const read = <Part>(tag: string, part: string, parse: (from: Bytes) => Part): Part => {
@@ -65,7 +66,7 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   do {
     const clip = read('CLIP', 'a clip', (from) => readClip(from, sites, mesh.triangles.length / 3));
     if (clips.some(({ name }) => name === clip.name))
-      throw new Error('This rig is damaged: two clips have one name.');
+      throw new C2WarpError('rig', 'This rig is damaged: two clips have one name.');
     clips.push(clip);
   } while (known.length > 0);
   return { ...head, ...mesh, ...weights, displaced, shares, picture, clips };

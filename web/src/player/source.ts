@@ -2,14 +2,14 @@
 import { borrow, giveBack, type Loaded } from './library';
 
 interface Listeners {
-  /** Before a rig is loaded. @throws Error if none can be shown. */
+  /** Before a rig is loaded. @throws C2WarpError if none can be shown. */
   begun(): void;
   shown(loaded: Loaded): void;
   /** A rig is no longer shown. */
   left(): void;
   /** Its graphics are no longer needed. */
   forgotten(loaded: Loaded): void;
-  failed(error: Error): void;
+  failed(thrown: unknown): void;
 }
 
 export class Source {
@@ -48,11 +48,11 @@ export class Source {
       return;
     }
     this.#awaited = address;
-    const loading = this.#show(address).catch((error: Error) => {
+    const loading = this.#show(address).catch((thrown: unknown) => {
       // Another source is loading.
       if (this.#loading !== loading) return;
       this.release();
-      this.#listeners.failed(error);
+      this.#listeners.failed(thrown);
     });
     this.#loading = loading;
   }

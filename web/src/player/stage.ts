@@ -5,6 +5,7 @@
  * number of contexts, but not that of copies.
  */
 
+import { C2WarpError } from '../error';
 import type { RigClip } from './clip';
 import { type Order, STRIDE, writeMotions } from './clip';
 import { type Figure, figureOf } from './figure';
@@ -32,7 +33,7 @@ export interface Stage {
 
 let only: Stage | undefined;
 
-/** @throws Error if the browser has no WebGL2. */
+/** @throws C2WarpError if the browser has no WebGL2. */
 export const stage = (): Stage => {
   only ??= created();
   return only;
@@ -41,7 +42,7 @@ export const stage = (): Stage => {
 function created(): Stage {
   const canvas = document.createElement('canvas');
   const gl = canvas.getContext('webgl2', { antialias: true, depth: false });
-  if (!gl) throw new Error('This browser cannot draw with WebGL2.');
+  if (!gl) throw new C2WarpError('webgl', 'This browser cannot draw with WebGL2.');
   const frames = new Set<Frame>();
   const figures = new Map<Loaded, Figure>();
   let painter: Painter | undefined = painterOf(gl);
