@@ -16,8 +16,8 @@ import { heading, lacksNetwork, main, ROOT, run, StepError, toolPath } from './s
 /** @typedef {import('./counts.mjs').Counts} Counts */
 
 const OUTPUT = 'tests/output';
-/** Examples of embeddings: without a bundler, and with one. `npm run test:packages` has all. */
-const EXAMPLES = ['plain', 'vite'];
+/** Examples of embeddings: without a bundler, with one, and by a framework. `npm run test:packages` has all. */
+const EXAMPLES = ['plain', 'vite', 'next'];
 
 await main(async () => {
   await prepare();
