@@ -26,7 +26,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
   },
   test: {
-    include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs'],
+    include: ['src/**/*.test.ts', 'site/**/*.test.ts', 'scripts/**/*.test.mjs'],
     environment: 'node',
     // Tests pass on a busy machine, too.
     testTimeout: 60_000,

@@ -5,37 +5,25 @@
  */
 import { copyFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { buildPart } from './build_part.mjs';
 import { buildCommand } from './command.mjs';
 import { writeDeclarations } from './declarations.mjs';
 import { writeManifestFiles } from './manifest/files.mjs';
 import { checkPlayerSize } from './player_size.mjs';
 import { prepare } from './prepare.mjs';
-import { main, ROOT, step, toolPath } from './steps.mjs';
+import { main, ROOT } from './steps.mjs';
 
 await main(async () => {
   await prepare();
-  await vite('Editor', 'web/vite.config.ts');
-  await vite('Element', 'web/vite.element.config.ts');
-  await vite('Player', 'web/vite.player.config.ts');
+  await buildPart('Editor', 'web/vite.config.ts');
+  await buildPart('Element', 'web/vite.element.config.ts');
+  await buildPart('Player', 'web/vite.player.config.ts');
   checkPlayerSize('web/dist/player');
-  await vite('Component for React', 'web/vite.react.config.ts');
-  await vite('Core', 'web/vite.core.config.ts');
+  await buildPart('Component for React', 'web/vite.react.config.ts');
+  await buildPart('Core', 'web/vite.core.config.ts');
   copyFileSync(await buildCommand(), join(ROOT, 'web/dist/core/command.wasm'));
   await writeDeclarations('web/dist/element/types', 'element');
   await writeDeclarations('web/dist/player/types', 'player');
   await writeDeclarations('web/dist/core/types', 'core');
   writeManifestFiles();
 });
-
-/**
- * @param {string} title
- * @param {string} config
- */
-function vite(title, config) {
-  return step(
-    title,
-    process.execPath,
-    [toolPath('vite'), 'build', '--config', config],
-    'It does not build. The reason is above.',
-  );
-}

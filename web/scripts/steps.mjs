@@ -23,6 +23,7 @@ const TOOLS = {
   publint: 'publint/src/cli.js',
   tsc: 'typescript/bin/tsc',
   vite: 'vite/bin/vite.js',
+  vitepress: 'vitepress/bin/vitepress.js',
   vitest: 'vitest/vitest.mjs',
 };
 
