@@ -16,7 +16,9 @@ const handlesOf = (page: Page) => warpOf(page).evaluate((element) => (element as
 
 /** Drags a handle by a real pointer. */
 async function drag(page: Page, name: string, [x, y]: readonly [number, number]): Promise<void> {
-  const box = await page.getByRole('button', { name: `Handle ${name}, ` }).boundingBox();
+  const handle = page.getByRole('button', { name: `Handle ${name}, ` });
+  await handle.scrollIntoViewIfNeeded();
+  const box = await handle.boundingBox();
   if (!box) throw new Error(`the handle ${name} is not on screen`);
   const [fromX, fromY] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(fromX, fromY);

@@ -7,7 +7,8 @@
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { defineConfig } from 'vitepress';
+import { defineConfig, type UserConfig } from 'vitepress';
+import { licences } from '../../scripts/licences.mjs';
 import { HIGHLIGHTING, tokensByClass } from './highlighting';
 import { repositoryLinks } from './links';
 import { writeTexts } from './llms';
@@ -22,6 +23,11 @@ function address(page: string): string {
   const path = page.replace(/^site\//, '');
   return /(?:^|\/)(?:index|404)\.md$/.test(path) ? path : path.replace(/\.md$/, '/index.md');
 }
+
+/** The licences of the packages in the pages. The plugins are for the Vite of the editor, and VitePress has its own. */
+const LICENCES = licences([]).plugins as unknown as Plugins;
+
+type Plugins = NonNullable<NonNullable<UserConfig['vite']>['plugins']>;
 
 export default defineConfig({
   lang: 'en',
@@ -51,6 +57,7 @@ export default defineConfig({
   vite: {
     // Otherwise the one of the editor, in `srcDir`.
     configFile: false,
+    plugins: LICENCES,
     build: { assetsInlineLimit: 0, chunkSizeWarningLimit: 2000 },
   },
   themeConfig: {
