@@ -22,6 +22,8 @@ export class OpenRig {
   private readonly samples: string;
   private readonly show: (part: Partial<Shown>) => void;
   private sample: Sample = SAMPLES[0];
+  /** Counts openings, of which the newest wins. */
+  private openings = 0;
 
   /** @param samples The address of the folder with all samples. */
   constructor(element: C2Warp, samples: string, show: (part: Partial<Shown>) => void) {
@@ -30,14 +32,30 @@ export class OpenRig {
     this.show = show;
   }
 
+  /** Opens a sample with its own project. */
+  async choose(sample: Sample): Promise<void> {
+    try {
+      await this.open(sample);
+    } catch (error) {
+      this.show({ message: sentence(error) });
+    }
+  }
+
   /** Opens a sample with a project, or with its own one. Rejects if the project is refused. */
-  async open(sample: Sample, project?: unknown): Promise<void> {
-    this.sample = sample;
-    this.show({ sample });
+  private async open(sample: Sample, project?: unknown): Promise<void> {
+    const opening = ++this.openings;
     const address = `${this.samples}${sample}`;
     const given = project ?? (await (await fetch(`${address}.c2warp.json`)).json());
-    await this.element.load(`${address}.png`, given);
-    this.show({ text: projectText(this.element.project), message: '' });
+    if (opening !== this.openings) return;
+    this.sample = sample;
+    this.show({ sample, text: projectText(given) });
+    try {
+      await this.element.load(`${address}.png`, given);
+    } catch (error) {
+      if (aborted(error)) return;
+      throw error;
+    }
+    if (opening === this.openings) this.show({ text: projectText(this.element.project), message: '' });
   }
 
   /** Opens the rig in a hash. Without one, opens the sample. */
@@ -49,8 +67,7 @@ export class OpenRig {
         throw new SharedRigError('This link names a picture that is no sample. The sample is shown instead.');
       await this.open(sample, project);
     } catch (error) {
-      if (aborted(error)) return;
-      await this.open(SAMPLES[0]);
+      await this.choose(SAMPLES[0]);
       this.show({ message: sentence(error) });
     }
   }
@@ -65,7 +82,7 @@ export class OpenRig {
       else await this.open(sample, project);
       this.show({ message: '' });
     } catch (error) {
-      if (!aborted(error)) this.show({ message: sentence(error) });
+      this.show({ message: sentence(error) });
     }
   }
 

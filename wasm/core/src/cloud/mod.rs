@@ -22,7 +22,7 @@ use crate::{distance::graph::Graph, error::Error, limits::MAX_COORDINATE, point_
 pub use solution::CloudSolution;
 pub use solve::solve_cloud;
 
-/// Points and the graph over their nearest neighbours, for [`solve_cloud`](crate::solve_cloud).
+/// Points and the graph over their nearest neighbours, for [`solve_cloud`].
 ///
 /// ```
 /// use c2warp::{cloud::PointCloud, project::{Handle, Project}, solve_cloud};

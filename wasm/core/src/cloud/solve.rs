@@ -12,7 +12,8 @@ use crate::{
 /// The project's picture, domain and number of samples are ignored.
 ///
 /// # Errors
-/// - Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
+/// - Those of [`Solver::begin`](crate::Solver::begin) and [`Solver::advance`](crate::Solver::advance) that concern
+///   handles and settings.
 /// - [`Error::Unsupported`] for bars, polygons, a held boundary, stiff and displaced places.
 pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
     let input = SolveInput::new(project)?;
