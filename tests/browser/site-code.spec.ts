@@ -248,6 +248,14 @@ test('the start of the player bakes a rig, and its page plays it', async ({ page
     const time = () => player.evaluate((element) => (element as C2WarpPlayer).currentTime);
     await expect.poll(time).toBeGreaterThan(0);
 
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.reload();
+    await expect
+      .poll(() => player.evaluate((element) => (element as C2WarpPlayer).duration))
+      .toBeGreaterThan(0);
+    await page.evaluate('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
+    expect(await time()).toBe(0);
+
     // Only the paper's mode poses without a solver, and only if no handle turns by itself.
     const project = JSON.parse(readFileSync(join(folder, 'gingerbread.c2warp.json'), 'utf8'));
     const handles = project.handles.map((handle: object) => ({ ...handle, rotation: 0 }));
