@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use c2warp::{Error, deform::Pose, project::Project};
+use glam::DVec2;
 use wasm_bindgen::prelude::*;
 
 use crate::{
@@ -86,6 +87,30 @@ impl Session {
             weights.offsets.push(weights.sites.len() as u32);
         }
         Ok(weights)
+    }
+
+    /// The intrinsic distances from a place to rest points, in pixels. Infinite where no path leads, NaN outside the
+    /// domain.
+    ///
+    /// # Errors
+    /// As [`weights`](Self::weights), and for a place outside the domain.
+    pub fn distances(&mut self, project_json: &str, x: f64, y: f64, points: &[f64]) -> Result<Vec<f64>, JsValue> {
+        let navigation = self.solved_as(project_json)?.navigation();
+        let distances = navigation.distances_from(DVec2::new(x, y)).map_err(|error| to_js(&error))?;
+        let to = |p| navigation.located(p).map(|p| distances.to_located(p).unwrap_or(f64::INFINITY));
+        Ok(pairs(points).into_iter().map(|p| to(p).unwrap_or(f64::NAN)).collect())
+    }
+
+    /// The shortest path between two places, as the coordinates of its vertices. Empty if no path leads from one to the
+    /// other.
+    ///
+    /// # Errors
+    /// As [`distances`](Self::distances).
+    pub fn path(&mut self, project_json: &str, x: f64, y: f64, to_x: f64, to_y: f64) -> Result<Vec<f64>, JsValue> {
+        let navigation = self.solved_as(project_json)?.navigation();
+        let distances = navigation.distances_from(DVec2::new(x, y)).map_err(|error| to_js(&error))?;
+        let path = distances.path_to(DVec2::new(to_x, to_y)).unwrap_or_default();
+        Ok(path.into_iter().flat_map(|p| p.to_array()).collect())
     }
 }
 

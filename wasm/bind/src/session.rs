@@ -268,7 +268,7 @@ impl Session {
 }
 
 impl Session {
-    fn solved_as(&mut self, project_json: &str) -> Result<&c2warp::Solution, JsValue> {
+    pub(crate) fn solved_as(&mut self, project_json: &str) -> Result<&c2warp::Solution, JsValue> {
         let solved = Project::from_json(project_json).map_err(Error::from).and_then(|project| self.try_solve(&project));
         solved.map_err(|error| to_js(&error))
     }

@@ -63,6 +63,8 @@ const BROKE: Readonly<Record<Name, string>> = {
   inverse: TOO_MANY_POINTS,
   'posed-mesh': TOO_MUCH_TO_SOLVE,
   weights: TOO_MANY_POINTS,
+  distances: TOO_MANY_POINTS,
+  path: TOO_MUCH_TO_SOLVE,
   cells: 'The cells are more than the solver can do in this browser.',
   study: 'The figures are more than the solver can do in this browser.',
   lens: 'The lens is more than the solver can do in this browser.',

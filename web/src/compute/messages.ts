@@ -100,6 +100,20 @@ export interface Messages {
   'posed-mesh': [request: PosedRequest, response: PosedMesh];
   /** The weights of rest points, in rows. */
   weights: [request: { readonly project: string; readonly points: Points }, response: PointWeights];
+  /** The distances from a place to rest points, in pixels. Infinite where no path leads, NaN outside the domain. */
+  distances: [
+    request: { readonly project: string; readonly from: readonly [number, number]; readonly points: Points },
+    response: Float64Array<ArrayBuffer>,
+  ];
+  /** The vertices of the shortest path between two places; none if there is no path. */
+  path: [
+    request: {
+      readonly project: string;
+      readonly from: readonly [number, number];
+      readonly to: readonly [number, number];
+    },
+    response: Points,
+  ];
   /** The borders between the cells of the project's solution. */
   cells: [request: { readonly project: string }, response: CellBorders];
   /** The project's solution, explained. */

@@ -203,6 +203,16 @@ export class SolverService {
         rows.free();
         return done({ offsets, sites, weights }, [offsets.buffer, sites.buffer, weights.buffer]);
       }
+      case 'distances': {
+        const { project, from, points } = request.body;
+        const distances = session.distances(project, ...from, points) as Float64Array<ArrayBuffer>;
+        return done(distances, [distances.buffer]);
+      }
+      case 'path': {
+        const { project, from, to } = request.body;
+        const path = session.path(project, ...from, ...to) as Float64Array<ArrayBuffer>;
+        return done(path, [path.buffer]);
+      }
       case 'cells': {
         const borders = session.cell_borders(request.body.project);
         const { corners, barycentric } = borders;

@@ -87,6 +87,57 @@ describe('createWarper in Node', () => {
     expect(all.weights.every((weight, k) => weight === single.weights[k % entries])).toBe(true);
   });
 
+  it('measures distances inside the domain, along the paths that it returns', async () => {
+    // An angle, and an island beside it.
+    const rings = [
+      [
+        [0, 0],
+        [64, 0],
+        [64, 64],
+        [32, 64],
+        [32, 32],
+        [0, 32],
+      ],
+      [
+        [4, 40],
+        [24, 40],
+        [24, 60],
+        [4, 60],
+      ],
+    ] as const;
+    const solution = await (await warper()).solve({ samples: 500, domain: { kind: 'polygon', rings } });
+    const from = [8, 28] as const;
+    const points = Float64Array.of(8, 8, 36, 60, 10, 50, 4, 36, 8, 28);
+    const around = Math.hypot(24, 4) + Math.hypot(4, 28);
+    const distances = await solution.distances(from, points);
+    expect(distances[0]).toBe(20);
+    expect(distances[1]).toBeCloseTo(around, 9);
+    expect(Array.from(distances.subarray(2))).toEqual([Number.POSITIVE_INFINITY, Number.NaN, 0]);
+    expect(Array.from(await solution.path(from, [36, 60]))).toEqual([8, 28, 32, 32, 36, 60]);
+    expect(await solution.path(from, [10, 50])).toHaveLength(0);
+    expect(await codeOf(solution.distances([4, 36], points))).toBe('point-outside');
+    expect(await codeOf(solution.path([4, 36], from))).toBe('point-outside');
+    expect(await codeOf(solution.distances(from, new Float64Array(3)))).toBe('points');
+  });
+
+  it('explains a solve', async () => {
+    const solution = await (await warper()).solve({
+      samples: 500,
+      handles: [HANDLES[0], { ...HANDLES[1], rest: [22, 32] }],
+    });
+    const study = await solution.study();
+    expect(study.outline).toHaveLength(1);
+    expect(study.sites.flatMap(({ rest }) => rest)).toEqual(Array.from(solution.sites.rest));
+    expect(study.sites.map(({ handle }) => handle)).toEqual(Array.from(solution.sites.handle));
+    expect([study.falloff[0], study.falloff.at(-1)]).toEqual([1, 0]);
+    expect(study.rounds.map(({ score }) => score)).toEqual(solution.report.scores);
+    expect(study.rounds.length).toBeGreaterThan(1);
+    expect(study.rounds.at(-1)?.score).toBeLessThanOrEqual(study.allowed_score);
+    const [cell] = study.sites;
+    const path = await solution.path([16, 32], cell?.to_farthest.at(-1) ?? [0, 0]);
+    expect(Array.from(path)).toEqual(cell?.to_farthest.flat());
+  });
+
   it('poses by clips', async () => {
     const clips = [
       {

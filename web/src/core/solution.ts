@@ -7,7 +7,7 @@ import { C2WarpError } from '../error';
 import type { Environment } from './environment';
 import { PosedSolution } from './posed';
 import type { Solver } from './solver';
-import type { Cancellable, HandlePose, Mesh, Report, Sites } from './types';
+import type { Cancellable, HandlePose, Mesh, Point, Report, Sites, Study } from './types';
 
 /** How the handles of a project move each point of its picture, wherever they are posed. */
 export class Solution {
@@ -44,6 +44,51 @@ export class Solution {
     const bodyOf = (points: Points) => ({ project, points });
     for await (const batch of this.#solver.batches('weights', points, bodyOf, signal)) rows.push(batch);
     return joined(rows);
+  }
+
+  /**
+   * The lengths of the shortest paths inside the domain from a place to points: those of `c2warp distance`, in pixels.
+   * `Infinity` where no path leads, NaN outside the domain.
+   *
+   * @param from A place in the domain, in image pixels.
+   * @param points Points × 2, in image pixels.
+   * @throws C2WarpError with the code `point-outside` if `from` is outside the domain.
+   * @throws the reason of the signal if that is aborted.
+   */
+  async distances(
+    from: Point,
+    points: Float64Array,
+    { signal }: Cancellable = {},
+  ): Promise<Float64Array<ArrayBuffer>> {
+    const project = problemText(this.project);
+    const distances = new Float64Array(points.length / 2);
+    let at = 0;
+    const bodyOf = (points: Points) => ({ project, from, points });
+    for await (const batch of this.#solver.batches('distances', points, bodyOf, signal)) {
+      distances.set(batch, at);
+      at += batch.length;
+    }
+    return distances;
+  }
+
+  /**
+   * The vertices of the shortest path inside the domain, both ends included: points × 2, in image pixels. Empty if no
+   * path leads from one place to the other.
+   *
+   * @throws as {@link distances}.
+   */
+  path(from: Point, to: Point, { signal }: Cancellable = {}): Promise<Float64Array<ArrayBuffer>> {
+    return this.#solver.ask('path', { project: problemText(this.project), from, to }, signal);
+  }
+
+  /**
+   * Explains the solution: the outline, the cells with their radii, φ, and the rounds of Algorithm 1. Points are at
+   * rest, in image pixels, and lengths in pixels.
+   *
+   * @throws the reason of the signal if that is aborted.
+   */
+  study({ signal }: Cancellable = {}): Promise<Study> {
+    return this.#solver.ask('study', { project: problemText(this.project) }, signal);
   }
 
   /**

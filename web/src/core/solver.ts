@@ -13,7 +13,7 @@ const PAIRS = 'Points are a Float64Array of pairs: x and y.';
 const BATCH = 2 ** 15;
 
 /** The names of requests about points. */
-type PointName = 'map' | 'inverse' | 'weights';
+type PointName = 'map' | 'inverse' | 'weights' | 'distances';
 
 export class Solver {
   readonly #link: Link;
@@ -47,7 +47,7 @@ export class Solver {
     });
   }
 
-  async ask<N extends 'picture' | 'posed-mesh' | PointName>(
+  async ask<N extends 'picture' | 'posed-mesh' | 'path' | 'study' | PointName>(
     name: N,
     body: Messages[N][0],
     signal?: AbortSignal,

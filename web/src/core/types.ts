@@ -2,6 +2,7 @@
 import type { Inspection as Report, Stage } from '../compute/generated/report';
 import type { PointWeights, PosedMesh } from '../compute/points';
 import type { Point } from '../document/generated/project';
+import type { Round, RoundPoint, SiteStudy, Study } from '../document/generated/study';
 import type { ProjectFile, Rotation } from '../document/project';
 import type { Area } from '../geometry/area';
 
@@ -151,4 +152,4 @@ export interface WarpedPicture {
   readonly origin: readonly [x: number, y: number];
 }
 
-export type { Area, PointWeights, PosedMesh, Report, Stage };
+export type { Area, Point, PointWeights, PosedMesh, Report, Round, RoundPoint, SiteStudy, Stage, Study };
