@@ -66,6 +66,7 @@ impl Session {
         Ok(PosedMesh {
             positions: flat(solution.posed_vertices(&pose).into_iter()),
             triangles: solution.drawn_triangles(&pose).concat(),
+            folds: solution.folds(&pose).concat(),
         })
     }
 
@@ -136,6 +137,7 @@ fn read(project_json: &str) -> Result<Project, JsValue> {
 pub struct PosedMesh {
     positions: Vec<f32>,
     triangles: Vec<u32>,
+    folds: Vec<u32>,
 }
 
 #[wasm_bindgen]
@@ -152,6 +154,13 @@ impl PosedMesh {
     #[wasm_bindgen(getter)]
     pub fn triangles(&self) -> Vec<u32> {
         self.triangles.clone()
+    }
+
+    /// Triangles × 3 vertices: those over the domain that are turned over.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn folds(&self) -> Vec<u32> {
+        self.folds.clone()
     }
 }
 

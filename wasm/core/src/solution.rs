@@ -423,13 +423,22 @@ impl Solution {
         self.domain().islands() - self.functions.islands().len()
     }
 
-    /// The number of triangles over the domain that a pose turns over.
+    /// The triangles over the domain that a pose turns over, each with its vertices.
+    ///
+    /// # Panics
+    /// If the pose is of another solution.
+    #[must_use]
+    pub fn folds(&self, pose: &Pose) -> Vec<[u32; 3]> {
+        let posed = self.posed_vertices(pose);
+        FoldingMesh::new(&self.mesh.vertices, &self.mesh.triangles, self.samples).folded(&posed).collect()
+    }
+
+    /// The number of [`folds`](Self::folds).
     ///
     /// # Panics
     /// If the pose is of another solution.
     #[must_use]
     pub fn folded_triangles(&self, pose: &Pose) -> usize {
-        let posed = self.posed_vertices(pose);
-        FoldingMesh::new(&self.mesh.vertices, &self.mesh.triangles, self.samples).folded(&posed).count()
+        self.folds(pose).len()
     }
 }

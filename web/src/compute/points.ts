@@ -6,6 +6,8 @@ export interface PosedMesh {
   readonly positions: Float32Array<ArrayBuffer>;
   /** Triangles × 3 vertices, in drawing order. */
   readonly triangles: Uint32Array<ArrayBuffer>;
+  /** Triangles × 3 vertices: those over the domain that the pose turns over, as the report counts them. */
+  readonly folds: Uint32Array<ArrayBuffer>;
 }
 
 /** Weights above 0 in rows, one row a point. A point outside the domain has none. */

@@ -193,9 +193,9 @@ export class SolverService {
       case 'posed-mesh': {
         const { project, moment } = request.body;
         const mesh = session.posed_mesh(project, ...clipAndTime(moment));
-        const { positions, triangles } = mesh;
+        const { positions, triangles, folds } = mesh;
         mesh.free();
-        return done({ positions, triangles }, [positions.buffer, triangles.buffer]);
+        return done({ positions, triangles, folds }, [positions.buffer, triangles.buffer, folds.buffer]);
       }
       case 'weights': {
         const rows = session.weights(request.body.project, request.body.points);

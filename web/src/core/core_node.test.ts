@@ -60,6 +60,12 @@ describe('createWarper in Node', () => {
 
     const mesh = await posed.mesh();
     expect(mesh.positions).toHaveLength(solution.mesh.positions.length);
+    expect(mesh.folds).toHaveLength(0);
+    const folded = { id: 'right', kind: 'point', rest: [48, 32], posed: [4, 30] } as const;
+    const { folds } = await solution.pose({ right: { posed: folded.posed } }).mesh();
+    const counted = (await (await warper()).solve({ ...PROJECT, handles: [HANDLES[0], folded] })).report;
+    expect(counted.folded_triangles).toBeGreaterThan(0);
+    expect(folds).toHaveLength(3 * counted.folded_triangles);
     const parts: number[] = [];
     const { image, origin } = await posed.warp({ scale: 2, onProgress: (part) => parts.push(part) });
     expect([image.width, image.height, image.data.length, ...origin]).toEqual([
