@@ -1,5 +1,5 @@
 /** Figure 3: Algorithm 1 step by step, with the curve of its score (section IV-A). */
-import type { Point, Round, Study } from '../../src/core';
+import type { Point, Round, Solution, Study } from '../../src/core';
 import { Board } from './parts/board';
 import { cellColours } from './parts/cell_colours';
 import { cellImage, nearestFields } from './parts/cell_image';
@@ -71,6 +71,8 @@ export default figure((figure) => {
     ),
   );
 
+  let solution: Solution | null = null;
+  /** The places of the handles in it. */
   let solved = '';
   /** The distances from each site that was shown, in the order of insertion. */
   let fields: Float64Array[] = [];
@@ -80,18 +82,16 @@ export default figure((figure) => {
   return {
     async answer() {
       const places = points.map(({ at }, index) => ({ id: START[index]?.id ?? '', at }));
-      const solution = await warper.solve(projectOf(places));
-      if (solved !== JSON.stringify(places)) {
+      if (!solution || !study || solved !== JSON.stringify(places)) {
+        solution = await warper.solve(projectOf(places));
         study = await solution.study();
         solved = JSON.stringify(places);
         fields = [];
         slider.most = study.rounds.length;
       }
-      if (!study) return;
       const now = study.rounds[slider.value - 1] as Round;
       const sites = study.sites.slice(fields.length, now.sites);
-      const added = await Promise.all(sites.map(({ rest }) => solution.distances(rest, ground.points)));
-      fields.push(...added);
+      for (const { rest } of sites) fields.push(await solution.distances(rest, ground.points));
       nearest = nearestFields(fields.slice(0, now.sites), ground.points.length / 2);
       round = now;
       back.ariaDisabled = String(slider.value === 1);

@@ -69,12 +69,6 @@ export class Board {
     this.#context.lineCap = 'round';
   }
 
-  /** Fills the shape. */
-  fill(colour: Rgb): void {
-    this.#context.fillStyle = css(colour);
-    this.#context.fill(this.#ground.path, 'evenodd');
-  }
-
   outline(colour: Rgb): void {
     this.#stroke(colour, 1.5, []);
     this.#context.stroke(this.#ground.path);
