@@ -25,7 +25,7 @@ const POLICY = "script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-s
 const SITE_POLICY =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; " +
   "connect-src 'self'; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; " +
-  "require-trusted-types-for 'script'; trusted-types vue c2warp-html c2warp";
+  "require-trusted-types-for 'script'; trusted-types vue c2warp-html c2warp c2warp-core";
 
 /** @type {Promise<Map<string, Uint8Array>> | undefined} */
 let pages;
