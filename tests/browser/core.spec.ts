@@ -33,6 +33,8 @@ let expected: {
   readonly hash: string;
   readonly map: readonly (readonly number[])[];
   readonly inverse: readonly (readonly number[])[];
+  /** From the first point. */
+  readonly distances: readonly (readonly number[])[];
   readonly weights: readonly (readonly number[])[];
 };
 
@@ -65,6 +67,9 @@ test.beforeAll(() => {
     hash: JSON.parse(run('inspect', 'p.c2warp.json', '--json')).weights_hash,
     map: numbers(run('map', 'p.c2warp.json', '--at', 'points.csv', '-o', '-')),
     inverse: numbers(run('map', 'p.c2warp.json', '--at', 'points.csv', '--inverse', '-o', '-')),
+    distances: numbers(
+      run('distance', 'p.c2warp.json', '--from', '330,560', '--at', 'points.csv', '-o', '-'),
+    ),
     // Without the columns about the site.
     weights: numbers(run('weights', 'p.c2warp.json', '--at', 'points.csv', '-o', '-'), [0, 1, 6]),
   };
@@ -98,6 +103,7 @@ async function results({ module, picture, project, points, options }: Input) {
       posed: Array.from(mapped.posed),
       det: Array.from(mapped.det),
       rest: Array.from((await posed.inverse(at)).rest),
+      distances: Array.from(await solution.distances([at[0] ?? 0, at[1] ?? 0], at)),
       offsets: Array.from(rows.offsets),
       sites: Array.from(rows.sites),
       weights: Array.from(rows.weights),
@@ -114,6 +120,7 @@ function expectAsCommand(found: Awaited<ReturnType<typeof results>>): void {
     Array.from({ length: POINTS.length / 2 }, (_, k) => [...pair(POINTS, k), ...columns(k)]);
   expect(rows((k) => [...pair(found.posed, k), found.det[k]])).toEqual(expected.map);
   expect(rows((k) => pair(found.rest, k))).toEqual(expected.inverse);
+  expect(rows((k) => [found.distances[k]])).toEqual(expected.distances);
   const weights = found.sites.map((site, entry) => {
     const point = found.offsets.findLastIndex((offset) => offset <= entry);
     return [point, site, found.weights[entry]];
