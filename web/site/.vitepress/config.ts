@@ -4,7 +4,6 @@
  * The pages work under a strict policy: see `policy.ts`. Each page is a folder with an `index.html`, so that any server
  * of files will do.
  */
-import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type UserConfig } from 'vitepress';
@@ -62,7 +61,7 @@ export default defineConfig({
   },
   themeConfig: {
     logo: { src: '/favicon.svg', alt: '' },
-    nav: NAVIGATION.filter(({ link }) => link !== '/explained/' || existsSync(path('../explained.md'))),
+    nav: NAVIGATION,
     sidebar: SIDEBAR,
     outline: [2, 3],
     search: { provider: 'local' },

@@ -38,6 +38,7 @@ const FORMATS: Link[] = [
 ];
 
 const BACKGROUND: Link[] = [
+  { text: 'The method explained', link: '/explained/' },
   { text: 'Method', link: '/docs/method/' },
   { text: 'Quality', link: '/docs/quality/' },
   { text: 'Limits', link: '/limits/' },
