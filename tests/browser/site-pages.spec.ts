@@ -104,6 +104,21 @@ test('the search finds a page by a word, without a server', async ({ page }) => 
   await expect(page).not.toHaveURL(/\/site\/$/);
 });
 
+test('a phone has all pages in its menus', async ({ page }) => {
+  // Colours in between have less contrast.
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 320, height: 640 });
+  await openPage(page, '/site/docs/clips/');
+  await page.getByRole('button', { name: 'Menu', exact: true }).click();
+  await expect(page.getByRole('link', { name: 'Rig format' })).toBeVisible();
+  await expectAccessible(page);
+  await page.getByRole('link', { name: 'Rig format' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText(/^The rig file/);
+  await page.getByRole('button', { name: 'mobile navigation' }).click();
+  await expect(page.getByRole('link', { name: 'Playground' })).toBeVisible();
+  await expectAccessible(page);
+});
+
 test('an address without a page says so', async ({ page }) => {
   await page.goto('/site/404.html', { timeout: BUILD_MS });
   await expect(page.getByRole('heading', { name: 'There is no such page' })).toBeVisible();
