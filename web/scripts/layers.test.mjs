@@ -7,6 +7,7 @@ import { ROOT, toolPath } from './steps.mjs';
 
 /** What the outermost layers may import. */
 const ALL = [
+  'texts',
   'geometry',
   'document',
   'tools',
@@ -22,19 +23,20 @@ const ALL = [
 
 /** The layers that each layer may import. */
 const MAY = {
+  texts: [],
   geometry: [],
-  document: ['geometry'],
-  tools: ['geometry', 'document'],
-  editor: ['geometry', 'document', 'tools', 'error'],
-  ui: ['geometry', 'document', 'tools', 'editor'],
-  input: ['geometry', 'editor', 'ui'],
-  render: ['geometry', 'error', 'twgl.js'],
+  document: ['texts', 'geometry'],
+  tools: ['texts', 'geometry', 'document'],
+  editor: ['texts', 'geometry', 'document', 'tools', 'error'],
+  ui: ['texts', 'geometry', 'document', 'tools', 'editor'],
+  input: ['texts', 'geometry', 'editor', 'ui'],
+  render: ['texts', 'geometry', 'error', 'twgl.js'],
   player: ['a shader', 'error'],
-  compute: ['document', 'geometry', 'error'],
-  io: ['error'],
-  core: ['document', 'geometry', 'compute', 'io', 'error'],
+  compute: ['texts', 'document', 'geometry', 'error'],
+  io: ['texts', 'error'],
+  core: ['texts', 'document', 'geometry', 'compute', 'io', 'error'],
   runtime: ALL,
-  app: ['editor'],
+  app: ['texts'],
   element: [...ALL, 'runtime', 'element.ts'],
 };
 

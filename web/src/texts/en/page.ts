@@ -1,0 +1,16 @@
+/** The editor's own page. */
+export const page = {
+  description: 'Bend a picture by its handles, in your browser.',
+  hint: 'Drag a hand',
+  samples: {
+    gingerbread: 'gingerbread',
+    octopus: 'octopus',
+    cactus: 'cactus',
+    cat: 'cat',
+    giraffe: 'giraffe',
+    snake: 'snake',
+    robot: 'robot',
+    salamander: 'salamander',
+    portrait: 'portrait',
+  },
+};
