@@ -52,6 +52,15 @@ import { coded } from './element/coded';
 import { emitter, TypedElement } from './element/events';
 import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
 import { FormControl } from './element/form_control';
+import { followLanguage, inheritedLanguage } from './element/inherited_language';
+import {
+  addLanguage,
+  ENGLISH,
+  followLanguages,
+  type Language,
+  languageFor,
+  languageTags,
+} from './element/languages';
 import { loadOf } from './element/load_of';
 import { namedSource } from './element/picture_source';
 import { type Properties, taken } from './element/properties';
@@ -61,6 +70,10 @@ import { asC2WarpError, C2WarpError } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
+import { notLoaded } from './runtime/lazy_view';
+import { en } from './texts/en';
+import type { PartialTexts } from './texts/texts';
+import { type Wording, worded } from './texts/wording';
 import { isToolName, type ToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
@@ -75,6 +88,7 @@ export type { C2WarpEventMap } from './element/events';
 export { C2WarpError, type C2WarpErrorCode, type SolverErrorCode } from './error';
 export type { Vec } from './geometry/vec';
 export type { PictureType } from './io/encoding';
+export type { PartialTexts, Texts } from './texts/texts';
 export type { ToolName } from './tools/machine';
 
 /**
@@ -109,6 +123,26 @@ export class C2Warp extends TypedElement {
 
   /** It is a control of its form. */
   static readonly formAssociated = true;
+
+  /**
+   * The tags of all languages: those of the package, and those that the page has added.
+   *
+   * An element shows the language of its attribute `lang`, or of the nearest ancestor with one, as HTML has it. For
+   * `de-AT` without texts of its own it shows `de`, and without any English. It follows `dir` in the same way.
+   */
+  static get languages(): readonly string[] {
+    return languageTags();
+  }
+
+  /**
+   * Adds a language, or changes texts of one. Elements on the page show it at once.
+   *
+   * @param tag A BCP 47 tag, such as `pt-BR`. A second call with it replaces the first.
+   * @param texts All texts, or some of them. The others are those of the package, or English.
+   */
+  static addLanguage(tag: string, texts: PartialTexts): void {
+    addLanguage(tag, texts);
+  }
 
   /** @internal */
   static override readonly properties: Properties = {
@@ -189,6 +223,11 @@ export class C2Warp extends TypedElement {
   #asked = 0;
   /** Runs while the element is connected. */
   #runtime: EditorRuntime | null = null;
+  #language: Language = ENGLISH;
+  /** The language that the page asks for; null before it was looked up. */
+  #wantedLanguage: string | null = null;
+  /** While the element is connected. */
+  #following = new AbortController();
   /** What a runtime starts with: what the page set before, and what the last runtime left. */
   #carried: Carried = nothingCarried;
   /** One query, kept: every frame of an animation asks it. */
@@ -702,6 +741,7 @@ export class C2Warp extends TypedElement {
     const element = {
       node: this,
       root: this.shadowRoot as ShadowRoot,
+      texts: () => this.#language.texts,
       render: () => this.requestUpdate(),
       rendered: () => this.updateComplete,
       notifyPage: (notification: PageNotification) => this.#notify(notification),
@@ -712,12 +752,14 @@ export class C2Warp extends TypedElement {
       schemeChanged: () => this.#runtime?.dispatch({ type: 'media-changed', media: this.#mediaNow }),
     };
     this.#runtime = new EditorRuntime(element, this.#attributes, this.#mediaNow, this.#carried);
+    this.#followLanguage();
     void this.#checkDefaults();
     this.requestUpdate();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.#following.abort();
     const runtime = this.#runtime;
     this.#runtime = null;
     if (!runtime) return;
@@ -728,7 +770,9 @@ export class C2Warp extends TypedElement {
   /** @internal */
   protected override render(): unknown {
     const runtime = this.#runtime;
-    return runtime && shell(viewModel(runtime.state), runtime.dispatch, runtime.canvas, runtime.laterParts);
+    if (!runtime) return null;
+    const { tag, texts } = this.#language;
+    return shell(viewModel(runtime.state, texts), tag, runtime.dispatch, runtime.canvas, runtime.laterParts);
   }
 
   /** @internal Asks at once for what the attributes name, so that what a page sets next is for that. */
@@ -765,7 +809,9 @@ export class C2Warp extends TypedElement {
     if (isToolName(this.toolSource) && (isFirst || freed || changes.has('toolSource')))
       this.#takeTool(this.toolSource);
     for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
-    this.#control.validate(this.required && this.naturalWidth === 0);
+    this.#control.validate(
+      this.required && this.naturalWidth === 0 ? this.#language.texts.stage.required : null,
+    );
     const stage = this.shadowRoot?.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
     else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
@@ -852,6 +898,33 @@ export class C2Warp extends TypedElement {
     return { dark, coarse, still, platform: navigator.platform, folders };
   }
 
+  /** Shows the language of this place, and follows its changes. */
+  #followLanguage(): void {
+    this.#following = new AbortController();
+    const { signal } = this.#following;
+    followLanguage(this, () => this.#takeLanguage(), signal);
+    followLanguages(() => void this.#loadLanguage(), signal);
+    this.#takeLanguage();
+  }
+
+  #takeLanguage(): void {
+    const wanted = inheritedLanguage(this);
+    if (wanted === this.#wantedLanguage) return;
+    this.#wantedLanguage = wanted;
+    void this.#loadLanguage();
+  }
+
+  /** The editor goes on in its language until the other one is loaded. */
+  async #loadLanguage(): Promise<void> {
+    const wanted = this.#wantedLanguage ?? '';
+    const language = await languageFor(wanted, (cause) =>
+      this.#runtime?.dispatch({ type: 'error-reported', error: notLoaded(cause) }),
+    );
+    if (wanted !== this.#wantedLanguage) return;
+    this.#language = language;
+    this.requestUpdate();
+  }
+
   #setDefaults(settings: ProjectDefaults): void {
     const before = this.#defaults;
     this.#defaults = settings;
@@ -906,7 +979,7 @@ export class C2Warp extends TypedElement {
         this.#emit(type, { selection: [...notification.selection] });
         break;
       case 'historychange':
-        this.#emit(type, { undo: notification.undo, redo: notification.redo });
+        this.#emit(type, { undo: inEnglish(notification.undo), redo: inEnglish(notification.redo) });
         break;
       case 'titlechange': {
         const { name = null, unsaved = false } = notification.title ?? {};
@@ -914,7 +987,7 @@ export class C2Warp extends TypedElement {
         break;
       }
       case 'progress':
-        this.#emit(type, { label: notification.label, fraction: notification.fraction });
+        this.#emit(type, { label: inEnglish(notification.label), fraction: notification.fraction });
         break;
       case 'error':
         this.#emit(type, asC2WarpError(notification.error));
@@ -922,6 +995,9 @@ export class C2Warp extends TypedElement {
     }
   }
 }
+
+/** Events are for programs, in one language. */
+const inEnglish = (words: Wording | null): string | null => words && worded(en, words);
 
 if (typeof customElements !== 'undefined' && !customElements.get('c2-warp')) {
   customElements.define('c2-warp', C2Warp);

@@ -1,14 +1,13 @@
 /** The error class of the editor, the player and the core: a stable code, a sentence for people, and named handles. */
 import type { ErrorCode } from './document/generated/error_code';
+import type { PartialTexts } from './texts/texts';
+import { type TextKey, type Wording, worded } from './texts/wording';
 
 /** The code of a failure of the solver itself, not of its input. */
 export const ENGINE = 'engine';
 
 /** The code of a request that the solver broke at, for example for want of memory. Its input is to blame. */
 export const TOO_MUCH = 'too-much';
-
-/** The words of a solve that is too much. */
-export const TOO_MUCH_TO_SOLVE = 'This is more than the solver can do with the memory that there is.';
 
 /**
  * Why something failed, for programs. The codes of `SolverErrorCode` are refusals by the solver.
@@ -57,25 +56,34 @@ export type SolverErrorCode = ErrorCode;
 export interface C2WarpErrorOptions extends ErrorOptions {
   /** Ids of the handles that the message names. */
   readonly handles?: readonly string[];
+  /** The message for people, in any language. @internal */
+  readonly wording?: Wording | undefined;
 }
 
-/** Why something failed. Its `message` is a sentence for people. */
+/** Why something failed. Its `message` is a sentence in English. */
 export class C2WarpError extends Error {
   /** The reason, for programs. */
   readonly code: C2WarpErrorCode;
   /** Ids of the handles that the message names. */
   readonly handles: readonly string[];
+  /** The message for people, in any language. @internal */
+  readonly wording: Wording | undefined;
 
-  constructor(code: C2WarpErrorCode, message: string, { handles = [], ...options }: C2WarpErrorOptions = {}) {
+  constructor(
+    code: C2WarpErrorCode,
+    message: string,
+    { handles = [], wording, ...options }: C2WarpErrorOptions = {},
+  ) {
     super(message, options);
     this.name = 'C2WarpError';
     this.code = code;
     this.handles = handles;
+    this.wording = wording;
   }
 }
 
 /** An error of the WebAssembly module: it has the same fields, but not the class. */
-type Coded = Partial<Pick<C2WarpError, 'code' | 'handles'>>;
+type Coded = Partial<Pick<C2WarpError, 'code' | 'handles' | 'wording'>>;
 
 /** The code of an error; empty if it has none. */
 export function codeOf(error: unknown): C2WarpErrorCode | '' {
@@ -85,6 +93,23 @@ export function codeOf(error: unknown): C2WarpErrorCode | '' {
 
 /** The ids of the handles that an error names. */
 export const handlesOf = (error: unknown): readonly string[] => (error as Coded | null)?.handles ?? [];
+
+/** The words of an error for people; undefined if it has none but its message. */
+export const wordingOf = (error: unknown): Wording | undefined => (error as Coded | null)?.wording;
+
+/**
+ * Makes errors with the sentences of one area of the table. Only that area is loaded, in English, for the messages.
+ *
+ * @param english a table with this area.
+ */
+export const errorsIn =
+  <Area extends string>(english: PartialTexts) =>
+  (
+    code: C2WarpErrorCode,
+    wording: Wording<Extract<TextKey, `${Area}.${string}`>>,
+    options: C2WarpErrorOptions = {},
+  ): C2WarpError =>
+    new C2WarpError(code, worded(english, wording), { ...options, wording });
 
 /** Whether the solver itself failed, for example because its files are missing. */
 export const isEngineFailure = (error: unknown): boolean => codeOf(error) === ENGINE;
@@ -99,5 +124,9 @@ export const asError = (thrown: unknown): Error =>
 export function asC2WarpError(thrown: unknown): C2WarpError {
   if (thrown instanceof C2WarpError) return thrown;
   const handles = handlesOf(thrown);
-  return new C2WarpError(codeOf(thrown) || 'failed', asError(thrown).message, { handles, cause: thrown });
+  return new C2WarpError(codeOf(thrown) || 'failed', asError(thrown).message, {
+    handles,
+    wording: wordingOf(thrown),
+    cause: thrown,
+  });
 }

@@ -1,9 +1,11 @@
 /** The editor's page: one element fills it, and opens the work of the last visit or else the sample. */
 import { receiveFiles } from './app/given_files';
+import { markLanguage } from './app/page_language';
 import { startNewest, storeVersions } from './app/versions';
-import type { C2Warp } from './element';
-import './element';
+import { C2Warp, type Sample, type Texts } from './element';
+import { languageFor } from './element/languages';
 import { trusted } from './start_worker';
+import { en } from './texts/en';
 
 const editor = document.querySelector('c2-warp');
 const THEME = 'theme';
@@ -23,14 +25,20 @@ const SAMPLES = [
   'robot',
   'salamander',
   'portrait',
-].map((name) => ({
-  name,
-  src: `./samples/${name}.png`,
-  project: `./samples/${name}.c2warp.json`,
-}));
+] as const;
+
+/** The samples by their names in a language. */
+const samplesIn = ({ page }: Texts): readonly Sample[] =>
+  SAMPLES.map((file) => ({
+    name: page.samples[file],
+    src: `./samples/${file}.png`,
+    project: `./samples/${file}.c2warp.json`,
+  }));
+
+const tag = markLanguage(C2Warp.languages);
 
 if (editor) {
-  editor.samples = SAMPLES;
+  editor.samples = samplesIn(en);
   // A link to the page can name a picture. Stored work then waits among the recent work.
   const asked = new URLSearchParams(location.search);
   const [src, project] = [asked.get('src'), asked.get('project')];
@@ -52,26 +60,31 @@ if (editor) {
   if (chosen) editor.setAttribute(THEME, chosen);
   editor.addEventListener('titlechange', ({ detail: { name, unsaved } }) => {
     // The hint is about the first sample.
-    if (name !== `${SAMPLES[0]?.name}.png`) editor.removeAttribute('hint');
+    if (name !== `${SAMPLES[0]}.png`) editor.removeAttribute('hint');
     document.title = name === null ? 'c2warp' : `${unsaved ? '• ' : ''}${name} – c2warp`;
   });
   // Keys then work before the first click, and before the picture is open.
   editor.updateComplete.then(() => editor.focus({ preventScroll: true }));
-  runAsApp(editor);
+  // The element tells the person of a language that does not load.
+  languageFor(tag, () => {}).then(({ texts }) => {
+    editor.samples = samplesIn(texts);
+    if (editor.hasAttribute('hint')) editor.setAttribute('hint', texts.page.hint);
+    runAsApp(editor, texts);
+  });
 }
 
 /** Opens files that the system gives, and keeps the editor for use without a network. */
-async function runAsApp(editor: C2Warp): Promise<void> {
+async function runAsApp(editor: C2Warp, texts: Texts): Promise<void> {
   const waits = await startNewest();
   // A picture that opens closes the notices before it.
   const settled = () => editor.loaded.catch(() => {});
   const inform = (text: string) => settled().then(() => editor.inform(text));
-  receiveFiles((files) => editor.openFiles(files), inform);
+  receiveFiles((files) => editor.openFiles(files), inform, texts);
   // The development server has no worker: its files change.
   if (import.meta.hot) return;
   // The downloads would slow the first picture down.
   await settled();
-  await storeVersions(trusted(WORKER, 'c2warp'), waits, inform);
+  await storeVersions(trusted(WORKER, 'c2warp'), waits, inform, texts);
 }
 
 /** Returns the result of `ask` on the browser's storage, or `null` if the browser refuses storage. */

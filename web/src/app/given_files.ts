@@ -1,5 +1,5 @@
 /** Files that the system gives to the installed editor: opened with it, or shared with it. */
-import { notGivenText, SHARE_FAILED } from '../editor/notice_texts';
+import type { Texts } from '../texts/texts';
 import { sharedCache } from './cache_names';
 import { SHARED, takeShared } from './shared_files';
 
@@ -12,35 +12,36 @@ type Open = (files: readonly File[]) => void;
 type Inform = (text: string) => void;
 
 /** Hands over the files of this start, and those that are opened with the running editor later. */
-export function receiveFiles(open: Open, inform: Inform): void {
+export function receiveFiles(open: Open, inform: Inform, { notices }: Texts): void {
   const { launchQueue } = globalThis as { launchQueue?: LaunchQueue };
   launchQueue?.setConsumer(({ files = [] }) => {
-    openLaunched(files, open, inform);
+    openLaunched(files, open, (handle) => inform(notices.notGiven(handle.name)));
   });
-  if (new URLSearchParams(location.search).has(SHARED)) receiveShared(open, inform);
+  if (new URLSearchParams(location.search).has(SHARED))
+    receiveShared(open, () => inform(notices.shareFailed));
 }
 
 async function openLaunched(
   handles: readonly FileSystemFileHandle[],
   open: Open,
-  inform: Inform,
+  failed: (handle: FileSystemFileHandle) => void,
 ): Promise<void> {
   const files = [];
   for (const handle of handles) {
     try {
       files.push(await handle.getFile());
     } catch {
-      inform(notGivenText(handle.name));
+      failed(handle);
     }
   }
   if (files.length > 0) open(files);
 }
 
-async function receiveShared(open: Open, inform: Inform): Promise<void> {
+async function receiveShared(open: Open, failed: () => void): Promise<void> {
   const { href } = new URL('./', location.href);
   // A reload has nothing to take any more.
   history.replaceState(history.state, '', href);
   const files = await caches.open(sharedCache(href)).then(takeShared, () => []);
   if (files.length > 0) open(files);
-  else inform(SHARE_FAILED);
+  else failed();
 }

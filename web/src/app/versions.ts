@@ -3,7 +3,7 @@
  *
  * Where a browser has no service workers, or refuses them, the editor works as any page does.
  */
-import { NEW_VERSION, NEW_VERSION_WAITS, NOT_OFFLINE } from '../editor/notice_texts';
+import type { Texts } from '../texts/texts';
 
 /** Longer than a worker takes to start. */
 const ANSWER_MS = 3000;
@@ -46,10 +46,15 @@ function takesOver(waiting: ServiceWorker): Promise<boolean> {
  * @param address of the worker.
  * @param waits whether a newer version is stored already.
  */
-export async function storeVersions(address: string, waits: boolean, inform: Inform): Promise<void> {
+export async function storeVersions(
+  address: string,
+  waits: boolean,
+  inform: Inform,
+  { notices }: Texts,
+): Promise<void> {
   const container = serviceWorkers();
   if (!container) return;
-  if (waits) inform(NEW_VERSION_WAITS);
+  if (waits) inform(notices.newVersionWaits);
   // A private window may refuse it.
   const registration = await container.register(address).catch(() => null);
   if (!registration) return;
@@ -57,9 +62,10 @@ export async function storeVersions(address: string, waits: boolean, inform: Inf
     const { installing } = registration;
     installing?.addEventListener('statechange', () => {
       // The first version is no news.
-      if (installing.state === 'installed' && registration.active) whenSeen(() => inform(NEW_VERSION));
+      if (installing.state === 'installed' && registration.active) whenSeen(() => inform(notices.newVersion));
       // The next start tries again. In a browser's tab nobody expects it to work without a network.
-      if (installing.state === 'redundant' && !registration.active && isInstalled()) inform(NOT_OFFLINE);
+      if (installing.state === 'redundant' && !registration.active && isInstalled())
+        inform(notices.notOffline);
     });
   };
   follow();

@@ -9,10 +9,12 @@ import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { Clip, Project } from '../document/project';
 import type { Suggestion } from '../document/suggestion';
-import { C2WarpError, ENGINE } from '../error';
+import { ENGINE } from '../error';
 import type { Vec } from '../geometry/vec';
 import { startWorker } from '../start_worker';
+import { say } from '../texts/wording';
 import { Drawing } from './drawing';
+import { engineError } from './engine_error';
 import { superseded } from './errors';
 import { Filming } from './filming';
 import { Link } from './link';
@@ -53,8 +55,7 @@ export class Engine {
     try {
       return new Engine(new Link(() => startWorker(worker), module, worker));
     } catch (error) {
-      const message = 'The solver could not be started: this browser or this page does not allow workers.';
-      throw new C2WarpError(ENGINE, message, { cause: error });
+      throw engineError(ENGINE, say('errors.engine.noWorkers'), { cause: error });
     }
   }
 

@@ -5,19 +5,20 @@
 import type { Project } from '../document/project';
 import { C2WarpError, ENGINE, TOO_MUCH } from '../error';
 import { startWorker } from '../start_worker';
+import { say } from '../texts/wording';
+import { engineError, tooMuchError } from './engine_error';
 import type { ExportReply, ExportRequest, Exports } from './exporting_messages';
-import { compiled } from './loading';
+import { compiled, whyOf } from './loading';
 import type { PixelSource } from './solution';
 import exporter from './worker/exporter?worker&url';
 
-const NOT_STARTED = 'The export could not be started';
 /** By kinds of exports, for want of memory. */
-const TOO_LARGE: Readonly<Record<keyof Exports, string>> = {
-  'web-rig': 'The clips are more than a rig can hold in this browser: shorten them.',
-  'engine-rig': 'The clips are more than a rig can hold in this browser: shorten them.',
-  map: 'The file is more than this browser can hold: the command line writes it.',
-  drawing: 'The drawing is more than this browser can bend: simplify it.',
-};
+const TOO_LARGE = {
+  'web-rig': 'rig',
+  'engine-rig': 'rig',
+  map: 'map',
+  drawing: 'drawing',
+} as const satisfies Record<keyof Exports, string>;
 
 /**
  * Carries out an order for a project and its picture.
@@ -34,23 +35,24 @@ export async function solvedExport<K extends keyof Exports>(
 ): Promise<Exports[K]['made']> {
   const address = new URL('./generated/c2warp_export_bg.wasm', import.meta.url);
   const module = await compiled(address).catch((cause: Error) => {
-    throw new C2WarpError(ENGINE, `${NOT_STARTED}: ${cause.message}`, { cause });
+    throw engineError(ENGINE, say('errors.engine.exportNotLoaded', whyOf(cause)), { cause });
   });
   signal.throwIfAborted();
+  const kind: keyof Exports = order.kind;
   const worker = startWorker(exporter);
   try {
     return await new Promise((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.onerror = (cause) => {
-        const message = `${NOT_STARTED}: is ${exporter} there, and does the page allow workers?`;
-        reject(new C2WarpError(ENGINE, message, { cause }));
+        reject(engineError(ENGINE, say('errors.engine.exportNotStarted', exporter), { cause }));
       };
       worker.onmessage = ({ data }: MessageEvent<ExportReply>) => {
         if ('part' in data) onProgress(data.part);
         // The worker answers an order of this kind.
         else if ('made' in data) resolve(data.made as Exports[K]['made']);
-        else if (data.refused === null) reject(new C2WarpError(TOO_MUCH, TOO_LARGE[order.kind]));
-        else reject(new C2WarpError('export', sentence(data.refused)));
+        else if (data.refused === null)
+          reject(tooMuchError(TOO_MUCH, say(`errors.tooMuch.${TOO_LARGE[kind]}`)));
+        else reject(refused(sentence(data.refused)));
       };
       const { port1, port2: pixels } = new MessageChannel();
       const { width, height } = source;
@@ -62,6 +64,9 @@ export async function solvedExport<K extends keyof Exports>(
     worker.terminate();
   }
 }
+
+const refused = (detail: string): C2WarpError =>
+  new C2WarpError('export', detail, { wording: say('errors.exportRefused', detail) });
 
 /** The words of the command, as a sentence. */
 export const sentence = (words: string): string =>

@@ -5,7 +5,9 @@
  * Requests that are pending when a worker dies are sent again to its successor, after the picture; a request that was
  * pending at two deaths is rejected.
  */
-import { C2WarpError, ENGINE, TOO_MUCH, TOO_MUCH_TO_SOLVE } from '../error';
+import { ENGINE, TOO_MUCH } from '../error';
+import { say } from '../texts/wording';
+import { engineError, tooMuchError } from './engine_error';
 import { failureError, superseded } from './errors';
 import type { Boot, Messages, Name, ProgressOf, Reply, Request, SentPicture } from './messages';
 import type { PixelSource } from './solution';
@@ -35,40 +37,32 @@ interface Pending {
 
 const DEATHS_ALLOWED = 1;
 
-/** For people, who cannot use the reasons that browsers give. */
-const notStarted = (address: string): string =>
-  `The solver failed: its worker could not be started: is ${address} there, and does the page allow it?`;
-
-const TOO_MUCH_TO_DRAW = 'The picture needs more memory to be drawn than there is.';
-const TOO_MANY_POINTS = 'The points need more memory than there is.';
-const TOO_MUCH_TO_FILM = 'The film needs more memory to be drawn than this browser gives.';
-
 /** Why a request broke the solver: nearly always for want of memory. */
-const BROKE: Readonly<Record<Name, string>> = {
-  picture: 'The picture needs more memory than there is: scale it down.',
-  fit: 'The pictures need more memory than there is: scale them down.',
-  suggest: 'The picture needs more memory than there is to suggest handles: scale it down.',
-  solve: TOO_MUCH_TO_SOLVE,
-  fill: 'The picture needs more memory than there is to fill the background: scale it down.',
-  draw: TOO_MUCH_TO_DRAW,
-  rows: TOO_MUCH_TO_DRAW,
-  release: TOO_MUCH_TO_DRAW,
-  film: TOO_MUCH_TO_FILM,
-  include: TOO_MUCH_TO_FILM,
-  frame: TOO_MUCH_TO_FILM,
-  'at-rest': TOO_MUCH_TO_FILM,
-  'release-film': TOO_MUCH_TO_FILM,
-  stop: TOO_MUCH_TO_SOLVE,
-  map: TOO_MANY_POINTS,
-  inverse: TOO_MANY_POINTS,
-  'posed-mesh': TOO_MUCH_TO_SOLVE,
-  weights: TOO_MANY_POINTS,
-  distances: TOO_MANY_POINTS,
-  path: TOO_MUCH_TO_SOLVE,
-  cells: 'The cells are more than the solver can do in this browser.',
-  study: 'The figures are more than the solver can do in this browser.',
-  lens: 'The lens is more than the solver can do in this browser.',
-};
+const BROKE = {
+  picture: 'picture',
+  fit: 'pictures',
+  suggest: 'suggest',
+  solve: 'solve',
+  fill: 'fill',
+  draw: 'draw',
+  rows: 'draw',
+  release: 'draw',
+  film: 'film',
+  include: 'film',
+  frame: 'film',
+  'at-rest': 'film',
+  'release-film': 'film',
+  stop: 'solve',
+  map: 'points',
+  inverse: 'points',
+  'posed-mesh': 'solve',
+  weights: 'points',
+  distances: 'points',
+  path: 'solve',
+  cells: 'cells',
+  study: 'study',
+  lens: 'lens',
+} as const satisfies Record<Name, string>;
 
 export class Link {
   readonly #spawn: () => Port;
@@ -180,8 +174,8 @@ export class Link {
       if (pending.request.name === 'picture') this.#picture = undefined;
       pending.reject(
         started
-          ? new C2WarpError(TOO_MUCH, BROKE[pending.request.name], { cause })
-          : new C2WarpError(ENGINE, notStarted(this.#address), { cause }),
+          ? tooMuchError(TOO_MUCH, say(`errors.tooMuch.${BROKE[pending.request.name]}`), { cause })
+          : engineError(ENGINE, say('errors.engine.notStarted', this.#address), { cause }),
       );
     }
     // A successor without requests could die of the same picture again and again.

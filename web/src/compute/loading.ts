@@ -1,5 +1,7 @@
 /** The file of the solver's module. */
-import { C2WarpError, ENGINE } from '../error';
+import { asError, type C2WarpError, ENGINE, wordingOf } from '../error';
+import { say, type Words } from '../texts/wording';
+import { engineError } from './engine_error';
 
 export const SOLVER = new URL('./generated/c2warp_bg.wasm', import.meta.url);
 
@@ -15,21 +17,21 @@ export function loadedModule(): Promise<WebAssembly.Module> {
   return loading;
 }
 
-/** @throws Error that names the address and the fault of the file. */
+/** @throws C2WarpError that names the address and the fault of the file. */
 export async function compiled(url: URL): Promise<WebAssembly.Module> {
   try {
     return await fetched(url);
   } catch (cause) {
-    throw new Error(`${url.href} ${reason(cause)}`, { cause });
+    throw wordingOf(cause) ? cause : fileError(url, cause);
   }
 }
 
 async function fetched(url: URL): Promise<WebAssembly.Module> {
   const response = await fetch(url);
-  if (!response.ok) throw new Error(`answers ${response.status}`);
+  if (!response.ok) throw engineError(ENGINE, say('errors.engine.status', url.href, response.status));
   const type = response.headers.get('content-type') ?? '';
   // What development servers answer for a file that they do not have.
-  if (type.startsWith('text/html')) throw new Error('is not there: a page is, in its place');
+  if (type.startsWith('text/html')) throw engineError(ENGINE, say('errors.engine.isPage', url.href));
   // Streaming requires this very type, which not every server sends.
   if (type === 'application/wasm') return await WebAssembly.compileStreaming(response);
   return await WebAssembly.compile(await response.arrayBuffer());
@@ -37,14 +39,16 @@ async function fetched(url: URL): Promise<WebAssembly.Module> {
 
 /** The error of a solver that does not load. */
 export const notLoaded = (cause: unknown): C2WarpError =>
-  new C2WarpError(ENGINE, `The solver could not be loaded: ${words(cause)}`, { cause });
+  engineError(ENGINE, say('errors.engine.notLoaded', whyOf(cause)), { cause });
+
+/** The words of an error, or its message. */
+export const whyOf = (error: unknown): Words => wordingOf(error) ?? asError(error).message;
 
 /** Browsers throw a TypeError where nothing comes, and a CompileError also for a file that is cut off. */
-function reason(error: unknown): string {
-  if (error instanceof TypeError) return 'does not come: is the network there, and does the page allow it?';
-  if (error instanceof WebAssembly.CompileError)
-    return `came incomplete, or cannot run here (${error.message}).`;
-  return words(error);
+function fileError(url: URL, cause: unknown): Error {
+  if (cause instanceof TypeError)
+    return engineError(ENGINE, say('errors.engine.absent', url.href), { cause });
+  if (cause instanceof WebAssembly.CompileError)
+    return engineError(ENGINE, say('errors.engine.incomplete', url.href, cause.message), { cause });
+  return new Error(`${url.href} ${asError(cause).message}`, { cause });
 }
-
-const words = (error: unknown): string => (error instanceof Error ? error.message : String(error));

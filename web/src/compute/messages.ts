@@ -1,8 +1,10 @@
 /** The messages between a solver and its owner, such as a worker and its page. */
+
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { C2WarpErrorCode } from '../error';
 import type { Area } from '../geometry/area';
+import type { Wording } from '../texts/wording';
 import type { PointWeights, PosedMesh } from './points';
 import type { CellBorders, FillData, PixelSource, SolutionData, Stage } from './solution';
 
@@ -160,6 +162,7 @@ export interface Failure {
   readonly message: string;
   /** Ids of the handles that the message names. */
   readonly handles?: readonly string[];
+  readonly wording?: Wording | undefined;
 }
 
 export type Reply =

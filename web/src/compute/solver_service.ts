@@ -5,7 +5,9 @@
  * Errors with a code are sent as replies. Anything else is a panic, after which the module's memory cannot be trusted:
  * the service reports that it died, and its owner starts another.
  */
-import { asError, C2WarpError, codeOf, handlesOf } from '../error';
+import { asError, codeOf, ENGINE, handlesOf, wordingOf } from '../error';
+import { say } from '../texts/wording';
+import { engineError } from './engine_error';
 import init, {
   __wbg_reset_state,
   Canvas,
@@ -19,11 +21,12 @@ import { nextTask, Queue } from './queue';
 import type { Report, SolutionData, Stage } from './solution';
 import { WARM_UP } from './warm_up';
 
-const RELEASED =
-  'The pixels of the picture are gone, or there is no memory for them. Open the picture again.';
-const LOST = 'The solver failed during the drawing.';
-
 const CANVASES = { picture: Canvas.Picture, grown: Canvas.Grown, covered: Canvas.Covered } as const;
+
+const lostDrawing = (): Failure => {
+  const { code, message, wording } = engineError(ENGINE, say('errors.engine.lostDrawing'));
+  return { code, message, wording };
+};
 
 /** Set by a panic: the next service needs a new instance of the module. */
 let broken = false;
@@ -104,7 +107,7 @@ export class SolverService {
     const { id } = request;
     const done = (body: Messages[keyof Messages][1], transfer: Transferable[] = []) =>
       this.#post({ id, kind: 'done', body }, transfer);
-    const lost = () => this.#post({ id, kind: 'failed', failure: { code: 'engine', message: LOST } });
+    const lost = () => this.#post({ id, kind: 'failed', failure: lostDrawing() });
     switch (request.name) {
       case 'picture': {
         const { width, height, pixels } = request.body;
@@ -302,7 +305,7 @@ function received(port: MessagePort): Promise<Uint8Array> {
     port.onmessage = ({ data }: MessageEvent<Uint8Array | null>) => {
       port.close();
       if (data) resolve(data);
-      else reject(new C2WarpError('picture', RELEASED));
+      else reject(engineError('picture', say('errors.engine.released')));
     };
   });
 }
@@ -337,7 +340,9 @@ function buffers({ report: _, ...arrays }: SolutionData): ArrayBuffer[] {
 
 function asFailure(error: unknown): Failure | undefined {
   const code = codeOf(error);
-  return code ? { code, message: asError(error).message, handles: handlesOf(error) } : undefined;
+  return code
+    ? { code, message: asError(error).message, handles: handlesOf(error), wording: wordingOf(error) }
+    : undefined;
 }
 
 function warmUp(): void {

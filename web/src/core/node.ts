@@ -1,10 +1,13 @@
 /** Node: PNG files are decoded here, for other kinds the program brings a decoder. */
+
 import { readFile } from 'node:fs/promises';
 import { notLoaded, SOLVER } from '../compute/loading';
 import type { Pixels } from '../compute/solution';
 import { C2WarpError, ENGINE } from '../error';
 import { readHeader } from '../io/formats/header';
+import type { KindName } from '../io/formats/signature';
 import { checkSize } from '../io/limits';
+import { pictureErrors } from '../texts/en/picture_errors';
 import type { Environment } from './environment';
 import { pngPixels } from './png_pixels';
 import type { WarpedImage } from './types';
@@ -49,5 +52,5 @@ export const node: Environment = {
     ({ width, height, data: new Uint8ClampedArray(rgba.buffer) }) as WarpedImage,
 };
 
-const refusal = (name = 'an unknown kind of file'): string =>
-  `This is ${name}, and Node reads PNG alone. Pass pixels as { width, height, data }, or a function as \`decode\`.`;
+const refusal = (name: KindName | undefined): string =>
+  `This is ${name ? pictureErrors.kinds[name] : 'an unknown kind of file'}, and Node reads PNG alone. Pass pixels as { width, height, data }, or a function as \`decode\`.`;

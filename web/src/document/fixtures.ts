@@ -1,4 +1,6 @@
 /** Handles and histories for tests. */
+import { en } from '../texts/en';
+import { say, type Wording, type Words, worded } from '../texts/wording';
 import * as h from './history';
 import type { BarHandle } from './project';
 
@@ -10,6 +12,11 @@ export const straightBar = (length: number): BarHandle => {
   ] as const;
   return { id: 'arm', kind: 'bar', rest: line, posed: line, rotation: 'auto' };
 };
+
+/** Tests name steps as they like. */
+const labelOf = (label: Words): Wording => (typeof label === 'string' ? say('errors.other', label) : label);
+
+const inEnglish = (label: Wording | null): string | null => label && worded(en, label);
 
 /** A history behind one mutable field, so that a test reads as a list of steps. */
 export class TestHistory<T> {
@@ -26,18 +33,18 @@ export class TestHistory<T> {
   }
 
   get undoLabel(): string | null {
-    return h.undoLabel(this.#history);
+    return inEnglish(h.undoLabel(this.#history));
   }
 
   get redoLabel(): string | null {
-    return h.redoLabel(this.#history);
+    return inEnglish(h.redoLabel(this.#history));
   }
 
   get timeline(): h.Timeline<T> {
     return h.timeline(this.#history);
   }
 
-  begin = (label: string) => this.#put(h.begin(this.#history, label, this.#same));
+  begin = (label: Words) => this.#put(h.begin(this.#history, labelOf(label), this.#same));
   update = (value: T) => this.#put(h.update(this.#history, value));
   amend = (change: (value: T) => T) => this.#put(h.amend(this.#history, change));
   bail = () => this.#put(h.bail(this.#history));
@@ -63,7 +70,7 @@ export class TestHistory<T> {
   /** Returns whether something changed. */
   step(label: string, value: T, key?: string): boolean {
     const before = this.#history;
-    this.#put(h.step(before, label, value, this.#same, key));
+    this.#put(h.step(before, labelOf(label), value, this.#same, key));
     return this.#history !== before;
   }
 

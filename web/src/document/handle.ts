@@ -60,12 +60,6 @@ export function rotationOf(handle: Handle, turns = NO_TURNS): number {
   return handle.rotation === 'auto' ? (turns.get(handle.id) ?? 0) : given;
 }
 
-/** A rotation in words, as screen readers read it. */
-export function turnWords(degrees: number): string {
-  const turn = Math.round(degrees);
-  return `rotation ${turn} ${Math.abs(turn) === 1 ? 'degree' : 'degrees'}`;
-}
-
 export const scaleOf = (handle: Handle): number => handle.scale ?? 1;
 export const depthOf = (handle: Handle): number => handle.depth ?? 0;
 

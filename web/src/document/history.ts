@@ -7,9 +7,11 @@
  *
  * Functions that may drop a step without a change take `same`, the equality of two values.
  */
+import type { Wording } from '../texts/wording';
+
 export interface Step<T> {
   /** The name of the step for people: "Move head". */
-  readonly label: string;
+  readonly label: Wording;
   /** In the past, the value before the step; in the future, the value after it. */
   readonly value: T;
 }
@@ -47,14 +49,14 @@ export const historyOf = <T>({ past, present, future }: HistoryRecord<T>): Histo
 });
 
 /** The label of the step that `undo` takes back, or null. */
-export const undoLabel = <T>({ open, past }: History<T>): string | null =>
+export const undoLabel = <T>({ open, past }: History<T>): Wording | null =>
   (open ?? past.at(-1))?.label ?? null;
 
 /** The label of the step that `redo` brings back, or null. */
-export const redoLabel = <T>({ future }: History<T>): string | null => future.at(-1)?.label ?? null;
+export const redoLabel = <T>({ future }: History<T>): Wording | null => future.at(-1)?.label ?? null;
 
 /** Opens a step. Commits an open step first. */
-export const begin = <T>(history: History<T>, label: string, same: Equality<T>): History<T> => ({
+export const begin = <T>(history: History<T>, label: Wording, same: Equality<T>): History<T> => ({
   ...commit(history, same),
   open: { label, value: history.present },
 });
@@ -84,7 +86,7 @@ export const bail = <T>(history: History<T>): History<T> =>
 /** Makes a whole step; with the key of the last step, merges into that. Returns `history` itself without a change. */
 export function step<T>(
   history: History<T>,
-  label: string,
+  label: Wording,
   value: T,
   same: Equality<T>,
   key: string | null = null,

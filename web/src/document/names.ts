@@ -2,6 +2,7 @@
  * Names of handles. The name of a handle is its id, by which programs and project files refer to it, so a new name is a
  * new id.
  */
+import { say, type Words } from '../texts/wording';
 import type { Document } from './document';
 import { nameOf } from './handle';
 import type { Handle, Project } from './project';
@@ -33,10 +34,17 @@ export function renameHandle(document: Document, id: string, name: string): Docu
   };
 }
 
-const NUMBERED = /^(?:handle|bar|polygon)-(\d+)$/;
+const NUMBERED = /^(handle|bar|polygon)-(\d+)$/;
 
 /** The number of a handle that nobody has named; null for others. */
-export const numberOf = ({ id }: Handle): string | null => NUMBERED.exec(id)?.[1] ?? null;
+export const numberOf = ({ id }: Handle): string | null => NUMBERED.exec(id)?.[2] ?? null;
+
+/** The name of a handle for people: its own, or the kind and the number of one that nobody has named. */
+export function nameWords({ id }: Pick<Handle, 'id'>): Words {
+  const [, word, number] = NUMBERED.exec(id) ?? [];
+  if (number === undefined) return nameOf({ id });
+  return say(word === 'bar' ? 'names.bar' : word === 'polygon' ? 'names.polygon' : 'names.point', number);
+}
 
 const SIDE = /(?<![a-z])(left|right)(?![a-z])/i;
 const OPPOSITE: Readonly<Record<string, string>> = {

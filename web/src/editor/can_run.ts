@@ -1,45 +1,26 @@
 /** Whether a command can run now, and why not: one answer for buttons, menus, keys and the element. */
+
 import { handleById, selectedHandles } from '../document/document';
 import { ringsOf } from '../document/domain';
 import { CORNERS_NEEDED, DEPTHS, depthOf, isAtRest, isLine } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
 import type { Handle } from '../document/project';
+import { say, type Wording } from '../texts/wording';
 import { draftOf, hasTakenCorners } from '../tools/machine';
 import type { CommandName } from './commands';
 import { type Feature, hasFeature } from './features';
 import { openClip } from './open_clip';
 import { isOpaque } from './picture';
-import {
-  AT_BACK,
-  AT_REST,
-  cornersNeededText,
-  DISABLED,
-  IN_FRONT,
-  LEFT_OUT,
-  NO_HANDLES,
-  NO_LASSO,
-  NO_LINE,
-  NO_PICTURE,
-  NO_SINGLE,
-  NONE_SELECTED,
-  NOT_OPAQUE,
-  NOTHING_FOLDED,
-  NOTHING_TO_REDO,
-  NOTHING_TO_UNDO,
-  STILL_HERE,
-  VIEW_ONLY,
-} from './reason_texts';
 import { ringCornerInHand } from './ring_corner';
 import { documentOf, type EditorState, projectOf, selectionOf } from './state';
-import { NO_CLIP_OPEN } from './timeline_texts';
 
 export const canRun = (state: EditorState, command: CommandName): boolean =>
   reasonAgainst(state, command) === null;
 
 /** Why a command cannot run now; null if it can. */
-export function reasonAgainst(state: EditorState, command: CommandName): string | null {
-  if (state.page.disabled) return DISABLED;
-  return offers(state, command) ? (REASONS[command]?.(state) ?? null) : LEFT_OUT;
+export function reasonAgainst(state: EditorState, command: CommandName): Wording | null {
+  if (state.page.disabled) return say('reasons.disabled');
+  return offers(state, command) ? (REASONS[command]?.(state) ?? null) : say('reasons.leftOut');
 }
 
 /** Whether the page offers a command at all. */
@@ -70,11 +51,12 @@ const FEATURE_OF: Partial<Readonly<Record<CommandName, Feature>>> = {
   'export-whole': 'export',
 };
 
-type Reason = (state: EditorState) => string | null;
+type Reason = (state: EditorState) => Wording | null;
 
-const unlessOpen: Reason = ({ picture }) => (picture ? null : NO_PICTURE);
-const unlessChangeable: Reason = ({ page }) => (page.readonly ? VIEW_ONLY : null);
-const withoutHandles: Reason = (state) => (projectOf(state).handles.length > 0 ? null : NO_HANDLES);
+const unlessOpen: Reason = ({ picture }) => (picture ? null : say('reasons.noPicture'));
+const unlessChangeable: Reason = ({ page }) => (page.readonly ? say('reasons.viewOnly') : null);
+const withoutHandles: Reason = (state) =>
+  projectOf(state).handles.length > 0 ? null : say('reasons.noHandles');
 
 /** The first reason of several, in their order. */
 const either =
@@ -88,14 +70,14 @@ const either =
   };
 
 /** Unless some selected handle may be changed, and the change makes a difference to it. */
-const unlessSelected = (differs: (handle: Handle) => boolean, otherwise: string): Reason =>
+const unlessSelected = (differs: (handle: Handle) => boolean, otherwise: Wording): Reason =>
   either(unlessChangeable, (state) => {
     const selected = selectedHandles(documentOf(state));
-    if (selected.length === 0) return NONE_SELECTED;
+    if (selected.length === 0) return say('reasons.noneSelected');
     return selected.some(differs) ? null : otherwise;
   });
 
-const unlessAnySelected = unlessSelected(() => true, NONE_SELECTED);
+const unlessAnySelected = unlessSelected(() => true, say('reasons.noneSelected'));
 
 /** The bar or polygon whose corners the menu, the focus or the selection means. */
 function lineInHand(state: EditorState) {
@@ -124,10 +106,10 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   brush: unlessChangeable,
   lens: unlessOpen,
   timeline: either(unlessOpen, unlessChangeable),
-  play: (state) => (openClip(state) ? null : NO_CLIP_OPEN),
+  play: (state) => (openClip(state) ? null : say('reasons.noClipOpen')),
   'set-key': either(
-    (state) => (state.timeline.open ? null : NO_CLIP_OPEN),
-    unlessSelected(() => true, NONE_SELECTED),
+    (state) => (state.timeline.open ? null : say('reasons.noClipOpen')),
+    unlessSelected(() => true, say('reasons.noneSelected')),
   ),
   open: unlessChangeable,
   save: unlessOpen,
@@ -140,41 +122,45 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   preview: unlessOpen,
   settings: unlessOpen,
   undo: either(unlessOpen, unlessChangeable, (state) =>
-    isDrawing(state) || undoLabel(state.document.history) !== null ? null : NOTHING_TO_UNDO,
+    isDrawing(state) || undoLabel(state.document.history) !== null ? null : say('reasons.nothingToUndo'),
   ),
   redo: either(unlessOpen, unlessChangeable, (state) => {
     const can =
       hasTakenCorners(state.tools) || (!isDrawing(state) && redoLabel(state.document.history) !== null);
-    return can ? null : NOTHING_TO_REDO;
+    return can ? null : say('reasons.nothingToRedo');
   }),
   'reset-all': either(unlessChangeable, withoutHandles, (state) =>
-    projectOf(state).handles.every(isAtRest) ? AT_REST : null,
+    projectOf(state).handles.every(isAtRest) ? say('reasons.atRest') : null,
   ),
   'select-all': either(unlessChangeable, withoutHandles),
   copy: either(unlessChangeable, withoutHandles),
   paste: either(unlessChangeable, withoutHandles),
   suggest: either(unlessOpen, unlessChangeable),
   'without-folds': either(unlessOpen, unlessChangeable, ({ checks }) =>
-    checks.creases.length > 0 ? null : NOTHING_FOLDED,
+    checks.creases.length > 0 ? null : say('reasons.nothingFolded'),
   ),
-  reset: unlessSelected((handle) => !isAtRest(handle), AT_REST),
+  reset: unlessSelected((handle) => !isAtRest(handle), say('reasons.atRest')),
   mirror: unlessAnySelected,
-  rename: either(unlessChangeable, (state) => (selectionOf(state).length === 1 ? null : NO_SINGLE)),
+  rename: either(unlessChangeable, (state) =>
+    selectionOf(state).length === 1 ? null : say('reasons.noSingle'),
+  ),
   remove: (state) => (isDrawing(state) ? null : ofRing(unlessAnySelected)(state)),
-  forward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.most, IN_FRONT),
-  backward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.least, AT_BACK),
-  'add-point': ({ menu }) => (menu?.bends ? null : STILL_HERE),
+  forward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.most, say('reasons.inFront')),
+  backward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.least, say('reasons.atBack')),
+  'add-point': ({ menu }) => (menu?.bends ? null : say('reasons.nothingBends')),
   'turn-part': either(unlessOpen, unlessChangeable, (state) => {
-    if (!isOpaque(state.picture)) return NOT_OPAQUE;
-    return ringsOf(projectOf(state)).length > 0 ? null : NO_LASSO;
+    if (!isOpaque(state.picture)) return say('reasons.notOpaque');
+    return ringsOf(projectOf(state)).length > 0 ? null : say('reasons.noLasso');
   }),
-  'add-corner': ofRing(either(unlessChangeable, (state) => (lineInHand(state) ? null : NO_LINE))),
+  'add-corner': ofRing(
+    either(unlessChangeable, (state) => (lineInHand(state) ? null : say('reasons.noLine'))),
+  ),
   'remove-corner': ofRing(
     either(unlessChangeable, (state) => {
       const line = lineInHand(state);
-      if (!line) return NO_LINE;
+      if (!line) return say('reasons.noLine');
       const needed = CORNERS_NEEDED[line.kind];
-      return line.posed.length > needed ? null : cornersNeededText(line.kind, needed);
+      return line.posed.length > needed ? null : say(`reasons.cornersNeeded.${line.kind}`, needed);
     }),
   ),
 };

@@ -1,62 +1,58 @@
-/** All commands that a person can run by button, key or menu: one table for labels, keys, menus and ARIA hints. */
+/** All commands that a person can run by button, key or menu, with their keys. Their labels are in the texts. */
+import type { Texts } from '../texts/texts';
 import type { ToolName } from '../tools/machine';
 
-export interface Command {
-  readonly label: string;
-  /** Keys as people read them; `Mod` is Ctrl, and Cmd on a Mac. The first is shown. */
-  readonly keys: readonly string[];
-}
-
+/** The keys of each command as people read them; `Mod` is Ctrl, and Cmd on a Mac. The first is shown. */
 export const COMMANDS = {
-  select: { label: 'Select and move', keys: ['V'] },
-  point: { label: 'Add a point handle', keys: ['P'] },
-  bar: { label: 'Draw a bar', keys: ['B'] },
-  polygon: { label: 'Draw a polygon', keys: ['G'] },
-  lasso: { label: 'Lasso: draw around the part that bends', keys: ['L'] },
-  brush: { label: 'Brush', keys: ['F'] },
-  'brush-erase': { label: 'The opposite brush, or the eraser', keys: ['E'] },
-  'brush-smaller': { label: 'Smaller brush', keys: ['['] },
-  'brush-larger': { label: 'Larger brush', keys: [']'] },
-  hand: { label: 'Pan', keys: ['H'] },
-  lens: { label: 'Look at the weights of a point', keys: ['I'] },
-  timeline: { label: 'Animate: show the timeline', keys: ['T'] },
-  play: { label: 'Play or stop', keys: ['K'] },
-  'set-key': { label: 'Set a key', keys: ['S'] },
-  open: { label: 'Open a picture or a project', keys: ['Mod+O'] },
-  save: { label: 'Save the project file', keys: ['Mod+S'] },
-  'save-whole': { label: 'Save the project with its picture', keys: ['Mod+Shift+S'] },
-  export: { label: 'Export by the last choices', keys: ['Mod+E'] },
-  'export-as': { label: 'Export as …', keys: ['Mod+Shift+E'] },
-  'export-all': { label: 'Export all of it', keys: [] },
-  'export-whole': { label: 'Export a PNG that opens again with its handles', keys: [] },
-  undo: { label: 'Undo', keys: ['Mod+Z'] },
-  redo: { label: 'Redo', keys: ['Mod+Shift+Z', 'Mod+Y'] },
-  'reset-all': { label: 'Reset all handles', keys: [] },
-  reset: { label: 'Reset', keys: ['R'] },
-  mirror: { label: 'Mirror to the other side', keys: ['M'] },
-  copy: { label: 'Copy the pose', keys: ['Mod+C'] },
-  paste: { label: 'Paste a pose', keys: ['Mod+V'] },
-  rename: { label: 'Rename', keys: ['F2'] },
-  suggest: { label: 'Suggest handles', keys: ['N'] },
-  'without-folds': { label: 'Nearest pose without folds', keys: ['U'] },
-  remove: { label: 'Delete', keys: ['Delete', 'Backspace'] },
-  'add-point': { label: 'Add a point here', keys: [] },
-  'turn-part': { label: 'Turn this part, keep the rest', keys: [] },
-  'add-corner': { label: 'Add a corner', keys: ['C'] },
-  'remove-corner': { label: 'Delete the corner', keys: ['X'] },
-  forward: { label: 'Bring forward', keys: [']'] },
-  backward: { label: 'Send back', keys: ['['] },
-  compare: { label: 'Hold to compare with the original', keys: ['O'] },
-  preview: { label: 'Hold to see it without handles', keys: ['W'] },
-  'select-all': { label: 'Select all handles', keys: ['Mod+A'] },
-  fit: { label: 'Fit the picture', keys: ['0'] },
-  actual: { label: 'Actual size', keys: ['1'] },
-  'zoom-in': { label: 'Zoom in', keys: ['+', '='] },
-  'zoom-out': { label: 'Zoom out', keys: ['-'] },
-  settings: { label: 'How the picture bends', keys: [] },
-  keys: { label: 'Keys', keys: ['?'] },
-  bail: { label: 'Cancel', keys: ['Escape'] },
-} as const satisfies Record<string, Command> & Record<ToolName, Command>;
+  select: ['V'],
+  point: ['P'],
+  bar: ['B'],
+  polygon: ['G'],
+  lasso: ['L'],
+  brush: ['F'],
+  'brush-erase': ['E'],
+  'brush-smaller': ['['],
+  'brush-larger': [']'],
+  hand: ['H'],
+  lens: ['I'],
+  timeline: ['T'],
+  play: ['K'],
+  'set-key': ['S'],
+  open: ['Mod+O'],
+  save: ['Mod+S'],
+  'save-whole': ['Mod+Shift+S'],
+  export: ['Mod+E'],
+  'export-as': ['Mod+Shift+E'],
+  'export-all': [],
+  'export-whole': [],
+  undo: ['Mod+Z'],
+  redo: ['Mod+Shift+Z', 'Mod+Y'],
+  'reset-all': [],
+  reset: ['R'],
+  mirror: ['M'],
+  copy: ['Mod+C'],
+  paste: ['Mod+V'],
+  rename: ['F2'],
+  suggest: ['N'],
+  'without-folds': ['U'],
+  remove: ['Delete', 'Backspace'],
+  'add-point': [],
+  'turn-part': [],
+  'add-corner': ['C'],
+  'remove-corner': ['X'],
+  forward: [']'],
+  backward: ['['],
+  compare: ['O'],
+  preview: ['W'],
+  'select-all': ['Mod+A'],
+  fit: ['0'],
+  actual: ['1'],
+  'zoom-in': ['+', '='],
+  'zoom-out': ['-'],
+  settings: [],
+  keys: ['?'],
+  bail: ['Escape'],
+} as const satisfies Record<string, readonly string[]> & Record<ToolName, readonly string[]>;
 
 export type CommandName = keyof typeof COMMANDS;
 
@@ -113,7 +109,7 @@ export function commandOfKey(
   const latin = event.key > '\x7f' ? LETTER_PLACE.exec(event.code)?.[1] : undefined;
   const key = latin ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
   const written = `${mod ? 'Mod+' : ''}${mod && event.shiftKey ? 'Shift+' : ''}${key}`;
-  return commands.find((name) => (COMMANDS[name].keys as readonly string[]).includes(written)) ?? null;
+  return commands.find((name) => (COMMANDS[name] as readonly string[]).includes(written)) ?? null;
 }
 
 /** The parts of a KeyboardEvent that count. */
@@ -127,30 +123,33 @@ export interface KeyPress {
 }
 
 const MAC = /Mac|iPhone|iPad/;
-const SYMBOLS: Readonly<Record<string, string>> = { Delete: 'Del', Escape: 'Esc', '-': '−' };
 
 /** The key that is `Mod`. */
-export const modifier = (platform: string): string => (MAC.test(platform) ? '⌘' : 'Ctrl');
+export const modifier = (platform: string, { keys }: Texts): string =>
+  MAC.test(platform) ? '⌘' : keys.names.ctrl;
+
+/** A key as people read it. */
+function keyName(key: string, platform: string, texts: Texts): string {
+  const { names } = texts.keys;
+  if (key === 'Mod') return modifier(platform, texts);
+  if (key === 'Shift') return MAC.test(platform) ? '⇧' : names.shift;
+  return { Delete: names.delete, Escape: names.escape, '-': '−' }[key] ?? key;
+}
 
 /** The first key of a command as a tooltip shows it, or an empty text. */
-export function keyHint(name: CommandName, platform: string): string {
-  const key = COMMANDS[name].keys[0] ?? '';
-  const mac = MAC.test(platform);
+export function keyHint(name: CommandName, platform: string, texts: Texts): string {
+  const key: string = COMMANDS[name][0] ?? '';
   return key
     .split('+')
     .filter((part) => part !== '')
-    .map((part) => {
-      if (part === 'Mod') return modifier(platform);
-      if (part === 'Shift' && mac) return '⇧';
-      return SYMBOLS[part] ?? part;
-    })
-    .join(mac ? '' : ' + ')
+    .map((part) => keyName(part, platform, texts))
+    .join(MAC.test(platform) ? '' : ' + ')
     .concat(key === '+' ? '+' : '');
 }
 
 /** The keys of a command for `aria-keyshortcuts`. */
 export const ariaKeys = (name: CommandName, platform: string): string =>
-  (COMMANDS[name].keys as readonly string[])
+  (COMMANDS[name] as readonly string[])
     .filter((key) => key !== '+')
     .map((key) => key.replace('Mod', MAC.test(platform) ? 'Meta' : 'Control'))
     .join(' ');

@@ -5,6 +5,7 @@
  * tests from a plane. Places are image pixels, rotations degrees. A pose that the solver cannot compute, such as a bar
  * without length, gives the last answer again.
  */
+
 import type { HiddenCorners, Turns } from '../document/handle';
 import type { PosesAt } from '../document/moment';
 import type { Clip, Project } from '../document/project';
@@ -13,6 +14,7 @@ import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, Placement } from '../geometry/place';
 import type { Symmetry } from '../geometry/symmetry';
 import type { Vec } from '../geometry/vec';
+import type { Wording } from '../texts/wording';
 
 /** The sites of a solution in one pose. */
 export interface SiteGraph {
@@ -62,7 +64,7 @@ export interface GroupWay {
 /** The number of frames of a film, or why there can be no such film. */
 export interface FrameCount {
   readonly frames: number;
-  readonly refusal: string | null;
+  readonly refusal: Wording | null;
 }
 
 export interface Deformation {

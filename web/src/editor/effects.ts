@@ -1,8 +1,10 @@
 /** What the runtime does for the editor: everything that takes time or touches the page. */
+
 import type { RingCorner } from '../document/lasso_corners';
 import type { MapFile } from '../document/map_file';
 import type { Clip, Project, ProjectFile } from '../document/project';
 import type { Vec } from '../geometry/vec';
+import type { Wording } from '../texts/wording';
 import type { ToolName } from '../tools/machine';
 import type { EngineChoices } from './engine_choices';
 import type { EditorEvent } from './events';
@@ -37,9 +39,9 @@ export type PageNotification =
   | { readonly type: 'toolchange'; readonly tool: ToolName }
   | { readonly type: 'input' | 'change'; readonly project: Project }
   | { readonly type: 'selectionchange'; readonly selection: readonly string[] }
-  | { readonly type: 'historychange'; readonly undo: string | null; readonly redo: string | null }
+  | { readonly type: 'historychange'; readonly undo: Wording | null; readonly redo: Wording | null }
   | { readonly type: 'titlechange'; readonly title: Title | null }
-  | { readonly type: 'progress'; readonly label: string | null; readonly fraction: number | null }
+  | { readonly type: 'progress'; readonly label: Wording | null; readonly fraction: number | null }
   | { readonly type: 'error'; readonly error: Error };
 
 /** A project: an address, an object of the page, or a file. */

@@ -1,7 +1,10 @@
 /** The page of the export panel for game engines, as people see it. */
+
 import { clipsOf } from '../document/clips';
+import type { EngineLoss } from '../document/engine_rig';
+import { say, type Wording } from '../texts/wording';
 import { ENGINE_FORMATS, type EngineChoices, engineFile, INFLUENCES, influencesOf } from './engine_choices';
-import { type EngineLossRow, lossCaption, lossRows } from './engine_texts';
+import { type EngineLossRow, lossRows } from './engine_words';
 import { type EditorState, filedProject } from './state';
 
 export interface EngineModel {
@@ -16,8 +19,11 @@ export interface EngineModel {
   /** The name of the only file; null for a folder. */
   readonly file: string | null;
   /** The loss of the last rig, while project and choices are the same. */
-  readonly loss: { readonly caption: string; readonly rows: readonly EngineLossRow[] } | null;
+  readonly loss: { readonly caption: Wording; readonly rows: readonly EngineLossRow[] } | null;
 }
+
+const captionOf = ({ bones, sites, vertices }: EngineLoss): Wording =>
+  say('engine.lossCaption', bones, sites, vertices);
 
 export function engineModel(state: EditorState): EngineModel {
   const { engine: choices, measured } = state.exporting;
@@ -36,6 +42,6 @@ export function engineModel(state: EditorState): EngineModel {
     folders,
     folder,
     file: folder ? null : engineFile(state.picture?.name ?? '', choices.format),
-    loss: isCurrent ? { caption: lossCaption(measured.loss), rows: lossRows(measured.loss, clips) } : null,
+    loss: isCurrent ? { caption: captionOf(measured.loss), rows: lossRows(measured.loss, clips) } : null,
   };
 }

@@ -20,6 +20,7 @@ import type { Camera, Size } from '../geometry/camera';
 import type { Luminance } from '../geometry/luminance';
 import type { Blend } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
+import type { Wording, Words } from '../texts/wording';
 import type { ToolName } from '../tools/machine';
 import type { BrushState } from './brush_state';
 import type { CommandName, PreviewCommand } from './commands';
@@ -136,7 +137,7 @@ type ControlEvent =
   | { readonly type: 'name-given'; readonly name: string; readonly keyed: boolean }
   | { readonly type: 'renaming-ended' }
   | { readonly type: 'place-revealed'; readonly at: Vec }
-  | { readonly type: 'number-refused'; readonly text: string };
+  | { readonly type: 'number-refused'; readonly text: Wording };
 
 type StudyEvent =
   /** Another page of the study card; null closes it. */
@@ -151,7 +152,7 @@ type StudyEvent =
   /** A round of the replay, from 0. */
   | { readonly type: 'round-shown'; readonly round: number }
   | { readonly type: 'replay-switched'; readonly on: boolean }
-  | { readonly type: 'variant-solved'; readonly variant: Variant; readonly refusal: string | null }
+  | { readonly type: 'variant-solved'; readonly variant: Variant; readonly refusal: Wording | null }
   | { readonly type: 'figure-asked'; readonly figure: FigureName }
   | { readonly type: 'figure-saved'; readonly name: string }
   /** A place of the posed picture, pointed at by other means than the pointer. */
@@ -212,7 +213,7 @@ type NoticeEvent =
   /** A pointer or the focus is on the notice, or has left it. */
   | { readonly type: 'notice-hovered'; readonly on: boolean }
   | { readonly type: 'task-cancelled'; readonly task: TaskName }
-  | { readonly type: 'person-informed'; readonly text: string }
+  | { readonly type: 'person-informed'; readonly text: Words }
   | { readonly type: 'error-reported'; readonly error: Error }
   | { readonly type: 'timer-elapsed'; readonly timer: Timer };
 
@@ -283,7 +284,7 @@ type FileEvent =
       readonly saved: string | null;
       readonly error: Error | null;
       /** Sentences on parts that the file lacks. */
-      readonly remarks?: readonly string[];
+      readonly remarks?: readonly Wording[];
     }
   /** `left`: seconds until it ends, if that is known. */
   | { readonly type: 'export-progressed'; readonly fraction: number; readonly left?: number }

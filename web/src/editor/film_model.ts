@@ -1,7 +1,9 @@
 /** The film page of the export panel as people see it. */
+
 import { clipsOf } from '../document/clips';
 import type { Clip } from '../document/project';
 import type { Size } from '../geometry/camera';
+import type { Wording } from '../texts/wording';
 import {
   FILM_FORMATS,
   type FilmChoices,
@@ -37,7 +39,7 @@ export interface FilmModel {
   readonly size: Size | null;
   readonly frames: number;
   /** Why there can be no such film; null if there can. */
-  readonly refusal: string | null;
+  readonly refusal: Wording | null;
   readonly estimate: { readonly bytes: number; readonly seconds: number };
 }
 
@@ -69,7 +71,7 @@ const formats = (): readonly FilmFormat[] => Object.keys(FILM_FORMATS) as FilmFo
 function frameCount(
   state: EditorState,
   clip: Clip,
-): { readonly frames: number; readonly refusal: string | null } {
+): { readonly frames: number; readonly refusal: Wording | null } {
   const { film, codecs } = state.exporting;
   const rate = filmRate(filmFormat(film, codecs) ?? 'gif', film.rate);
   const deformation = state.solution.shown?.deformation;

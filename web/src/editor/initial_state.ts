@@ -78,7 +78,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
     pointer: { coarse: media.coarse, hovered: null, alt: false, last: null, onHandle: false, space: false },
     focus: { on: 'nothing', handle: null, corner: null, ring: null },
     menu: null,
-    notices: { offer: null, error: null, passing: null, graphics: null, announcement: '', tasks: [] },
+    notices: { offer: null, error: null, passing: null, graphics: null, announcement: null, tasks: [] },
     exporting: {
       kind: 'picture',
       choices: DEFAULT_CHOICES,

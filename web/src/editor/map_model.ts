@@ -1,14 +1,15 @@
 /** The page of the export panel for maps and weights, as people see it. */
-import { nameOf } from '../document/handle';
+import { nameWords } from '../document/names';
 import type { Size } from '../geometry/camera';
+import type { Words } from '../texts/wording';
 import { type MapChoices, mapFile, mapFileName } from './map_choices';
 import { type EditorState, onlySelected } from './state';
 import { exportSize } from './view';
 
 export interface MapModel {
   readonly choices: MapChoices;
-  /** The only selected handle in words. */
-  readonly handle: string | null;
+  /** The only selected handle. */
+  readonly handle: Words | null;
   /** The name of the file; null if it needs a selected handle. */
   readonly file: string | null;
   /** Pixels, or points of a table. */
@@ -22,7 +23,7 @@ export function mapModel(state: EditorState): MapModel {
   const file = mapFile(choices, handle?.id ?? null);
   return {
     choices,
-    handle: handle && nameOf(handle),
+    handle: handle && nameWords(handle),
     file: picture && file && mapFileName(picture.name, file),
     size: sizeOf(state, choices),
   };

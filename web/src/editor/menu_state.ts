@@ -1,10 +1,11 @@
 import type { Vec } from '../geometry/vec';
+import type { Words } from '../texts/wording';
 import type { Corner } from './corner';
 import type { Focus } from './focus';
 
 /** The open context menu. */
 export interface MenuState {
-  readonly name: string;
+  readonly name: Words;
   /** The selected handles, or the picture. */
   readonly about: 'handles' | 'picture';
   /** Of the handles, the one corner that was pressed. */

@@ -1,10 +1,12 @@
 /** What the editor tells people: notices, texts for screen readers, and the tasks under way. */
+import type { Wording, Words } from '../texts/wording';
 import type { EditorEvent } from './events';
 import type { Task } from './task';
 
 export interface Notice {
   readonly kind: 'error' | 'info';
-  readonly text: string;
+  /** A string is the words of the page. */
+  readonly text: Words;
   readonly action?: NoticeAction;
   /** A second action. */
   readonly other?: NoticeAction;
@@ -15,7 +17,7 @@ export interface Notice {
 }
 
 export interface NoticeAction {
-  readonly label: string;
+  readonly label: Wording;
   readonly event: EditorEvent;
   /** The action changes nothing, so that it is also available to people who may change nothing. */
   readonly readsOnly?: true;
@@ -28,8 +30,8 @@ export interface NoticesState {
   readonly passing: Notice | null;
   /** The picture cannot be drawn. Shown after an error and before an offer, until the graphics card is back. */
   readonly graphics: Notice | null;
-  /** The last text for screen readers. */
-  readonly announcement: string;
+  /** The last words for screen readers, and whether they were said just before too. */
+  readonly announcement: { readonly words: Wording; readonly again: boolean } | null;
   /** The newest last. */
   readonly tasks: readonly Task[];
 }

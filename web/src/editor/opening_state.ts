@@ -8,8 +8,10 @@
  * Bringing earlier work back is a request of its own lane. A newer request *suspends* it. It is superseded only
  * once the newer picture is open, so that work is never lost to a file that cannot be opened.
  */
+
 import type { Document } from '../document/document';
 import type { Project, ProjectFile } from '../document/project';
+import type { Words } from '../texts/wording';
 import type { ToolName } from '../tools/machine';
 import type { NamedFile, Picture } from './picture';
 import type { Work, WorkSnapshot } from './work';
@@ -110,7 +112,7 @@ export interface OpeningState {
   /** Another picture was requested since the connection: the first content no longer counts. */
   readonly overtaken: boolean;
   /** A project that was opened without its picture. */
-  readonly awaiting: { readonly name: string; readonly project: Project } | null;
+  readonly awaiting: { readonly name: Words; readonly project: Project } | null;
   /** Edited pictures that gave way to others, oldest first. */
   readonly recent: readonly WorkSnapshot[];
   /** Counts changes of the attributes; `openedRevision` is the last one that was opened or refused. */

@@ -3,6 +3,8 @@
 import type { Project } from '../document/project';
 import { C2WarpError } from '../error';
 import type { Size } from '../geometry/camera';
+import { en } from '../texts/en';
+import { say, worded } from '../texts/wording';
 
 /** A file that the editor passes on unread: a `Blob` of the runtime. */
 export interface SourceFile {
@@ -56,8 +58,8 @@ const fileNameOf = (src: string): string => src.split(/[/\\]/).at(-1) ?? '';
 export function misfit(picture: Picture, project: Project): C2WarpError | null {
   if (fits(picture, project)) return null;
   const { width, height } = project.image;
-  const sizes = `${width} × ${height} px; ${picture.name} has ${picture.width} × ${picture.height} px`;
-  return new C2WarpError('image-size', `The project is for a picture of ${sizes}.`);
+  const wording = say('errors.imageSize', width, height, picture.name, picture.width, picture.height);
+  return new C2WarpError('image-size', worded(en, wording), { wording });
 }
 
 /** A name as a part of a file's name: characters that it cannot have become hyphens. */

@@ -1,7 +1,9 @@
 /** One round of Algorithm 1 as the replay shows it. */
+
 import type { Round, SiteStudy, Study } from '../document/generated/study';
 import type { Project } from '../document/project';
-import { siteName } from './lens_texts';
+import { say, type Wording } from '../texts/wording';
+import { siteName } from './lens_words';
 import type { StudyState } from './study_state';
 
 export interface RoundModel {
@@ -10,7 +12,7 @@ export interface RoundModel {
   readonly round: Round;
   /** Sites before the round. */
   readonly sites: readonly SiteStudy[];
-  readonly words: string;
+  readonly words: Wording;
 }
 
 /** The rounds of the explained solution; none until they are known. */
@@ -28,18 +30,17 @@ export function roundModel(state: StudyState): RoundModel | null {
 }
 
 /** The effect of the round, in words. */
-function roundWords({ sites, allowed_score }: Study, index: number, round: Round, project: Project): string {
+function roundWords({ sites, allowed_score }: Study, index: number, round: Round, project: Project): Wording {
   const [point, ...more] = round.points;
   const owner = point && sites[point.owner];
-  const title = `Round ${index + 1}: `;
-  if (!point || !owner) return `${title}the end. No cell is too large, and there are ${round.sites} handles.`;
-  const name = owner.handle === -1 ? `virtual handle ${point.owner + 1}` : siteName(project, owner.handle);
-  const others = more.length > 0 ? `, and ${more.length} more elsewhere` : '';
-  const enters = `A virtual handle enters in the cell of ${name}, ${px(point.distance)} away${others}.`;
-  if (round.score > allowed_score) {
-    return `${title}a cell reaches ${px(point.distance)} far, and ${px(point.limit)} are allowed. ${enters}`;
-  }
-  return `${title}no cell is too large, but the project asks for more virtual handles. ${enters}`;
+  const number = index + 1;
+  if (!point || !owner) return say('rounds.end', number, round.sites);
+  const isVirtual = owner.handle === -1;
+  const name = isVirtual ? say('names.virtualHandle', point.owner + 1) : siteName(project, owner.handle);
+  const enters = say('rounds.enters', name, px(point.distance), more.length);
+  return round.score > allowed_score
+    ? say('rounds.tooLarge', number, px(point.distance), px(point.limit), enters)
+    : say('rounds.asked', number, enters);
 }
 
 const px = (length: number): string => `${Math.round(length)} px`;

@@ -37,8 +37,8 @@ export interface SolutionState {
   readonly recent: readonly Solution[];
   /** The key of the newest request; that of the shown solution when nothing is being solved. */
   readonly wanted: string | null;
-  /** The label of the current stage; null between solves. */
-  readonly stage: string | null;
+  /** The current stage; null between solves. */
+  readonly stage: SolveStage | 'start' | null;
   /** The solver itself failed at the last solve, or could not start. */
   readonly failed: boolean;
   /** Whether the solver has started, so that a project can be checked at once. */

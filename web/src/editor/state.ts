@@ -16,6 +16,7 @@ import type { Crease } from '../geometry/crease';
 import type { Guide } from '../geometry/guides';
 import type { Luminance } from '../geometry/luminance';
 import type { Vec } from '../geometry/vec';
+import type { Wording } from '../texts/wording';
 import type { ToolName, Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
@@ -102,8 +103,8 @@ export interface DocumentState {
 
 export interface Reported {
   readonly selection: readonly string[];
-  readonly undo: string | null;
-  readonly redo: string | null;
+  readonly undo: Wording | null;
+  readonly redo: Wording | null;
   readonly title: Title | null;
   readonly tool: ToolName;
 }

@@ -1,8 +1,10 @@
 /** The study card explains the method on the open picture: its pages and their content. */
+
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
 import type { Variant } from '../document/variants';
 import type { Vec } from '../geometry/vec';
+import type { Wording } from '../texts/wording';
 import type { Solution } from './solution';
 
 export const STUDY_PAGES = ['lens', 'cells', 'rounds', 'compare', 'settings'] as const;
@@ -21,7 +23,7 @@ export interface StudyState {
   readonly lens: LensState;
   readonly replay: ReplayState;
   /** Why the solver refused a method of the comparison; null where it did not. */
-  readonly refusals: Readonly<Record<Variant, string | null>>;
+  readonly refusals: Readonly<Record<Variant, Wording | null>>;
 }
 
 export interface ReplayState {

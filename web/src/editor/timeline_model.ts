@@ -1,8 +1,9 @@
 /** The timeline as people see it. */
 import { isSameTime, refersTo, trackOf } from '../document/clip_keys';
 import { clipsOf } from '../document/clips';
-import { nameOf } from '../document/handle';
+import { nameWords } from '../document/names';
 import type { Clip, Ease, Handle } from '../document/project';
+import type { Words } from '../texts/wording';
 import { openClip } from './open_clip';
 import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from './state';
 import type { Rate } from './timeline_state';
@@ -32,7 +33,7 @@ export interface TimelineModel {
 /** The keys of a handle. */
 export interface TimelineRow {
   readonly handle: string;
-  readonly name: string;
+  readonly name: Words;
   readonly selected: boolean;
   readonly keys: readonly TimelineKey[];
 }
@@ -77,7 +78,7 @@ function rowOf(state: EditorState, clip: Clip | null, handle: Handle): TimelineR
   const keys = (clip && trackOf(clip, handle.id))?.keys ?? [];
   return {
     handle: handle.id,
-    name: nameOf(handle),
+    name: nameWords(handle),
     selected: selectionOf(state).includes(handle.id),
     keys: keys.map(({ time, ease = 'smooth' }) => {
       const isSelected = refersTo(selected, handle.id, time);

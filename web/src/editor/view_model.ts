@@ -1,17 +1,21 @@
 /** Everything that the templates show, derived from the state. */
+
 import type { Document } from '../document/document';
 import { handleById, selectedHandles } from '../document/document';
 import { isSameDomain, ringsOf } from '../document/domain';
-import { anchor, type HiddenCorners, isLine, nameOf, type Turns } from '../document/handle';
+import { anchor, type HiddenCorners, isLine, type Turns } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
 import type { RingCorner } from '../document/lasso_corners';
 import { atMoment } from '../document/moment';
+import { nameWords } from '../document/names';
 import type { Handle } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
 import type { Crease } from '../geometry/crease';
 import type { Guide } from '../geometry/guides';
 import { distance, type Vec } from '../geometry/vec';
+import type { Texts } from '../texts/texts';
+import { say, type Wording, type Words, worded } from '../texts/wording';
 import { type BrushKind, oppositeBrush } from '../tools/brush_kinds';
 import { ringedHandle } from '../tools/hit';
 import { draftOf, hasTakenCorners, isPressing, places, type ToolName, waitingDrafts } from '../tools/machine';
@@ -28,7 +32,7 @@ import { type FilmModel, filmModel } from './film_model';
 import { brushOf, gripsOf, hiddenOf, hitAt, isBrushing, isLassoing, turnsOf } from './hit_areas';
 import { type MapModel, mapModel } from './map_model';
 import type { MenuState } from './menu_state';
-import type { Notice } from './notice';
+import type { Notice, NoticesState } from './notice';
 import { noticeIsAside } from './notice_place';
 import { openClip } from './open_clip';
 import { isOpening, readingName } from './opening_state';
@@ -59,6 +63,8 @@ import { type WebPageModel, webPageModel } from './web_page_model';
 import type { WorkSnapshot } from './work';
 
 export interface EditorModel {
+  /** All texts, in the language of the editor. */
+  readonly texts: Texts;
   readonly document: Document;
   readonly turns: Turns;
   /** The corners of handles that lie behind another part of the picture. */
@@ -96,8 +102,8 @@ export interface EditorModel {
   /** The shown solution in figures. */
   readonly solved: SolveReport | null;
   /** The running task, once it has taken long enough to be shown. */
-  readonly task: Task | null;
-  readonly notice: Notice | null;
+  readonly task: ShownTask | null;
+  readonly notice: ShownNotice | null;
   /** The notice is at the opposite edge, since it would cover a handle. */
   readonly noticeAside: boolean;
   readonly hint: Hint | null;
@@ -117,7 +123,7 @@ export interface EditorModel {
   /** Where the picture is visibly turned over, from the largest. */
   readonly creases: readonly Crease[];
   /** Names of the handles that force the creases, from the one that forces most. */
-  readonly forcing: readonly string[];
+  readonly forcing: readonly Words[];
   /** Part of the posed picture lies beyond the picture's frame, which bounds the export. */
   readonly beyond: boolean;
   /** The guard against folds is on, and whether it holds a drag back now. */
@@ -178,6 +184,20 @@ export interface EditorModel {
   offers(command: CommandName): boolean;
   /** Why a command cannot run now; null if it can. */
   reasonAgainst(command: CommandName): string | null;
+  /** Words in the language of the editor. */
+  worded(words: Words): string;
+}
+
+/** A task in the language of the editor. */
+export interface ShownTask extends Omit<Task, 'label' | 'left'> {
+  readonly label: string;
+  /** How long it will still take; empty if nobody knows. */
+  readonly left: string;
+}
+
+/** A notice in the language of the editor. */
+export interface ShownNotice extends Omit<Notice, 'text'> {
+  readonly text: string;
 }
 
 export interface BrushModel {
@@ -223,17 +243,17 @@ export interface Hint {
   readonly above: boolean;
 }
 
-/** The undo and redo label during a drawing. */
-const SET_CORNER = 'Set a corner';
-
-export function viewModel(state: EditorState): EditorModel {
+export function viewModel(state: EditorState, texts: Texts): EditorModel {
   const { page, media, picture, tools, display, notices, guard, checks } = state;
   const { shown, borders } = state.solution;
   const { history } = state.document;
   const project = projectOf(state);
   const draft = draftOf(tools);
   const overlays = overlaysOf(state);
+  const notice = shownNotice(state);
+  const told = (words: Wording | null) => words && worded(texts, words);
   return {
+    texts,
     document: documentOf(state),
     // Only when asked: without visible handles nothing else may need the pose.
     get turns() {
@@ -259,16 +279,16 @@ export function viewModel(state: EditorState): EditorModel {
     grips: gripsOf(state),
     pressing: isPressing(tools),
     press: state.pointer.coarse ? 'tap' : 'click',
-    undo: draft ? SET_CORNER : undoLabel(history),
-    redo: hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history),
+    undo: told(draft ? SET_CORNER : undoLabel(history)),
+    redo: told(hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history)),
     solved: shown?.report ?? null,
-    task: currentTask(state) ?? openingTask(state),
-    notice: shownNotice(state),
+    task: shownTask(currentTask(state) ?? openingTask(state), texts),
+    notice: notice && { ...notice, text: worded(texts, notice.text) },
     get noticeAside() {
       return noticeIsAside(state);
     },
     hint: hintOf(state),
-    announcement: notices.announcement,
+    announcement: announced(notices.announcement, texts),
     preview: display.preview,
     overlays,
     sites: shown && (overlays.sites || overlays.graph) ? shown.deformation.siteGraph(project) : null,
@@ -340,9 +360,20 @@ export function viewModel(state: EditorState): EditorModel {
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),
     offers: (command) => offers(state, command),
-    reasonAgainst: (command) => reasonAgainst(state, command),
+    reasonAgainst: (command) => told(reasonAgainst(state, command)),
+    worded: (words) => worded(texts, words),
   };
 }
+
+/** The undo and redo label during a drawing. */
+const SET_CORNER = say('steps.setCorner');
+
+const shownTask = (task: Task | null, texts: Texts): ShownTask | null =>
+  task && { ...task, label: worded(texts, task.label), left: task.left ? worded(texts, task.left) : '' };
+
+/** Screen readers read only changes: repeated words get a trailing space that is not read. */
+const announced = (said: NoticesState['announcement'], texts: Texts): string =>
+  said ? `${worded(texts, said.words)}${said.again ? '\u00a0' : ''}` : '';
 
 /** Null without a lasso, and before its solution: the shown one would have another outline. */
 function selectedOutline(state: EditorState): Float32Array | null {
@@ -353,9 +384,9 @@ function selectedOutline(state: EditorState): Float32Array | null {
   return isSameDomain(shown.project, project) ? shown.deformation.outline(project) : null;
 }
 
-function forcingNames(state: EditorState): readonly string[] {
+function forcingNames(state: EditorState): readonly Words[] {
   const { forcing } = state.checks;
-  return forcing.length === 0 ? NO_IDS : forcing.map((id) => nameOf({ id }));
+  return forcing.length === 0 ? NO_IDS : forcing.map((id) => nameWords({ id }));
 }
 
 function brushModel(state: EditorState): BrushModel | null {
@@ -449,7 +480,7 @@ const HINT_CSS_PX = 170;
 /** A picture that is being read while another is open. */
 function openingTask({ picture, opening }: EditorState): Task | null {
   const name = picture && readingName(opening);
-  return name ? { name: 'open', label: `Opening ${name}`, cancellable: !opening.restoring } : null;
+  return name ? { name: 'open', label: say('tasks.opening', name), cancellable: !opening.restoring } : null;
 }
 
 /** The page's hint, until the first change. */

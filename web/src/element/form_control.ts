@@ -2,8 +2,6 @@
 import type { Project } from '../document/project';
 import { type FormPicture, FormPictures } from './form_pictures';
 
-const MISSING = 'Open a picture.';
-
 /** What a form may submit. */
 export const SUBMITTED = ['project', 'picture'] as const;
 type Submitted = (typeof SUBMITTED)[number];
@@ -60,9 +58,9 @@ export class FormControl implements FormPicture {
     if (form) FormPictures.of(form).add(this, signal);
   }
 
-  /** @param isMissing Whether there is no picture where one is required. */
-  validate(isMissing: boolean): void {
-    if (isMissing) this.#internals.setValidity({ valueMissing: true }, MISSING);
+  /** @param missing tells people that a picture is required and missing; null if none is. */
+  validate(missing: string | null): void {
+    if (missing !== null) this.#internals.setValidity({ valueMissing: true }, missing);
     else this.#internals.setValidity({});
   }
 

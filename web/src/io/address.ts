@@ -1,5 +1,7 @@
 /** Loads files by URL. */
-import { C2WarpError, codeOf } from '../error';
+import { type C2WarpError, codeOf } from '../error';
+import { say } from '../texts/wording';
+import { addressError } from './picture_error';
 
 /** Returns the last part of a URL or path; `picture.png` for `data:` and `blob:` URLs, which have no name. */
 export function fileName(address: string): string {
@@ -28,9 +30,10 @@ export async function fetchFile(address: string, options: FetchOptions): Promise
   if (/^\s*data:/i.test(address)) return dataFile(address);
   try {
     const response = await fetch(address, options);
-    if (!response.ok) throw refusal(address, `the server answered ${response.status}.`);
+    if (!response.ok)
+      throw addressError('address', say('errors.address.status', fileName(address), response.status));
     if (/^text\/html\b/i.test(response.headers.get('Content-Type') ?? '')) {
-      throw refusal(address, 'it is a web page. Give the address of the picture itself.');
+      throw addressError('address', say('errors.address.webPage', fileName(address)));
     }
     return await response.blob();
   } catch (cause) {
@@ -39,17 +42,15 @@ export async function fetchFile(address: string, options: FetchOptions): Promise
   }
 }
 
-const refusal = (address: string, why: string): C2WarpError =>
-  new C2WarpError('address', `${fileName(address)} could not be loaded: ${why}`);
-
 /** Browsers do not tell a page whether a server refuses it or cannot be reached. */
 function unreachable(address: string, cause: unknown): C2WarpError {
   const [, host = null] = /^\s*https?:\/\/([^/?#]+)/i.exec(address) ?? [];
-  const advice =
-    host === null || host === globalThis.location?.host
-      ? 'Check the address and the network connection.'
-      : `${host} does not let this page read it (CORS), or cannot be reached. Save the picture, and open the file.`;
-  return new C2WarpError('address', `${fileName(address)} could not be loaded. ${advice}`, { cause });
+  const file = fileName(address);
+  const isOther = host !== null && host !== globalThis.location?.host;
+  const wording = isOther
+    ? say('errors.address.refused', file, host)
+    : say('errors.address.unreachable', file);
+  return addressError('address', wording, { cause });
 }
 
 /** Decodes a `data:` URL (RFC 2397). @throws C2WarpError if it is damaged. */
@@ -62,12 +63,6 @@ export function dataFile(address: string): Blob {
       : new TextEncoder().encode(decodeURIComponent(content));
     return new Blob([bytes], { type });
   } catch (cause) {
-    throw new C2WarpError(
-      'address',
-      'The picture in the address is damaged. Copy it again, or save it as a file.',
-      {
-        cause,
-      },
-    );
+    throw addressError('address', say('errors.address.damaged'), { cause });
   }
 }

@@ -7,11 +7,13 @@
  * It runs in a worker, or in the page if the worker lacks something: see {@link Platform}.
  */
 
-import { C2WarpError } from '../error';
+import type { C2WarpError } from '../error';
+import { say } from '../texts/wording';
 import { type Header, readHeader } from './formats/header';
 import { probes } from './formats/jpeg';
 import { withoutExif } from './formats/webp';
 import { checkSize } from './limits';
+import { pictureError } from './picture_error';
 import { type CreateContext, type DecodedImage, straightPixels } from './pixels';
 import { readBytes } from './read';
 import { turned } from './turn';
@@ -34,8 +36,6 @@ export interface DecodedPicture {
   readonly moves: boolean;
 }
 
-const INCOMPLETE = 'The picture is incomplete: the end of the file is missing. Get the file again.';
-
 /**
  * Returns the picture in a file.
  *
@@ -48,14 +48,14 @@ export async function decodePicture(
   platform: Platform,
   signal: AbortSignal,
 ): Promise<DecodedPicture> {
-  if (file.size === 0) throw new C2WarpError('picture', 'The file is empty.');
+  if (file.size === 0) throw pictureError('picture', say('errors.picture.empty'));
   const bytes = await readBytes(file);
   const header = readHeader(bytes);
   const { kind, size, end, moves, orientation = 1 } = header;
   if (kind === 'drawing') throw unreadable(header);
   // Checked before decoding: a small file can hold more pixels than fit in memory.
   if (size) checkSize(size.width, size.height);
-  if (end === 'missing') throw new C2WarpError('picture', INCOMPLETE);
+  if (end === 'missing') throw pictureError('picture', say('errors.picture.incomplete'));
   const decoder = new Decoder(header, platform, signal);
   if (typeof end === 'number') return { ...(await decoder.decodeUnmarked(probes(bytes, end))), moves };
   if (orientation === 1) return { ...(await decoder.decode(file)), moves };
@@ -76,13 +76,14 @@ function isSame(a: Uint8Array<ArrayBuffer>, b: Uint8Array<ArrayBuffer>): boolean
 
 /** The error for a file that the browser cannot decode. */
 function unreadable({ kind, name }: Header, cause?: unknown): C2WarpError {
-  const message =
+  const isOther = kind === 'other' || kind === 'drawing';
+  const wording =
     name === undefined
-      ? 'The file is not a picture that this browser can read. Use PNG, JPEG or WebP.'
-      : kind === 'other' || kind === 'drawing'
-        ? `This is ${name}. Save it as PNG, JPEG or WebP.`
-        : 'The picture is damaged, or this browser cannot read it. Save it again as PNG, JPEG or WebP.';
-  return new C2WarpError('picture', message, { cause });
+      ? say('errors.picture.unknown')
+      : isOther
+        ? say('errors.picture.otherKind', say(`errors.picture.kinds.${name}`))
+        : say('errors.picture.damaged');
+  return pictureError('picture', wording, { cause });
 }
 
 /** Set by the first picture that can have transparency. */
@@ -128,7 +129,7 @@ class Decoder {
       if (other && isSame(picture.rgba, other.rgba)) continue;
       picture.bitmap.close();
       this.#signal.throwIfAborted();
-      throw new C2WarpError('picture', INCOMPLETE);
+      throw pictureError('picture', say('errors.picture.incomplete'));
     }
     return picture;
   }

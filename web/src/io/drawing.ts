@@ -3,7 +3,8 @@
  *
  * Small drawings are enlarged, so that handles find room.
  */
-import { C2WarpError } from '../error';
+import { say } from '../texts/wording';
+import { pictureError } from './picture_error';
 import { readBytes } from './read';
 
 /** The longer side of small drawings, in pixels. */
@@ -21,17 +22,13 @@ export interface Drawn {
   readonly pixels: Blob;
 }
 
-const DAMAGED = 'The drawing is damaged, or this browser cannot show it.';
-const NO_SIZE = 'The drawing has no size. Give it a width and a height, or a viewBox.';
-const TOO_LARGE = 'The drawing has more than 64 MB. Simplify it.';
-
 /**
  * The picture of a drawing.
  *
  * @throws C2WarpError if the drawing cannot be shown; ReadError if the bytes cannot be read.
  */
 export async function drawnPicture(file: Blob): Promise<Drawn> {
-  if (file.size > MOST_BYTES) throw new C2WarpError('picture', TOO_LARGE);
+  if (file.size > MOST_BYTES) throw pictureError('picture', say('errors.picture.drawingTooLarge'));
   const text = new TextDecoder().decode(await readBytes(file));
   const { sized, width, height } = sizedDrawing(text);
   return {
@@ -53,7 +50,7 @@ export function sizedDrawing(text: string): SizedDrawing {
   const [tag, name, attributes = ''] =
     /^<((?:[\w.-]+:)?svg)((?:\s+[\w:.-]+\s*=\s*(?:"[^"]*"|'[^']*'))*\s*)/.exec(text.slice(prologue.length)) ??
     [];
-  if (tag === undefined) throw new C2WarpError('picture', DAMAGED);
+  if (tag === undefined) throw pictureError('picture', say('errors.picture.drawingDamaged'));
   const box =
     attributeOf(attributes, 'viewBox')
       ?.trim()
@@ -64,7 +61,8 @@ export function sizedDrawing(text: string): SizedDrawing {
   const ratio = boxWidth / boxHeight;
   const across = ownWidth ?? (ownHeight === null ? boxWidth : ownHeight * ratio);
   const down = ownHeight ?? (ownWidth === null ? boxHeight : ownWidth / ratio);
-  if (!(across > 0 && down > 0 && Number.isFinite(across * down))) throw new C2WarpError('picture', NO_SIZE);
+  if (!(across > 0 && down > 0 && Number.isFinite(across * down)))
+    throw pictureError('picture', say('errors.picture.drawingWithoutSize'));
   const side = Math.max(across, down);
   const scale = Math.min(Math.max(side, LEAST_SIDE), MOST_SIDE) / side;
   const [width, height] = [across, down].map((length) => Math.max(1, Math.round(length * scale))) as [
@@ -113,7 +111,7 @@ async function rendered(file: Blob, width: number, height: number): Promise<Blob
     if (!png) throw new Error('no memory for the canvas');
     return png;
   } catch (cause) {
-    throw new C2WarpError('picture', DAMAGED, { cause });
+    throw pictureError('picture', say('errors.picture.drawingDamaged'), { cause });
   } finally {
     URL.revokeObjectURL(image.src);
   }

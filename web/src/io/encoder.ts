@@ -3,10 +3,13 @@
  *
  * A PNG file holds exactly the bytes that the solver returns, in straight alpha.
  */
+
 import { sharedWorker } from '../start_worker';
+import { say, type Wording } from '../texts/wording';
 import type { BeginFile, FileSettings, PictureType } from './encoding';
 import { FileWriter } from './file_writer';
 import encoder from './worker/encoder?worker&url';
+import { writingError } from './writing_error';
 
 export type { FileSettings, PictureType, PngChunk } from './encoding';
 
@@ -23,12 +26,12 @@ export const prepareEncoder = sharedWorker(encoder);
 export class PictureFile extends FileWriter<Blob> {
   constructor(settings: FileSettings) {
     const worker = prepareEncoder();
-    const failed = (reason: string) =>
-      new Error(`The ${TYPE_NAMES[settings.type]} could not be written: ${reason}`);
+    const failed = (reason: Wording) =>
+      writingError('failed', say('errors.writing.picture', TYPE_NAMES[settings.type], reason));
     super(
       worker,
       (port) => worker.postMessage({ settings, port } satisfies BeginFile, [port]),
-      (refusal) => failed(refusal?.refused ?? 'the encoder failed or did not load. Reload the page.'),
+      (refusal) => failed(refusal?.refused ?? say('errors.writing.reasons.encoderFailed')),
     );
   }
 }

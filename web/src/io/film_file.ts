@@ -1,11 +1,14 @@
 /** Writes films, frame by frame, in workers that all editors of a page share. */
+
 import { sharedWorker } from '../start_worker';
+import { say } from '../texts/wording';
 import { FileWriter } from './file_writer';
 import type { BeginFilm, FilmFormat, FilmSettings, FilmTarget } from './filming';
 import animations from './worker/animations?worker&url';
 import videos from './worker/videos?worker&url';
 import zips from './worker/zips?worker&url';
 import type { Refusal, WriteFault } from './writing';
+import { writingError } from './writing_error';
 
 const ENCODER = new URL('./generated/film_bg.wasm', import.meta.url);
 
@@ -23,13 +26,13 @@ const WRITERS: Readonly<Record<FilmFormat, () => Worker>> = {
   sheet: zipWriter,
 };
 
-const FAULTS: Readonly<Record<WriteFault, string>> = {
-  encoder: 'The film could not be encoded',
-  storage: 'The film could not be saved',
-};
+const FAULTS = {
+  encoder: 'errors.writing.film',
+  storage: 'errors.writing.filmStorage',
+} as const satisfies Record<WriteFault, string>;
 
 const STOPPED: Refusal = {
-  refused: 'the encoder stopped or did not load. Reload the page.',
+  refused: say('errors.writing.reasons.encoderStopped'),
   fault: 'encoder',
 };
 
@@ -46,7 +49,7 @@ export class FilmFile extends FileWriter<Blob | null> {
           port,
           ...transfer,
         ]),
-      ({ refused, fault } = STOPPED) => new Error(`${FAULTS[fault]}: ${refused}`),
+      ({ refused, fault } = STOPPED) => writingError('failed', say(FAULTS[fault], refused)),
     );
   }
 }

@@ -1,29 +1,18 @@
 /** Limits on the size of pictures: those of the solver. */
 
-import { C2WarpError } from '../error';
+import { say } from '../texts/wording';
 import { MAX_PIXELS, MAX_SIDE, MIN_SIDE } from './generated/limits';
+import { pictureError } from './picture_error';
 
 /** @throws C2WarpError if the size is out of bounds. */
 export function checkSize(width: number, height: number): void {
-  const size = `${width} × ${height} px`;
   if (width < MIN_SIDE || height < MIN_SIDE) {
-    throw new C2WarpError(
-      'picture',
-      `The picture is ${size}. It must be at least ${MIN_SIDE} × ${MIN_SIDE} px.`,
-    );
+    throw pictureError('picture', say('errors.picture.tooSmall', width, height, MIN_SIDE));
   }
   if (width > MAX_SIDE || height > MAX_SIDE) {
-    throw new C2WarpError(
-      'picture',
-      `The picture is ${size}. A side can be at most ${grouped(MAX_SIDE)} px: scale the picture down.`,
-    );
+    throw pictureError('picture', say('errors.picture.tooLong', width, height, MAX_SIDE));
   }
   if (width * height > MAX_PIXELS) {
-    throw new C2WarpError(
-      'picture',
-      `The picture is ${size}. It can have at most ${MAX_PIXELS / 1e6} million pixels: scale the picture down.`,
-    );
+    throw pictureError('picture', say('errors.picture.tooLarge', width, height, MAX_PIXELS / 1e6));
   }
 }
-
-const grouped = (value: number): string => value.toLocaleString('en');

@@ -92,7 +92,8 @@ async function openInWorker(file: Blob, signal: AbortSignal): Promise<OpenPictur
     }
     release();
     if (reply.kind === 'lacking') return null;
-    throw new C2WarpError(reply.code, reply.message);
+    const { code, message, wording } = reply;
+    throw new C2WarpError(code, message, { wording });
   } catch (error) {
     release();
     throw error;

@@ -1,5 +1,7 @@
 /** The messages between the page and the worker that reads pictures. Each picture has a port of its own. */
+
 import type { C2WarpErrorCode } from '../error';
+import type { Wording } from '../texts/wording';
 import type { Display } from './display';
 import type { PictureFacts } from './read_picture';
 
@@ -12,7 +14,12 @@ export interface ReadRequest {
 /** The first and only reply. */
 export type ReadReply =
   | { readonly kind: 'read'; readonly facts: PictureFacts; readonly display: Display }
-  | { readonly kind: 'refused'; readonly code: C2WarpErrorCode; readonly message: string }
+  | {
+      readonly kind: 'refused';
+      readonly code: C2WarpErrorCode;
+      readonly message: string;
+      readonly wording: Wording | undefined;
+    }
   /** The page must read this picture, because the worker lacks a part of the platform. */
   | { readonly kind: 'lacking' };
 

@@ -2,7 +2,8 @@
  * Reads the exact bytes of a picture in straight alpha, through a WebGL texture. A 2D canvas would premultiply and
  * round, and lose the colours of transparent pixels.
  */
-import { C2WarpError } from '../error';
+import { say } from '../texts/wording';
+import { pictureError } from './picture_error';
 
 /** A picture in straight alpha, rows from the top. */
 export interface Rgba {
@@ -10,9 +11,6 @@ export interface Rgba {
   readonly height: number;
   readonly rgba: Uint8Array;
 }
-
-const NO_WEBGL =
-  'This browser cannot read pictures with WebGL2. Switch on hardware acceleration or use another browser.';
 
 const TILE = 2048;
 
@@ -51,10 +49,7 @@ export function straightPixels(
   }
   // A lost context reads as zeros.
   if (gl.isContextLost()) {
-    throw new C2WarpError(
-      'picture',
-      'The graphics context was lost while the picture was read. Open the picture again.',
-    );
+    throw pictureError('picture', say('errors.picture.contextLost'));
   }
   return pixels;
 }
@@ -75,7 +70,7 @@ function pixelContext(createContext: CreateContext): WebGL2RenderingContext {
 }
 
 function prepared(gl: WebGL2RenderingContext | null): WebGL2RenderingContext {
-  if (!gl) throw new C2WarpError('picture', NO_WEBGL);
+  if (!gl) throw pictureError('picture', say('errors.picture.noWebgl'));
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   return gl;

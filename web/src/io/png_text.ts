@@ -3,9 +3,11 @@
  *
  * Cost: linear in the number of chunks and the length of the text. Pixels are neither read nor copied.
  */
-import { C2WarpError } from '../error';
+import type { C2WarpError } from '../error';
+import { say } from '../texts/wording';
 import type { PngChunk } from './encoding';
 import { latin } from './formats/latin';
+import { carriedError } from './picture_error';
 import { crc32, SIGNATURE } from './png_chunk';
 import { readBytes } from './read';
 
@@ -49,22 +51,21 @@ export function textIn(file: ArrayBuffer, keyword: string): string | null {
 
 /** @param named the name and the content of a chunk. */
 function textOf(named: Uint8Array, checksum: number, keywordLength: number): string {
-  if (named.length > MAX_TEXT_BYTES) throw damaged('is too long');
-  if (crc32(named) !== checksum) throw damaged('is damaged');
+  if (named.length > MAX_TEXT_BYTES) throw carriedError('project', say('errors.carried.tooLong'));
+  if (crc32(named) !== checksum) throw damaged();
   const flags = 4 + keywordLength + 1;
-  if (named[flags] !== 0) throw damaged('is compressed, which is not supported');
+  if (named[flags] !== 0) throw carriedError('project', say('errors.carried.compressed'));
   const language = named.indexOf(0, flags + 2);
   const translated = named.indexOf(0, language + 1);
-  if (language < 0 || translated < 0) throw damaged('is damaged');
+  if (language < 0 || translated < 0) throw damaged();
   try {
     return new TextDecoder('utf-8', { fatal: true }).decode(named.subarray(translated + 1));
   } catch {
-    throw damaged('is damaged');
+    throw damaged();
   }
 }
 
-const damaged = (what: string): C2WarpError =>
-  new C2WarpError('project', `The project in this picture ${what}.`);
+const damaged = (): C2WarpError => carriedError('project', say('errors.carried.damaged'));
 
 const isPng = (view: DataView): boolean =>
   SIGNATURE.every((byte, at) => at < view.byteLength && view.getUint8(at) === byte);

@@ -1,5 +1,7 @@
 /** The messages between the page and the workers that write files. */
 
+import type { Wording } from '../texts/wording';
+
 /** Through the port: the next pixels in straight alpha, the end of the file, or of all. */
 export type WriteRequest = { readonly rgba: Uint8Array<ArrayBuffer> } | 'end' | 'abandon';
 
@@ -7,7 +9,8 @@ export type WriteRequest = { readonly rgba: Uint8Array<ArrayBuffer> } | 'end' | 
 export type WriteFault = 'encoder' | 'storage';
 
 export interface Refusal {
-  readonly refused: string;
+  /** Why, as words that follow a colon. */
+  readonly refused: Wording;
   readonly fault: WriteFault;
 }
 

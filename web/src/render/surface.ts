@@ -5,8 +5,12 @@
  * first canvases of a page have a context each, and all others share one. A shared surface copies each frame to its own
  * canvas, which costs time but has no limit.
  */
-import { C2WarpError } from '../error';
+import { errorsIn } from '../error';
 import type { Size } from '../geometry/camera';
+import { en } from '../texts/en';
+import { say } from '../texts/wording';
+
+const surfaceError = errorsIn<'errors'>(en);
 
 export interface Surface {
   /** Draws on the surface's own canvas, or on one that all shared surfaces use. */
@@ -55,7 +59,7 @@ function sharedSurface(canvas: HTMLCanvasElement): Surface {
   common ??= contextOf(document.createElement('canvas'));
   const gl = common;
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('This browser cannot show a picture on a 2D canvas.');
+  if (!context) throw surfaceError('failed', say('errors.noCanvas'));
   return {
     gl,
     shared: true,
@@ -71,7 +75,5 @@ function sharedSurface(canvas: HTMLCanvasElement): Surface {
 function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   const gl = canvas.getContext('webgl2', { antialias: true, alpha: true, depth: false, stencil: false });
   if (gl) return gl;
-  const message =
-    'This browser cannot draw with WebGL2. Switch on hardware acceleration or use another browser.';
-  throw new C2WarpError('webgl', message);
+  throw surfaceError('webgl', say('errors.noWebgl'));
 }

@@ -1,6 +1,8 @@
 /** Makes the file of a bent drawing. All but this file is loaded at the first one. */
+
 import type { EditorEffect } from '../editor/effects';
 import { readBytes } from '../io/read';
+import { say } from '../texts/wording';
 import type { ExportFollowing } from './exports';
 import { notLoaded } from './lazy_view';
 import type { Pictures } from './pictures';
@@ -21,6 +23,6 @@ export async function bentFile(
   const pose = { clip: moment?.clip.name ?? null, time: moment?.time ?? 0 };
   const order = { kind: 'drawing', svg, grow: choices.area === 'grown', ...pose } as const;
   const bent = await solvedExport(order, project, pixels, signal, onProgress);
-  for (const remark of bent.remarks) onRemark(sentence(remark));
+  for (const remark of bent.remarks) onRemark(say('exporting.remark', sentence(remark)));
   return new Blob([bent.svg], { type: 'image/svg+xml' });
 }

@@ -5,32 +5,36 @@
  * So the page keeps the last pose that was copied on it: for a refusal and, without asking, while nothing else can have
  * been copied.
  */
+
 import { isPose, poseText } from '../document/pose_text';
 import type { EditorAccess } from '../editor/access';
 import { addressIn, pictureInHtml } from '../editor/address';
 import { keyHint } from '../editor/commands';
-import { NO_POSE, notCopiedText, notReadText } from '../editor/notice_texts';
 import { mayEdit, mayReceive } from '../editor/permissions';
 import { copiedHandles } from '../editor/update/command';
+import type { Texts } from '../texts/texts';
+import { say, type Wording } from '../texts/wording';
 import type { Focus } from './focus';
 
 /** The pose that any element of the page copied last, and whether nothing else can have been copied since. */
 const last: { text: string | null; newest: boolean } = { text: null, newest: false };
 
 /** The keys of a command; null where nothing hovers, since menus show no keys there. */
-const keysOf = (command: 'copy' | 'paste'): string | null =>
-  matchMedia('(hover: none)').matches ? null : keyHint(command, navigator.platform);
+const keysOf = (command: 'copy' | 'paste', texts: Texts): string | null =>
+  matchMedia('(hover: none)').matches ? null : keyHint(command, navigator.platform, texts);
 
 export class Clipboard {
   readonly #element: HTMLElement;
   readonly #editor: EditorAccess;
   readonly #focus: Focus;
+  readonly #texts: () => Texts;
   readonly #listening = new AbortController();
 
-  constructor(element: HTMLElement, editor: EditorAccess, focus: Focus) {
+  constructor(element: HTMLElement, editor: EditorAccess, focus: Focus, texts: () => Texts) {
     this.#element = element;
     this.#editor = editor;
     this.#focus = focus;
+    this.#texts = texts;
     const { signal } = this.#listening;
     const other = () => {
       last.newest = false;
@@ -54,15 +58,18 @@ export class Clipboard {
     try {
       await navigator.clipboard.writeText(text);
     } catch {
-      this.#inform(notCopiedText(keysOf('copy')));
+      const keys = keysOf('copy', this.#texts());
+      this.#inform(keys === null ? say('notices.notCopied') : say('notices.notCopiedByMenu', keys));
     }
   }
 
   /** Pastes a pose by a command. */
   async paste(): Promise<void> {
     const text = last.newest ? last.text : await this.#read();
-    if (text === null) this.#inform(notReadText(keysOf('paste')));
-    else if (!this.#pasted(text)) this.#inform(NO_POSE);
+    if (text === null) {
+      const keys = keysOf('paste', this.#texts());
+      this.#inform(keys === null ? say('notices.notRead') : say('notices.notReadByMenu', keys));
+    } else if (!this.#pasted(text)) this.#inform(say('notices.noPose'));
   }
 
   async #read(): Promise<string | null> {
@@ -121,7 +128,7 @@ export class Clipboard {
     return true;
   }
 
-  #inform(text: string): void {
+  #inform(text: Wording): void {
     this.#editor.dispatch({ type: 'person-informed', text });
   }
 

@@ -3,14 +3,17 @@
  *
  * Loaded when the comparison is first shown. Worker and graphics are released when it is left.
  */
+
 import { Engine } from '../compute/engine';
 import type { Project } from '../document/project';
 import { solveKey } from '../document/solved';
 import { byVariant, VARIANTS, type Variant, variantOf } from '../document/variants';
 import type { EditorAccess } from '../editor/access';
+import { errorWords } from '../editor/error_words';
 import type { Picture } from '../editor/picture';
 import { projectOf } from '../editor/state';
 import { asError, isAbort } from '../error';
+import type { Wording } from '../texts/wording';
 import type { VariantCanvases, VariantPictures } from '../ui/study_view';
 import { ComparedPicture } from './compared_picture';
 import { SolutionDeformation } from './deformation';
@@ -105,7 +108,7 @@ export class Compare {
       // Another picture was opened meanwhile: its own solve follows.
       if (isAbort(error) || this.#disposed) return;
       this.#refused.set(variant, key);
-      this.#tell(variant, error.message);
+      this.#tell(variant, errorWords(error));
     }
     this.follow();
   }
@@ -122,7 +125,7 @@ export class Compare {
     return undefined;
   }
 
-  #tell(variant: Variant, refusal: string | null): void {
+  #tell(variant: Variant, refusal: Wording | null): void {
     if (refusal === null) this.#refused.delete(variant);
     if (this.#editor.state.study.refusals[variant] !== refusal)
       this.#editor.dispatch({ type: 'variant-solved', variant, refusal });

@@ -1,4 +1,5 @@
 /** Answers the editor's questions about one solution from the WebAssembly module. */
+
 import { frameTimes } from '../compute/module';
 import type { Pose, PosedPicture } from '../compute/posed_picture';
 import type { SolutionData } from '../compute/solution';
@@ -16,6 +17,7 @@ import type {
   LimitedPose,
   SiteGraph,
 } from '../editor/deformation';
+import { errorWords } from '../editor/error_words';
 import { asError } from '../error';
 import { type Box, boxOfBoth } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
@@ -60,7 +62,7 @@ export class SolutionDeformation implements Deformation {
     try {
       return { frames: frameTimes(clip, project.handles, rate, range).length, refusal: null };
     } catch (error) {
-      return { frames: 0, refusal: asError(error).message };
+      return { frames: 0, refusal: errorWords(asError(error)) };
     }
   }
 

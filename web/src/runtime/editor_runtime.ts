@@ -2,6 +2,7 @@
  * A running editor, from the element's connection to its disconnection: the store, and every resource that carries out
  * its effects. `dispose` releases all of them.
  */
+
 import type { Drawing } from '../compute/drawing';
 import type { DrawingOptions } from '../compute/messages';
 import type { Pose } from '../compute/posed_picture';
@@ -12,7 +13,6 @@ import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorEvent } from '../editor/events';
 import { isLassoing, isStiffening } from '../editor/hit_areas';
 import { initialState } from '../editor/initial_state';
-import { NOTHING_DROPPED } from '../editor/notice_texts';
 import { type Carried, initialOpening } from '../editor/opening_state';
 import type { Media, PageAttributes } from '../editor/page';
 import { type PageQuestion, questionsOf } from '../editor/page_question';
@@ -27,6 +27,8 @@ import type { HeatMap } from '../geometry/heat';
 import type { MappedPoint } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 import { type DropReceiver, DropTarget } from '../input/drop';
+import type { Texts } from '../texts/texts';
+import { say } from '../texts/wording';
 import { isPressing } from '../tools/machine';
 import { focusExport } from '../ui/export/menu';
 import type { ExportPages } from '../ui/export_pages';
@@ -56,6 +58,8 @@ import { Timers } from './timers';
 export interface EditorElement {
   readonly node: HTMLElement;
   readonly root: ShadowRoot;
+  /** All texts, in the language of the element. */
+  texts(): Texts;
   /** The state has changed: render it. */
   render(): void;
   /** Resolves once the last state is rendered. */
@@ -133,18 +137,18 @@ export class EditorRuntime {
       address: (text) =>
         dispatch(
           text === null
-            ? { type: 'person-informed', text: NOTHING_DROPPED }
+            ? { type: 'person-informed', text: say('notices.nothingDropped') }
             : { type: 'address-given', text },
         ),
     };
     this.#drop = new DropTarget(element.node, () => mayReceive(this.state), receive);
-    this.#clipboard = new Clipboard(element.node, this.#store, this.#focus);
+    this.#clipboard = new Clipboard(element.node, this.#store, this.#focus, element.texts);
     this.#media = new MediaWatcher({
       schemeChanged: () => element.schemeChanged(),
       pixelRatioChanged: () => this.#frames?.request(),
     });
     this.#reach = new ReachCache(() => this.#frames?.request());
-    this.#study = new Study(element.root, this.#store, this.#pictures);
+    this.#study = new Study(element.root, this.#store, this.#pictures, element.texts);
     this.#timeline = new LazyView(
       element.root,
       async () => (await import('../ui/timeline/timeline')).timelineView,

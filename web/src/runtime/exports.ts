@@ -1,6 +1,8 @@
 /** Runs one export at a time: of a picture, a film, a rig, or a map. */
+
 import type { Dispatch } from '../editor/events';
 import { asError, isAbort } from '../error';
+import type { Wording } from '../texts/wording';
 
 /** How to follow and to stop an export. */
 export interface ExportFollowing {
@@ -8,7 +10,7 @@ export interface ExportFollowing {
   /** Gets the fraction that is done, and the seconds that are left, once these are known. */
   onProgress(fraction: number, left?: number): void;
   /** Takes a sentence on a part that the file lacks. */
-  onRemark(sentence: string): void;
+  onRemark(sentence: Wording): void;
 }
 
 export class Exports {
@@ -26,8 +28,8 @@ export class Exports {
     const { signal } = controller;
     const onProgress = (fraction: number, left?: number) =>
       this.#dispatch({ type: 'export-progressed', fraction, ...(left === undefined ? {} : { left }) });
-    const remarks: string[] = [];
-    const onRemark = (sentence: string) => void remarks.push(sentence);
+    const remarks: Wording[] = [];
+    const onRemark = (sentence: Wording) => void remarks.push(sentence);
     try {
       const saved = await exported({ signal, onProgress, onRemark });
       this.#dispatch({ type: 'export-ended', saved, error: null, remarks });

@@ -1,6 +1,8 @@
 /** A part of the page that is loaded when it is first shown: most visitors never open it. */
 
-import { C2WarpError } from '../error';
+import type { C2WarpError } from '../error';
+import { say } from '../texts/wording';
+import { editorError } from './editor_error';
 
 export interface LazyStyles {
   /** Its style sheets. */
@@ -50,4 +52,4 @@ export class LazyView<View extends LazyStyles> {
 }
 
 export const notLoaded = (cause: unknown): C2WarpError =>
-  new C2WarpError('file', 'This card could not be loaded: is the network there?', { cause });
+  editorError('file', say('errors.cardNotLoaded'), { cause });

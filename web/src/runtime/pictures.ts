@@ -1,4 +1,5 @@
 /** The pictures that the state names, opened. A picture that the state no longer names is released. */
+import { errorWords } from '../editor/error_words';
 import type { Picture, SourceFile } from '../editor/picture';
 import type { EditorState } from '../editor/state';
 import { asC2WarpError, C2WarpError } from '../error';
@@ -6,6 +7,7 @@ import type { Drawn } from '../io/drawing';
 import { signatureOf } from '../io/formats/signature';
 import { type OpenPicture, openPicture } from '../io/open_picture';
 import { readBytes } from '../io/read';
+import { say } from '../texts/wording';
 import { notLoaded } from './lazy_view';
 
 export class Pictures {
@@ -116,5 +118,6 @@ async function openedFile(
 /** An error with the file's name before its message. An AbortError stays as it is. */
 export function withFileName(name: string, error: unknown): unknown {
   if (!(error instanceof Error) || error instanceof DOMException) return error;
-  return new C2WarpError(asC2WarpError(error).code, `${name}: ${error.message}`, { cause: error });
+  const wording = say('errors.inFile', name, errorWords(error));
+  return new C2WarpError(asC2WarpError(error).code, `${name}: ${error.message}`, { cause: error, wording });
 }

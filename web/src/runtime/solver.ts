@@ -3,6 +3,7 @@
  *
  * Solutions hold memory of the WebAssembly module. Those that the state no longer names are freed.
  */
+
 import type { Drawing } from '../compute/drawing';
 import { type ClipMoment, Engine, type FittedProject } from '../compute/engine';
 import type { Filming } from '../compute/filming';
@@ -15,18 +16,12 @@ import { clipWithIdsOf, solveKey, withIdsOf } from '../document/solved';
 import type { Dispatch } from '../editor/events';
 import type { Solution, SolveReport } from '../editor/solution';
 import type { EditorState } from '../editor/state';
-import {
-  asError,
-  C2WarpError,
-  codeOf,
-  isAbort,
-  isEngineFailure,
-  TOO_MUCH,
-  TOO_MUCH_TO_SOLVE,
-} from '../error';
+import { asError, C2WarpError, codeOf, isAbort, isEngineFailure, TOO_MUCH } from '../error';
 import type { Vec } from '../geometry/vec';
 import type { TexturePatch } from '../render/picture';
+import { say } from '../texts/wording';
 import { SolutionDeformation } from './deformation';
+import { editorError } from './editor_error';
 import { fillPatch } from './fill_patch';
 
 const gone = (): DOMException => new DOMException('the editor is gone', 'AbortError');
@@ -189,7 +184,7 @@ export class Solver {
 
   /** Parses a project file. @throws C2WarpError with a message that names the invalid key. */
   async readProject(text: string): Promise<Project> {
-    if (text.trim() === '') throw new C2WarpError('project', 'The file is empty.');
+    if (text.trim() === '') throw editorError('project', say('errors.emptyProject'));
     await this.#started();
     try {
       return drawable(checkedProject(text));
@@ -249,7 +244,7 @@ export class Solver {
     const failed = isEngineFailure(error);
     // An error without a code is one of the page's module. The solution is to blame, whatever the reason.
     const told =
-      codeOf(error) === '' ? new C2WarpError(TOO_MUCH, TOO_MUCH_TO_SOLVE, { cause: error }) : error;
+      codeOf(error) === '' ? editorError(TOO_MUCH, say('errors.tooMuch.solve'), { cause: error }) : error;
     // The engine may have given up the picture: the next solve starts another.
     if (failed || told !== error) this.#stop();
     this.#dispatch({ type: 'solve-refused', key, error: told, failed });

@@ -1,4 +1,5 @@
 /** Loads the templates and styles of the study card when it is first shown: most visitors never open it. */
+
 import { render } from 'lit-html';
 import { byVariant } from '../document/variants';
 import type { EditorAccess } from '../editor/access';
@@ -7,6 +8,7 @@ import type { FigureName } from '../editor/study_state';
 import { viewModel } from '../editor/view_model';
 import type { C2WarpError } from '../error';
 import { svgText } from '../io/svg';
+import type { Texts } from '../texts/texts';
 import type { StudyView, VariantCanvases } from '../ui/study_view';
 import type { Compare } from './compare';
 import { LazyView, notLoaded } from './lazy_view';
@@ -16,15 +18,17 @@ export class Study {
   readonly #root: ShadowRoot;
   readonly #editor: EditorAccess;
   readonly #pictures: Pictures;
+  readonly #texts: () => Texts;
   readonly #card: LazyView<StudyView>;
   #canvases: VariantCanvases;
   /** While the comparison is on show. */
   #compare: Promise<Compare> | null = null;
 
-  constructor(root: ShadowRoot, editor: EditorAccess, pictures: Pictures) {
+  constructor(root: ShadowRoot, editor: EditorAccess, pictures: Pictures, texts: () => Texts) {
     this.#root = root;
     this.#editor = editor;
     this.#pictures = pictures;
+    this.#texts = texts;
     this.#canvases = this.#freshCanvases();
     this.#card = new LazyView(root, async () => {
       const { studyView } = await import('../ui/study/study');
@@ -46,7 +50,7 @@ export class Study {
   /** A figure as an SVG file, in light colours; null while it is not known. */
   async figureText(name: FigureName, state: EditorState): Promise<string | null> {
     const compare = await this.#compare;
-    const figure = this.view?.figure(name, viewModel(state), compare?.pngs() ?? null);
+    const figure = this.view?.figure(name, viewModel(state, this.#texts()), compare?.pngs() ?? null);
     if (!figure) return null;
     const place = this.#root.ownerDocument.createElement('div');
     place.className = 'figure-to-save';

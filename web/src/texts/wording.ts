@@ -1,5 +1,5 @@
 /** Wordings: what is told, as data. They become sentences in the language of their reader. */
-import type { Entry, Texts } from './texts';
+import type { Entry, PartialTexts, Texts } from './texts';
 
 type KeysOf<T> = {
   [K in keyof T & string]: T[K] extends Entry ? K : `${K}.${KeysOf<T[K]>}`;
@@ -17,8 +17,8 @@ type EntryAt<T, Path extends string> = Path extends `${infer K}.${infer Rest}`
     : never;
 
 /** An entry of the table with the values for it. Plain data: it can be stored, and posted to workers. */
-export interface Wording {
-  readonly key: TextKey;
+export interface Wording<K extends TextKey = TextKey> {
+  readonly key: K;
   readonly values: readonly Value[];
 }
 
@@ -33,13 +33,13 @@ type Given<V> = string extends V ? V | Wording : V extends readonly string[] ? r
 type ValuesOf<E> = E extends (...values: infer V) => string ? { [I in keyof V]: Given<V[I]> } : [];
 
 /** Names an entry, with values for it. */
-export const say = <K extends TextKey>(key: K, ...values: ValuesOf<EntryAt<Texts, K>>): Wording => ({
+export const say = <K extends TextKey>(key: K, ...values: ValuesOf<EntryAt<Texts, K>>): Wording<K> => ({
   key,
   values: values as readonly Value[],
 });
 
 /** Words in a language. A key of another version of the editor is empty. */
-export function worded(texts: Texts, words: Words): string {
+export function worded(texts: PartialTexts, words: Words): string {
   if (typeof words === 'string') return words;
   const entry = words.key.split('.').reduce((table: unknown, name) => (table as Tables)?.[name], texts);
   if (typeof entry !== 'function') return typeof entry === 'string' ? entry : '';
@@ -48,7 +48,7 @@ export function worded(texts: Texts, words: Words): string {
 
 type Tables = Readonly<Record<string, unknown>> | undefined;
 
-const rendered = (texts: Texts, value: Value): unknown => {
+const rendered = (texts: PartialTexts, value: Value): unknown => {
   if (isList(value)) return value.map((words) => worded(texts, words));
   return typeof value === 'object' && value !== null ? worded(texts, value) : value;
 };

@@ -3,9 +3,11 @@
  *
  * A brush works on the posed picture: each place of the pointer is led back to the place of the original under it.
  */
+
 import type { Document } from '../document/document';
 import type { Project } from '../document/project';
 import { distance, type Vec } from '../geometry/vec';
+import type { Wording } from '../texts/wording';
 import { type Outcome, outcome, type Press, type State, type ToolContext } from './state';
 
 /** A step of more radii than this, beyond the step of the pointer, leads to another part of the picture. */
@@ -34,7 +36,7 @@ export function stroked<S>(
   press: Press,
   stroke: S,
   kind: Brushing<S>,
-  label: string,
+  label: Wording,
   context: ToolContext,
 ): Outcome {
   const begun = ledTo(context.document, stroke, kind, press, null, context);

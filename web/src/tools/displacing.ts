@@ -1,4 +1,5 @@
 /** The brush that moves places of the picture, before the handles pose them. */
+
 import { displacementAt } from '../document/displacement';
 import {
   beginDisplacing,
@@ -8,16 +9,9 @@ import {
   withDisplacing,
 } from '../document/displacing_stroke';
 import { add } from '../geometry/vec';
+import { say } from '../texts/wording';
 import { type Brushing, stroked } from './brushing';
 import { type Outcome, outcome, type Press, type State, type ToolContext } from './state';
-
-const LABELS = {
-  push: 'Push',
-  pinch: 'Pinch',
-  bloat: 'Bloat',
-  smooth: 'Smooth',
-  restore: 'Restore',
-} as const;
 
 /** @param resting The tool between presses, if nothing under the brush bends. */
 export function displace(press: Press, own: DisplacingBrush, context: ToolContext, resting: State): Outcome {
@@ -31,5 +25,5 @@ export function displace(press: Press, own: DisplacingBrush, context: ToolContex
     led: ledDisplacing,
     edited: (stroke) => ({ project: withDisplacing(stroke), stopped: stroke.stopped }),
   };
-  return stroked(press, begun, kind, LABELS[own.kind], context);
+  return stroked(press, begun, kind, say(`steps.strokes.${own.kind}`), context);
 }

@@ -6,12 +6,14 @@
  * polygon or lasso. One press, drag and release draws a whole bar. Shift snaps to steps of 45°. A cancelled press
  * removes only its own corners.
  */
+
 import { ringsOf } from '../document/domain';
 import { addHandle, freeId } from '../document/edits';
 import { CORNERS_NEEDED, isClosed, isLine, rounded, roundedVec } from '../document/handle';
 import type { LineHandle, Project } from '../document/project';
 import { constrained } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
+import { say } from '../texts/wording';
 import {
   type Draft,
   type Effect,
@@ -149,7 +151,7 @@ function finished(draft: Draft, context: ToolContext, rest: State, along = false
   const handle = lineHandle(project, { kind, corners }, (places) => context.layerUnder(places));
   return outcome(
     rest,
-    { type: 'begin', label: `Add ${kind}` },
+    { type: 'begin', label: say(`steps.add.${kind}`) },
     { type: 'edit', document: addHandle(context.document, handle) },
     { type: 'commit' },
     { type: 'drawn', draft, handle },

@@ -6,6 +6,7 @@ import { rounded, roundedVec } from '../document/handle';
 import type { PointHandle, Project } from '../document/project';
 import type { Placement } from '../geometry/place';
 import { add, distance, subtract } from '../geometry/vec';
+import { say } from '../texts/wording';
 import { moving } from './moving';
 import { type Outcome, outcome, type Press, type State, snappedPlace, type ToolContext } from './state';
 
@@ -37,7 +38,7 @@ export function placed(press: Press, context: ToolContext, rest: State): Outcome
   const document = addHandle(context.document, handle);
   return outcome(
     placing(document, handle, press, rest),
-    { type: 'begin', label: 'Add handle' },
+    { type: 'begin', label: say('steps.add.point') },
     { type: 'edit', document },
     { type: 'guides', guides },
   );

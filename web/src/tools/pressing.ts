@@ -8,8 +8,10 @@
 
 import { handleById } from '../document/document';
 import { removeHandles } from '../document/edits';
-import { anchor, nameOf } from '../document/handle';
+import { anchor } from '../document/handle';
+import { nameWords } from '../document/names';
 import { distance } from '../geometry/vec';
+import { say } from '../texts/wording';
 import { cornering } from './cornering';
 import { groupRing } from './group_ring';
 import { type Hit, hit } from './hit';
@@ -88,7 +90,7 @@ function deleted({ id }: Hit, { document }: ToolContext, rest: State): Outcome {
   if (!handle) return outcome(rest);
   return outcome(
     rest,
-    { type: 'begin', label: `Delete ${nameOf(handle)}` },
+    { type: 'begin', label: say('steps.delete', nameWords(handle)) },
     { type: 'edit', document: removeHandles(document, [id]) },
     { type: 'commit' },
   );
@@ -101,20 +103,20 @@ function dragged(target: Hit, from: Press, press: Press, context: ToolContext, r
   if (!handle) return outcome(rest);
   const ids = document.selection.includes(target.id) ? document.selection : [target.id];
   const alone = target.part === 'corner' && !from.alt;
-  const what = ids.length > 1 && !alone ? `${ids.length} handles` : nameOf(handle);
+  const who = ids.length > 1 && !alone ? say('names.handles', ids.length) : nameWords(handle);
   const ring = groupRing(document, context.grips);
   const pivot = ring?.pivot ?? anchor(handle);
   const aside = target.part === 'ring' || (ring && distance(pivot, from.at) > context.grips.handle);
   // A press on the pivot has no direction, so turns start from the first point of the drag.
   const hold = aside ? from.at : press.at;
-  const [verb, next] =
+  const [label, next] =
     target.part === 'grip' && ring
-      ? ['Scale', scaling(document, ring, from.at, rest)]
+      ? [say('steps.scale', who), scaling(document, ring, from.at, rest)]
       : target.part === 'ring' || from.alt
-        ? ['Turn', turning(context, ids, pivot, hold, rest)]
+        ? [say('steps.turn', who), turning(context, ids, pivot, hold, rest)]
         : target.part === 'corner'
-          ? ['Move a corner of', cornering(document, target.id, target.index, from.at, rest)]
-          : ['Move', moving(document, ids, anchor(handle), from.at, rest)];
+          ? [say('steps.moveCorner', who), cornering(document, target.id, target.index, from.at, rest)]
+          : [say('steps.move', who), moving(document, ids, anchor(handle), from.at, rest)];
   const first = next.move?.(press, context) ?? outcome(next);
-  return outcome(first.next, { type: 'begin', label: `${verb} ${what}` }, ...first.effects);
+  return outcome(first.next, { type: 'begin', label }, ...first.effects);
 }

@@ -2,6 +2,7 @@
  * Dragging a corner of a drawn domain, or a new one from an edge. The outline stops before it crosses itself. A lasso
  * that snaps to edges puts the corner on one nearby, except with Alt.
  */
+
 import type { Document } from '../document/document';
 import {
   type RingCorner,
@@ -10,6 +11,7 @@ import {
   withRingCornerMoved,
 } from '../document/lasso_corners';
 import { add, distance, subtract } from '../geometry/vec';
+import { say } from '../texts/wording';
 import type { RingHit } from './ring_hit';
 import { type Outcome, outcome, type Press, type State } from './state';
 
@@ -30,7 +32,7 @@ export function ringPressing(hit: RingHit, from: Press, rest: State, click: () =
         rest,
       );
       const first = drag.move?.(press, context) ?? outcome(drag);
-      const label = adds ? 'Add a corner to the selection' : 'Move a corner of the selection';
+      const label = say(adds ? 'steps.addSelectionCorner' : 'steps.moveSelectionCorner');
       return outcome(first.next, { type: 'begin', label }, ...first.effects);
     },
     up: click,

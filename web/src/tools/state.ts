@@ -14,6 +14,7 @@ import type { Box } from '../geometry/box';
 import type { Guide, SnappedPlace } from '../geometry/guides';
 import type { LocatedPoint, Placement } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
+import type { Wording } from '../texts/wording';
 import type { ToolBrush } from './brush_kinds';
 
 /** A pointer at one moment. */
@@ -100,7 +101,7 @@ export interface Draft {
 }
 
 export type Effect =
-  | { readonly type: 'begin'; readonly label: string }
+  | { readonly type: 'begin'; readonly label: Wording }
   | ({ readonly type: 'edit' } & PosedDocument)
   | { readonly type: 'commit' }
   | { readonly type: 'bail' }

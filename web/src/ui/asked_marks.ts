@@ -16,6 +16,7 @@ export function askedMarks({
   document,
   camera,
   stage,
+  texts,
 }: EditorModel): SVGTemplateResult | typeof nothing {
   const [first] = asked;
   if (!first) return nothing;
@@ -32,7 +33,7 @@ export function askedMarks({
     })}
     <g class="words" transform="translate(${x + side * WORDS.apart} ${y})">
       <rect x=${-WORDS.width / 2} y="-13" width=${WORDS.width} height="26" rx="13"/>
-      <text dy="4.5">would fold here</text>
+      <text dy="4.5">${texts.stage.wouldFold}</text>
     </g>
   </g>`;
 }

@@ -1,6 +1,6 @@
 /** A button for a command. */
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { ariaKeys, COMMANDS, type CommandName, keyHint } from '../editor/commands';
+import { ariaKeys, type CommandName, keyHint } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { type IconName, icon, iconOf } from './icons';
@@ -28,14 +28,14 @@ export function commandButton(
   look: Look = {},
 ): TemplateResult | typeof nothing {
   if (!model.offers(name)) return nothing;
-  const label = look.label ?? COMMANDS[name].label;
+  const label = look.label ?? model.texts.commands[name];
   return html`<button
     type="button"
     class="button ${look.text ? 'worded' : ''}"
     part="button"
     data-command=${name}
     data-tip=${label}
-    data-keys=${keyHint(name, model.platform)}
+    data-keys=${keyHint(name, model.platform, model.texts)}
     aria-label=${label}
     aria-keyshortcuts=${ariaKeys(name, model.platform) || nothing}
     aria-pressed=${look.pressed === undefined ? nothing : String(look.pressed)}

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { selectedHandles } from '../document/document';
 import { isLine } from '../document/handle';
-import { ariaKeys, COMMANDS, type CommandName, keyHint } from '../editor/commands';
+import { ariaKeys, type CommandName, keyHint } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { MenuState } from '../editor/menu_state';
 import type { EditorModel } from '../editor/view_model';
@@ -40,7 +40,7 @@ export function contextMenu(model: EditorModel, dispatch: Dispatch): TemplateRes
     popover="manual"
     role="menu"
     tabindex="-1"
-    aria-label=${menu.name}
+    aria-label=${model.worded(menu.name)}
     @keydown=${(event: KeyboardEvent) => onKey(event, dispatch)}
     @contextmenu=${(event: Event) => event.preventDefault()}
     @pointerleave=${({ currentTarget }: Event) => (currentTarget as HTMLElement).focus({ preventScroll: true })}
@@ -75,8 +75,8 @@ function entry(name: CommandName, model: EditorModel, dispatch: Dispatch): Templ
     @click=${() => possible && dispatch({ type: 'menu-command-run', command: name })}
     @pointermove=${({ currentTarget }: Event) => (currentTarget as HTMLElement).focus({ preventScroll: true })}
   >
-    ${icon(iconOf(name))}<span>${COMMANDS[name].label} ${possible ? nothing : html`<span class="why" aria-hidden="true">${reason}</span>`}</span>
-    <kbd aria-hidden="true">${keyHint(name, model.platform)}</kbd>
+    ${icon(iconOf(name))}<span>${model.texts.commands[name]} ${possible ? nothing : html`<span class="why" aria-hidden="true">${reason}</span>`}</span>
+    <kbd aria-hidden="true">${keyHint(name, model.platform, model.texts)}</kbd>
   </div>`;
 }
 

@@ -7,13 +7,13 @@ import { commandButton } from './command_button';
 import { numberField, PLACE } from './number_field';
 
 export function cornerFields({ posed }: LineHandle, model: EditorModel, dispatch: Dispatch): TemplateResult {
-  const { corner, press } = model;
+  const { corner, press, texts } = model;
   const at = corner === null ? undefined : posed[corner];
   const words = at
-    ? `Corner ${(corner ?? 0) + 1} of ${posed.length}`
-    : `${posed.length} corners: double-${press} adds or deletes one`;
+    ? texts.panel.corner((corner ?? 0) + 1, posed.length)
+    : texts.panel.corners[press](posed.length);
   return html`<div class="row corners">
-      <span class="faint" title="Double-${press} the line for one more there, a corner to delete it">${words}</span>
+      <span class="faint" title=${texts.panel.cornersTip[press]}>${words}</span>
       ${commandButton('add-corner', model, dispatch)}
       ${at ? commandButton('remove-corner', model, dispatch) : nothing}
     </div>
@@ -28,7 +28,11 @@ const place = (
 ): TemplateResult =>
   html`<div class="fields of-corner" role="group" aria-label=${label}>
     ${([0, 1] as const).map((axis) => {
-      const look = { ...PLACE, name: axis === 0 ? 'corner-x' : 'corner-y', label: axis === 0 ? 'X' : 'Y' };
+      const look = {
+        ...PLACE,
+        name: axis === 0 ? 'corner-x' : 'corner-y',
+        label: axis === 0 ? model.texts.panel.x : model.texts.panel.y,
+      };
       return numberField(
         look,
         [at[axis]],

@@ -35,20 +35,21 @@ const cornerMarks = ({ document, camera, ringCorner }: EditorModel): readonly SV
 /** The buttons of the corners. */
 export function ringButtons(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const rings = ringsOf(model.document.project);
-  return html`<div class="handles" role="group" aria-label="Corners of the selection">
+  const { stage: texts } = model.texts;
+  return html`<div class="handles" role="group" aria-label=${texts.selectionCorners}>
     ${rings.flatMap((ring, k) =>
       ring.map((corner, index) => {
         const [x, y] = toStage(model.camera, corner);
-        const [left, top] = corner.map(Math.round);
-        const of = rings.length > 1 ? `part ${k + 1} of the selection` : 'the selection';
+        const [left = 0, top = 0] = corner.map(Math.round);
+        const part = rings.length > 1 ? k + 1 : null;
         return html`<button
           type="button"
           class="ring-button"
           part="handle"
           data-ring=${k}
           data-ring-corner=${index}
-          aria-label="Corner ${index + 1} of ${of}, x ${left}, y ${top}"
-          aria-description="Arrow keys move it. Delete removes it, and C adds one after it."
+          aria-label=${texts.selectionCorner(index + 1, part, left, top)}
+          aria-description=${texts.selectionCornerKeys}
           .style=${`transform: translate(${x}px, ${y}px)`}
           @focus=${({ target }: FocusEvent) => {
             if (target instanceof Element && target.matches(':focus-visible'))

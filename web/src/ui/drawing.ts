@@ -53,22 +53,22 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
 
 /** The next thing to do, with buttons for people without an Enter key. */
 export function draftBar(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
-  const { draft } = model;
+  const { draft, texts } = model;
   if (!draft) return nothing;
   const ready = isDrawable(draft);
   const missing = CORNERS_NEEDED[draft.kind] - draft.corners.length;
   const words = ready
-    ? 'Add corners, or finish'
+    ? texts.drawing.ready
     : missing === 1
-      ? 'One corner more'
-      : `${missing} corners more`;
-  return html`<div class="draft-bar card" part="notice" role="group" aria-label="Drawing">
+      ? texts.drawing.oneMore
+      : texts.drawing.more(missing);
+  return html`<div class="draft-bar card" part="notice" role="group" aria-label=${texts.drawing.label}>
     <span class="words">${words}</span>
     ${draft.kind === 'lasso' ? edgeSwitch(model, dispatch) : nothing}
-    ${button('undo', 'Take back the last corner', '⌫', () => dispatch({ type: 'corner-taken-back' }))}
-    ${button('close', 'Give up drawing', 'Esc', () => dispatch({ type: 'command-run', command: 'bail' }))}
-    <button type="button" class="button finish" part="button" data-tip="Finish" data-keys="↵"
-      ?disabled=${!ready} @click=${() => dispatch({ type: 'drawing-finished' })}>${icon('done')}Finish</button>
+    ${button('undo', texts.drawing.takeBack, '⌫', () => dispatch({ type: 'corner-taken-back' }))}
+    ${button('close', texts.drawing.giveUp, texts.keys.names.escape, () => dispatch({ type: 'command-run', command: 'bail' }))}
+    <button type="button" class="button finish" part="button" data-tip=${texts.drawing.finish} data-keys="↵"
+      ?disabled=${!ready} @click=${() => dispatch({ type: 'drawing-finished' })}>${icon('done')}${texts.drawing.finish}</button>
   </div>`;
 }
 

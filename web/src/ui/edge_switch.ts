@@ -10,8 +10,8 @@ export const edgeSwitch = (model: EditorModel, dispatch: Dispatch): TemplateResu
   role="switch"
   aria-checked=${String(model.edgeSnapping)}
   aria-busy=${String(model.edgesPending)}
-  data-tip="The lasso follows edges of the picture. Hold Alt to draw freely"
+  data-tip=${model.texts.hints.snapToEdgesTip}
   @click=${() => dispatch({ type: 'edge-snapping-switched', on: !model.edgeSnapping })}
 >
-  Snap to edges
+  ${model.texts.hints.snapToEdges}
 </button>`;

@@ -1,4 +1,5 @@
 /** The numbers of the selected handles, with buttons beside some of them. */
+
 import { html, type TemplateResult } from 'lit-html';
 import {
   anchor,
@@ -15,6 +16,7 @@ import type { Handle } from '../document/project';
 import { stiffnessOf } from '../document/stiffness';
 import type { Dispatch, Field } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
+import type { Texts } from '../texts/texts';
 import { commandButton } from './command_button';
 import { type FieldLook, numberField, PLACE } from './number_field';
 
@@ -23,13 +25,13 @@ interface HandleField extends FieldLook {
   read(handle: Handle, turns: Turns): number;
 }
 
-const FIELDS: readonly HandleField[] = [
-  { ...PLACE, name: 'x', label: 'X', read: (handle) => anchor(handle)[0] },
-  { ...PLACE, name: 'y', label: 'Y', read: (handle) => anchor(handle)[1] },
-  { name: 'rotation', label: 'Turn', unit: '°', step: 1, digits: 1, read: rotationOf },
+const fieldsOf = ({ panel: words }: Texts): readonly HandleField[] => [
+  { ...PLACE, name: 'x', label: words.x, read: (handle) => anchor(handle)[0] },
+  { ...PLACE, name: 'y', label: words.y, read: (handle) => anchor(handle)[1] },
+  { name: 'rotation', label: words.turn, unit: '°', step: 1, digits: 1, read: rotationOf },
   {
     name: 'scale',
-    label: 'Scale',
+    label: words.scale,
     unit: '×',
     step: 0.05,
     digits: 2,
@@ -40,29 +42,29 @@ const FIELDS: readonly HandleField[] = [
   },
   {
     name: 'depth',
-    label: 'Depth',
+    label: words.depth,
     unit: '',
     step: 1,
     digits: 2,
     least: DEPTHS.least,
     most: DEPTHS.most,
-    tip: `Drawing order, from ${DEPTHS.least} at the back to ${DEPTHS.most} in front`,
+    tip: words.depthTip(DEPTHS.least, DEPTHS.most),
     read: depthOf,
   },
 ];
 
-const STIFFNESS: HandleField = {
+const stiffnessField = ({ panel: words }: Texts): HandleField => ({
   name: 'stiffness',
-  label: 'Stiffness',
+  label: words.stiffness,
   unit: '',
   step: 0.1,
   digits: 2,
   least: 0,
   most: 1,
   digitKeys: true,
-  tip: 'How stiff the picture inside the polygon is, from 0 to 1',
+  tip: words.stiffnessTip,
   read: stiffnessOf,
-};
+});
 
 export const fields = (
   selected: readonly Handle[],
@@ -81,7 +83,7 @@ export const fields = (
     return besides(look, input, selected, model, dispatch);
   };
   const areStiff = selected.every(({ kind }) => kind === 'polygon');
-  return html`<div class="fields">${[...FIELDS, ...(areStiff ? [STIFFNESS] : [])].map(field)}</div>`;
+  return html`<div class="fields">${[...fieldsOf(model.texts), ...(areStiff ? [stiffnessField(model.texts)] : [])].map(field)}</div>`;
 };
 
 /** A field with its buttons. */
@@ -111,16 +113,17 @@ function automaticToggle(
   const points = selected.filter((handle) => !isLine(handle));
   const free = points.filter(isAutomatic).length;
   const all = free === points.length;
+  const { panel: words } = model.texts;
   return html`<button
     type="button"
     class="button toggle"
     part="button"
-    data-tip=${all ? 'Turns with the picture around it' : 'Let it turn by itself'}
-    aria-label="Auto turn"
+    data-tip=${all ? words.turnsByItself : words.letTurn}
+    aria-label=${words.autoTurn}
     aria-pressed=${all ? 'true' : free > 0 ? 'mixed' : 'false'}
     ?disabled=${model.readonly}
     @click=${() => dispatch({ type: 'automatic-rotation-switched', on: !all })}
   >
-    Auto
+    ${words.auto}
   </button>`;
 }

@@ -2,34 +2,32 @@
  * The menu beside Open: an address to open, recent work, and the samples of the page. On phones it takes the place of
  * Open, so that the bar has room.
  */
+
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { COMMANDS } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { Sample } from '../editor/page';
 import type { EditorModel } from '../editor/view_model';
 import type { WorkSnapshot } from '../editor/work';
+import type { Texts } from '../texts/texts';
 import { placeBelowButton } from './below_button';
 import { closePopover } from './close_popover';
 import { captionOf } from './command_button';
 import { icon, iconOf } from './icons';
 import { shortened } from './shortened';
 
-const LABEL = 'Open recent work, samples or an address';
-const RECENT = 'Recent work';
-const WHOLE = 'One file with all';
-
 export function filesMenu(model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const { label } = model.texts.files;
   return html`<div class="menu">
     <button
       type="button"
       class="button slim"
       part="button"
       popovertarget="files"
-      data-tip=${LABEL}
-      aria-label=${LABEL}
+      data-tip=${label}
+      aria-label=${label}
       ?disabled=${!model.canRun('open')}
     >
-      ${icon('unfold')}${icon('open')}${captionOf('Open')}
+      ${icon('unfold')}${icon('open')}${captionOf(model.texts.toolbar.open)}
     </button>
     <div
       id="files"
@@ -37,7 +35,7 @@ export function filesMenu(model: EditorModel, dispatch: Dispatch): TemplateResul
       part="menu"
       popover
       role="dialog"
-      aria-label=${LABEL}
+      aria-label=${label}
       @beforetoggle=${(event: ToggleEvent) => {
         placeBelowButton(event);
         dispatch({ type: 'popover-toggled', popover: 'files', open: event.newState === 'open' });
@@ -49,7 +47,7 @@ export function filesMenu(model: EditorModel, dispatch: Dispatch): TemplateResul
 }
 
 const content = (model: EditorModel, dispatch: Dispatch): TemplateResult => html`
-  ${entryOf('open', COMMANDS.open.label, model, dispatch)}
+  ${entryOf('open', model.texts.commands.open, model, dispatch)}
   <form class="address" novalidate @submit=${(event: Event) => openAddress(event, dispatch)}>
     <input
       name="address"
@@ -57,35 +55,36 @@ const content = (model: EditorModel, dispatch: Dispatch): TemplateResult => html
       inputmode="url"
       autocomplete="off"
       spellcheck="false"
-      placeholder="https://…/picture.png"
-      aria-label="Address of a picture or a project"
+      placeholder=${model.texts.files.placeholder}
+      aria-label=${model.texts.files.address}
       @keydown=${(event: KeyboardEvent) => event.key !== 'Escape' && event.stopPropagation()}
     />
-    <button type="submit" class="button" part="button">Open</button>
+    <button type="submit" class="button" part="button">${model.texts.files.open}</button>
   </form>
-  ${model.recent.length > 0 ? recentWork(model.recent, dispatch) : nothing}
-  ${model.samples.length > 0 ? samples(model.samples, dispatch) : nothing}
-  ${model.recent.length > 0 ? nothing : noRecentWork}
-  <section aria-label=${WHOLE}>
-    <h2>${WHOLE}</h2>
-    ${entryOf('save-whole', 'Save with the picture', model, dispatch)}
-    ${entryOf('export-whole', 'Export a PNG that opens again', model, dispatch)}
+  ${model.recent.length > 0 ? recentWork(model.recent, model.texts, dispatch) : nothing}
+  ${model.samples.length > 0 ? samples(model.samples, model.texts, dispatch) : nothing}
+  ${model.recent.length > 0 ? nothing : noRecentWork(model.texts)}
+  <section aria-label=${model.texts.files.whole}>
+    <h2>${model.texts.files.whole}</h2>
+    ${entryOf('save-whole', model.texts.files.saveWhole, model, dispatch)}
+    ${entryOf('export-whole', model.texts.files.exportWhole, model, dispatch)}
   </section>`;
 
 const recentWork = (
   works: readonly WorkSnapshot[],
+  texts: Texts,
   dispatch: Dispatch,
-): TemplateResult => html`<section aria-label=${RECENT}>
+): TemplateResult => html`<section aria-label=${texts.files.recent}>
   <h2>
-    ${RECENT}
-    ${works.length > 1 ? html`<button type="button" class="link" @click=${() => dispatch({ type: 'recent-removed', id: null })}>Remove all</button>` : nothing}
+    ${texts.files.recent}
+    ${works.length > 1 ? html`<button type="button" class="link" @click=${() => dispatch({ type: 'recent-removed', id: null })}>${texts.files.removeAll}</button>` : nothing}
   </h2>
-  <ul>${works.map((work) => entry(work, dispatch))}</ul>
+  <ul>${works.map((work) => entry(work, texts, dispatch))}</ul>
 </section>`;
 
-const noRecentWork = html`<section aria-label=${RECENT}>
-  <h2>${RECENT}</h2>
-  <p class="faint">Pictures that you have edited are listed here once you open another.</p>
+const noRecentWork = ({ files }: Texts): TemplateResult => html`<section aria-label=${files.recent}>
+  <h2>${files.recent}</h2>
+  <p class="faint">${files.noRecent}</p>
 </section>`;
 
 /** A command that closes the menu. */
@@ -99,7 +98,7 @@ const entryOf = (
   class="button pick"
   part="button"
   data-command=${command}
-  title=${COMMANDS[command].label}
+  title=${model.texts.commands[command]}
   ?disabled=${!model.canRun(command)}
   @click=${(event: Event) => {
     closePopover(event);
@@ -118,16 +117,17 @@ function openAddress(event: Event, dispatch: Dispatch): void {
 
 const samples = (
   list: readonly Sample[],
+  { files }: Texts,
   dispatch: Dispatch,
-): TemplateResult => html`<section aria-label="Samples">
-  <h2>Samples</h2>
+): TemplateResult => html`<section aria-label=${files.samples}>
+  <h2>${files.samples}</h2>
   <div class="samples">
     ${list.map(
       (sample) => html`<button
         type="button"
         class="button"
         part="button"
-        aria-label="Open the sample ${sample.name}"
+        aria-label=${files.openSample(sample.name)}
         @click=${(event: Event) => {
           closePopover(event);
           dispatch({ type: 'sample-chosen', sample });
@@ -139,7 +139,7 @@ const samples = (
   </div>
 </section>`;
 
-const entry = (work: WorkSnapshot, dispatch: Dispatch): TemplateResult => html`<li>
+const entry = (work: WorkSnapshot, texts: Texts, dispatch: Dispatch): TemplateResult => html`<li>
   <button
     type="button"
     class="button pick"
@@ -151,20 +151,18 @@ const entry = (work: WorkSnapshot, dispatch: Dispatch): TemplateResult => html`<
   >
     ${work.thumbnail ? html`<img src=${work.thumbnail} alt="" />` : html`<span class="no-thumbnail"></span>`}
     <span class="name">${shortened(work.name)}</span>
-    <span class="faint">${steps(work)}</span>
+    <span class="faint">${steps(work, texts)}</span>
   </button>
   <button
     type="button"
     class="button small"
     part="button"
-    aria-label="Remove ${work.name} from the list"
+    aria-label=${texts.files.remove(work.name)}
     @click=${() => dispatch({ type: 'recent-removed', id: work.id })}
   >
     ${icon('close')}
   </button>
 </li>`;
 
-function steps({ record: { past } }: WorkSnapshot): string {
-  if (past.length === 0) return 'a drawing';
-  return past.length === 1 ? '1 step' : `${past.length} steps`;
-}
+const steps = ({ record: { past } }: WorkSnapshot, { files }: Texts): string =>
+  past.length === 0 ? files.drawing : files.steps(past.length);

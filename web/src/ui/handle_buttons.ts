@@ -4,6 +4,7 @@
  *
  * Styles are set as properties, since a Content Security Policy may refuse style attributes.
  */
+
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import {
@@ -11,42 +12,36 @@ import {
   depthOf,
   type HiddenCorners,
   isLine,
-  nameOf,
   rotationOf,
   rounded,
   scaleOf,
   type Turns,
-  turnWords,
 } from '../document/handle';
+import { nameWords } from '../document/names';
 import type { Handle, LineHandle } from '../document/project';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
-
-/** The name of a handle with its kind, which the name may say already: "Handle head", "bar 1, with 2 corners". */
-function kindWords(handle: Handle): readonly string[] {
-  const name = nameOf(handle);
-  const says = (kind: string) => name.toLowerCase().split(' ').includes(kind);
-  if (!isLine(handle)) return [says('handle') || says('point') ? name : `Handle ${name}`];
-  const corners = `with ${handle.posed.length} corners`;
-  return says(handle.kind) ? [name, corners] : [`Handle ${name}`, `${handle.kind} ${corners}`];
-}
+import type { Texts } from '../texts/texts';
+import { worded } from '../texts/wording';
 
 /** The label of a handle for screen readers. */
-export function handleLabel(handle: Handle, turns: Turns, hidden: HiddenCorners): string {
+export function handleLabel(handle: Handle, turns: Turns, hidden: HiddenCorners, texts: Texts): string {
   const [x, y] = anchor(handle);
   const scale = rounded(scaleOf(handle));
   const depth = depthOf(handle);
-  return [
-    ...kindWords(handle),
-    `x ${Math.round(x)}`,
-    `y ${Math.round(y)}`,
-    turnWords(rotationOf(handle, turns)),
-    ...(scale === 1 ? [] : [`scale ${scale}`]),
-    ...(depth === 0 ? [] : [`depth ${depth}`]),
-    ...(isBehind(handle, hidden) ? ['behind another part'] : []),
-  ].join(', ');
+  const { spoken } = texts;
+  const name = worded(texts, nameWords(handle));
+  return texts.names.parts([
+    isLine(handle) ? spoken[handle.kind](name, handle.posed.length) : spoken.point(name),
+    spoken.x(Math.round(x)),
+    spoken.y(Math.round(y)),
+    spoken.rotation(Math.round(rotationOf(handle, turns))),
+    ...(scale === 1 ? [] : [spoken.scale(scale)]),
+    ...(depth === 0 ? [] : [spoken.depth(depth)]),
+    ...(isBehind(handle, hidden) ? [spoken.behind] : []),
+  ]);
 }
 
 /** Whether all corners lie behind another part of the picture. */
@@ -55,7 +50,7 @@ const isBehind = ({ id }: Handle, hidden: HiddenCorners): boolean =>
 
 export function handleButtons(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { document, camera } = model;
-  return html`<div class="handles ${model.draft ? 'drawing' : ''}" role="group" aria-label="Handles">
+  return html`<div class="handles ${model.draft ? 'drawing' : ''}" role="group" aria-label=${model.texts.stage.handles}>
     ${repeat(
       document.project.handles,
       (handle) => handle.id,
@@ -67,7 +62,7 @@ export function handleButtons(model: EditorModel, dispatch: Dispatch): TemplateR
             class="handle ${isLine(handle) ? 'middle-mark' : ''} ${isBehind(handle, model.hidden) ? 'behind' : ''}"
             part="handle"
             data-handle=${handle.id}
-            aria-label=${handleLabel(handle, model.turns, model.hidden)}
+            aria-label=${handleLabel(handle, model.turns, model.hidden, model.texts)}
             aria-pressed=${selected ? 'true' : 'false'}
             .style=${`transform: translate(${x}px, ${y}px)`}
             @focus=${(event: FocusEvent) => focused(event, handle.id, anchor(handle), model, dispatch)}
@@ -89,7 +84,7 @@ const cornerButtons = (
 ): readonly TemplateResult[] =>
   handle.posed.map((corner, index) => {
     const [x, y] = toStage(model.camera, corner);
-    const [left, top] = corner.map(Math.round);
+    const [left = 0, top = 0] = corner.map(Math.round);
     const inHand = selected && model.corner === index;
     const behind = model.hidden.get(handle.id)?.[index];
     return html`<button
@@ -99,7 +94,7 @@ const cornerButtons = (
       data-of=${handle.id}
       data-corner=${index}
       tabindex=${selected ? 0 : -1}
-      aria-label="Corner ${index + 1} of ${nameOf(handle)}, x ${left}, y ${top}"
+      aria-label=${model.texts.spoken.corner(index + 1, model.worded(nameWords(handle)), left, top)}
       .style=${`transform: translate(${x}px, ${y}px)`}
       @focus=${(event: FocusEvent) => focused(event, handle.id, corner, model, dispatch)}
       @keydown=${(event: KeyboardEvent) => entered(event, handle.id, model, dispatch)}

@@ -1,6 +1,7 @@
 /** The list of all handles. */
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { anchor, isAtRest, nameOf } from '../document/handle';
+import { anchor, isAtRest } from '../document/handle';
+import { nameWords } from '../document/names';
 import type { Handle } from '../document/project';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
@@ -18,14 +19,15 @@ const adds = (event: MouseEvent): boolean => event.shiftKey || event.ctrlKey || 
 
 export function handleList(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { project, selection } = model.document;
+  const { handleList: words } = model.texts;
   return html`<section class="list">
     <div class="head">
-      <h3>Handles <span class="faint">${project.handles.length}</span></h3>
-      ${model.picture && !model.readonly ? commandButton('suggest', model, dispatch, project.handles.length > 0 ? { label: 'Suggest more handles' } : {}) : nothing}
+      <h3>${words.title} <span class="faint">${project.handles.length}</span></h3>
+      ${model.picture && !model.readonly ? commandButton('suggest', model, dispatch, project.handles.length > 0 ? { label: words.suggestMore } : {}) : nothing}
     </div>
     ${
       project.handles.length === 0
-        ? html`<p class="faint">None yet. Let some be suggested (N), or choose the point tool (P) and ${model.press} the picture. Or draw a bar (B) or a polygon (G).</p>`
+        ? html`<p class="faint">${words.none[model.press]}</p>`
         : html`<ul>
             ${project.handles.map(
               (handle) => html`<li>
@@ -38,8 +40,8 @@ export function handleList(model: EditorModel, dispatch: Dispatch): TemplateResu
                       ? dispatch({ type: 'handle-toggled', id: handle.id })
                       : listed(event, handle, dispatch)}
                 >
-                  <span class="dot of-${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
-                  ${isAtRest(handle) ? nothing : html`<span class="moved" role="img" aria-label="moved" title="Moved from its rest"></span>`}
+                  <span class="dot of-${handle.kind}"></span><span class="name">${model.worded(nameWords(handle))}</span>
+                  ${isAtRest(handle) ? nothing : html`<span class="moved" role="img" aria-label=${words.moved} title=${words.movedTip}></span>`}
                 </button>
               </li>`,
             )}

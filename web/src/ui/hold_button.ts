@@ -1,6 +1,6 @@
 /** A button that shows the picture without handles while it is held: the original, or the posed picture. */
 import { html, type TemplateResult } from 'lit-html';
-import { ariaKeys, COMMANDS, keyHint, type PreviewCommand } from '../editor/commands';
+import { ariaKeys, keyHint, type PreviewCommand } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { captionOf } from './command_button';
@@ -25,9 +25,9 @@ export function holdButton(
     class="button"
     part="button"
     data-command=${name}
-    data-tip=${COMMANDS[name].label}
-    data-keys=${keyHint(name, model.platform)}
-    aria-label=${COMMANDS[name].label}
+    data-tip=${model.texts.commands[name]}
+    data-keys=${keyHint(name, model.platform, model.texts)}
+    aria-label=${model.texts.commands[name]}
     aria-keyshortcuts=${ariaKeys(name, model.platform)}
     aria-pressed=${String(model.preview === name)}
     ?disabled=${!model.canRun(name)}

@@ -1,118 +1,91 @@
 /** The list of keys: opened by its button or by "?", closed by Escape or a press beside it. */
+
 import { html, type TemplateResult } from 'lit-html';
-import { COMMANDS, type CommandName, keyHint, modifier } from '../editor/commands';
+import { type CommandName, keyHint, modifier } from '../editor/commands';
 import type { EditorModel } from '../editor/view_model';
+import type { Texts } from '../texts/texts';
 import { icon } from './icons';
 
-/** A command, or other keys and their effect. `Mod` is Ctrl, and Cmd on a Mac. */
-type Row = CommandName | readonly [keys: string, what: string];
+/** A command, or other keys and their effect. */
+type Row = CommandName | readonly [keys: PressName, effect: keyof Texts['keys']['effects']];
+type PressName = keyof Texts['keys']['presses'];
 
-const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
-  [
-    'Tools',
-    [
-      'select',
-      'point',
-      'bar',
-      'polygon',
-      'lasso',
-      'brush',
-      'hand',
-      'lens',
-      ['Enter', 'Finish a drawing, or place at the crosshair'],
-      ['Shift', 'Draw and move by 45°, turn by 15°'],
-      ['Alt', 'Lasso: leave edges, or begin a hole'],
-    ],
+const GROUPS = {
+  tools: [
+    'select',
+    'point',
+    'bar',
+    'polygon',
+    'lasso',
+    'brush',
+    'hand',
+    'lens',
+    ['enter', 'finish'],
+    ['shift', 'straight'],
+    ['alt', 'lassoAlt'],
   ],
-  [
-    'Selection',
-    [
-      ['Tab', 'Next handle'],
-      ['Shift click', 'One more, or one less'],
-      'select-all',
-      ['Shift F10', 'Menu'],
-      'bail',
-    ],
+  selection: [['tab', 'next'], ['shiftClick', 'oneMore'], 'select-all', ['shiftF10', 'menu'], 'bail'],
+  handles: [
+    ['arrows', 'move'],
+    ['turn', 'turnBy'],
+    ['altDrag', 'turn'],
+    ['altClick', 'remove'],
+    ['modDrag', 'ignoreGuides'],
+    'reset',
+    'mirror',
+    'copy',
+    'paste',
+    'forward',
+    'backward',
+    'suggest',
+    'without-folds',
+    'add-corner',
+    'remove-corner',
+    'rename',
+    'remove',
   ],
-  [
-    'Handles',
-    [
-      ['arrows', 'Move by 1 px, with Shift by 10'],
-      [', and .', 'Turn by 1°, with Shift by 15; with Alt, scale'],
-      ['Alt drag', 'Turn'],
-      ['Alt click', 'Delete'],
-      ['Mod while dragging', 'Ignore the guides'],
-      'reset',
-      'mirror',
-      'copy',
-      'paste',
-      'forward',
-      'backward',
-      'suggest',
-      'without-folds',
-      'add-corner',
-      'remove-corner',
-      'rename',
-      'remove',
-    ],
+  brush: ['brush-erase', 'brush-smaller', 'brush-larger', ['altDrag', 'opposite'], ['enterArrows', 'push']],
+  view: [
+    ['spaceDrag', 'pan'],
+    ['modWheel', 'zoom'],
+    'fit',
+    'actual',
+    'zoom-in',
+    'zoom-out',
+    'compare',
+    'preview',
   ],
-  [
-    'Brush',
-    [
-      'brush-erase',
-      'brush-smaller',
-      'brush-larger',
-      ['Alt drag', 'The opposite: restore, pinch or bloat, erase'],
-      ['Enter, arrows', 'Take hold and push; Enter lets go'],
-    ],
+  timeline: [
+    'timeline',
+    'play',
+    'set-key',
+    ['recordDrag', 'record'],
+    ['arrows', 'ruler'],
+    ['altArrows', 'moveKeys'],
   ],
-  [
-    'View',
-    [
-      ['Space drag', 'Pan'],
-      ['Mod wheel', 'Zoom'],
-      'fit',
-      'actual',
-      'zoom-in',
-      'zoom-out',
-      'compare',
-      'preview',
-    ],
-  ],
-  [
-    'Timeline',
-    [
-      'timeline',
-      'play',
-      'set-key',
-      ['R drag', 'Record a motion'],
-      ['arrows', 'On the ruler: to the next frame; on a key: to the next key'],
-      ['Alt arrows', 'Move keys by a frame'],
-    ],
-  ],
-  ['Document', ['open', 'save', 'save-whole', 'export', 'export-as', 'undo', 'redo']],
-];
+  document: ['open', 'save', 'save-whole', 'export', 'export-as', 'undo', 'redo'],
+} as const satisfies Record<keyof Texts['keys']['groups'], readonly Row[]>;
 
-export const keysButton = (): TemplateResult => html`<button
+export const keysButton = ({ texts }: EditorModel): TemplateResult => html`<button
   type="button"
   class="button keys-button"
   part="button"
   popovertarget="keys"
-  data-tip=${COMMANDS.keys.label}
+  data-tip=${texts.commands.keys}
   data-keys="?"
-  aria-label=${COMMANDS.keys.label}
+  aria-label=${texts.commands.keys}
   aria-keyshortcuts="?"
 >
   ${icon('keys')}
 </button>`;
 
-export const keysCard = ({ platform }: EditorModel): TemplateResult => html`<div
+export const keysCard = ({ platform, texts }: EditorModel): TemplateResult => html`<div
   id="keys"
   class="card keys"
   part="menu"
   popover
   role="dialog"
-  aria-label=${COMMANDS.keys.label}
+  aria-label=${texts.commands.keys}
   tabindex="-1"
 >
   <button
@@ -121,24 +94,29 @@ export const keysCard = ({ platform }: EditorModel): TemplateResult => html`<div
     part="button"
     popovertarget="keys"
     popovertargetaction="hide"
-    aria-label="Close the list of keys"
+    aria-label=${texts.keys.close}
   >
     ${icon('close')}
   </button>
   <div class="columns">
-    ${GROUPS.map(
-      ([title, rows]) => html`<section>
-        <h3>${title}</h3>
-        <dl>${rows.map((row) => line(row, platform))}</dl>
+    ${(Object.keys(GROUPS) as (keyof typeof GROUPS)[]).map(
+      (name) => html`<section>
+        <h3>${texts.keys.groups[name]}</h3>
+        <dl>${GROUPS[name].map((row) => line(row, platform, texts))}</dl>
       </section>`,
     )}
   </div>
 </div>`;
 
-function line(row: Row, platform: string): TemplateResult {
-  const [keys, what] =
+function line(row: Row, platform: string, texts: Texts): TemplateResult {
+  const [keys, effect] =
     typeof row === 'string'
-      ? [keyHint(row, platform), COMMANDS[row].label]
-      : [row[0].replace('Mod', modifier(platform)), row[1]];
-  return html`<div><dt>${what}</dt><dd>${keys}</dd></div>`;
+      ? [keyHint(row, platform, texts), texts.commands[row]]
+      : [pressText(row[0], platform, texts), texts.keys.effects[row[1]]];
+  return html`<div><dt>${effect}</dt><dd>${keys}</dd></div>`;
+}
+
+function pressText(name: PressName, platform: string, texts: Texts): string {
+  const press = texts.keys.presses[name];
+  return typeof press === 'string' ? press : press(modifier(platform, texts));
 }

@@ -1,6 +1,5 @@
 /** The menu of a phone, for commands that its bar has no room for. */
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { COMMANDS } from '../editor/commands';
 import type { Dispatch, EditorEvent } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { placeBelowButton } from './below_button';
@@ -10,6 +9,7 @@ import { type IconName, icon } from './icons';
 import { themeLabel } from './theme';
 
 export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const { texts } = model;
   const entry = (name: IconName, label: string, event: EditorEvent, possible = true) => html`<button
     type="button"
     class="entry"
@@ -29,8 +29,8 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
   const timeline = { type: 'command-run', command: 'timeline' } as const;
   const keys = { type: 'command-run', command: 'keys' } as const;
   return html`<div class="menu more">
-    <button type="button" class="button" part="button" popovertarget="more" aria-label="More">
-      ${icon('more')}${captionOf('More')}
+    <button type="button" class="button" part="button" popovertarget="more" aria-label=${texts.toolbar.more}>
+      ${icon('more')}${captionOf(texts.toolbar.more)}
     </button>
     <div
       id="more"
@@ -38,17 +38,17 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
       part="menu"
       popover
       role="group"
-      aria-label="More"
+      aria-label=${texts.toolbar.more}
       @beforetoggle=${placeBelowButton}
     >
-      ${model.offers('timeline') ? entry('timeline', COMMANDS.timeline.label, timeline, model.canRun('timeline')) : nothing}
-      ${model.offers('suggest') ? entry('suggest', COMMANDS.suggest.label, suggest, model.canRun('suggest')) : nothing}
-      ${entry('without-folds', COMMANDS['without-folds'].label, unfold, model.canRun('without-folds'))}
-      ${entry('reset', COMMANDS['reset-all'].label, reset, model.canRun('reset-all'))}
+      ${model.offers('timeline') ? entry('timeline', texts.commands.timeline, timeline, model.canRun('timeline')) : nothing}
+      ${model.offers('suggest') ? entry('suggest', texts.commands.suggest, suggest, model.canRun('suggest')) : nothing}
+      ${entry('without-folds', texts.commands['without-folds'], unfold, model.canRun('without-folds'))}
+      ${entry('reset', texts.commands['reset-all'], reset, model.canRun('reset-all'))}
       ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
-      ${model.offers('hand') ? entry('hand', COMMANDS.hand.label, hand) : nothing}
-      ${model.offers('lens') ? entry('lens', COMMANDS.lens.label, lens, model.canRun('lens')) : nothing}
-      ${entry('keys', COMMANDS.keys.label, keys)}
+      ${model.offers('hand') ? entry('hand', texts.commands.hand, hand) : nothing}
+      ${model.offers('lens') ? entry('lens', texts.commands.lens, lens, model.canRun('lens')) : nothing}
+      ${entry('keys', texts.commands.keys, keys)}
     </div>
   </div>`;
 }

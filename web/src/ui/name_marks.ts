@@ -3,8 +3,8 @@
  * and the selected one. They keep clear of other handles where that is possible.
  */
 import { nothing, type SVGTemplateResult, svg } from 'lit-html';
-import { anchor, corners, isLine, nameOf } from '../document/handle';
-import { numberOf } from '../document/names';
+import { anchor, corners, isLine } from '../document/handle';
+import { nameWords, numberOf } from '../document/names';
 import type { Handle } from '../document/project';
 import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
@@ -27,7 +27,7 @@ export function nameMarks(model: EditorModel): SVGTemplateResult {
     dots.filter((dot) => dot.handle !== handle || isLine(handle)).map(({ at }) => at);
   return svg`${document.project.handles.map((handle) => {
     const isNamed = named.includes(handle.id);
-    const text = isNamed ? capital(nameOf(handle)) : numberOf(handle);
+    const text = isNamed ? capital(model.worded(nameWords(handle))) : numberOf(handle);
     if (text === null) return nothing;
     const size = { width: TEXT.character * text.length, height: TEXT.height };
     const at = toStage(camera, anchor(handle));

@@ -27,7 +27,7 @@ function card(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof n
   >
     <p title=${text}>${shortened(text)}</p>
     ${action ? answer(action, false, model, dispatch) : nothing} ${other ? answer(other, true, model, dispatch) : nothing}
-    <button type="button" class="button small" aria-label="Dismiss" @click=${() => dispatch({ type: 'notice-dismissed' })}>
+    <button type="button" class="button small" aria-label=${model.texts.stage.dismiss} @click=${() => dispatch({ type: 'notice-dismissed' })}>
       ${icon('close')}
     </button>
   </div>`;
@@ -36,7 +36,7 @@ function card(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof n
 const answer = (
   { label, readsOnly }: NoticeAction,
   other: boolean,
-  { readonly, notice }: EditorModel,
+  { readonly, notice, worded }: EditorModel,
   dispatch: Dispatch,
 ): TemplateResult =>
   html`<button
@@ -45,5 +45,5 @@ const answer = (
     ?disabled=${readonly && notice?.kind === 'info' && !readsOnly}
     @click=${() => dispatch({ type: 'notice-answered', other })}
   >
-    ${shortened(label)}
+    ${shortened(worded(label))}
   </button>`;

@@ -1,7 +1,9 @@
 /** A number of the selected handles or of a corner, to be typed or stepped. */
+
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch, NumberChange } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
+import { say, type Wording } from '../texts/wording';
 import { untyped } from './untyped';
 
 export interface FieldLook {
@@ -36,11 +38,9 @@ export function numberOf(text: string): number {
   return Number(THOUSANDS.test(plain) ? plain.replaceAll(',', '') : plain.replace(',', '.'));
 }
 
-const expected = ({ label, least, most }: FieldLook, value: number): string => {
-  if (least !== undefined && most !== undefined) return `${label} takes a number from ${least} to ${most}.`;
-  return Number.isNaN(value)
-    ? `${label} takes a number, such as 120 or −3.5.`
-    : `${label} takes a number up to ${MOST.toLocaleString('en-GB')}.`;
+const expected = ({ label, least, most }: FieldLook, value: number): Wording => {
+  if (least !== undefined && most !== undefined) return say('panel.takesRange', label, least, most);
+  return Number.isNaN(value) ? say('panel.takesNumber', label) : say('panel.takesUpTo', label, MOST);
 };
 
 /** The press that focuses the field selects its number, to be typed over. The next one sets the caret. */
@@ -72,6 +72,7 @@ export function numberField(
   const values = numbers.map((number) => Number(number.toFixed(look.digits)));
   const shared = values.every((value) => value === values[0]) ? String(values[0]) : '';
   const { least = -MOST, most = MOST } = look;
+  const { panel: words } = model.texts;
   const commit = (event: Event) => {
     event.stopPropagation();
     const input = event.target as HTMLInputElement;
@@ -112,9 +113,9 @@ export function numberField(
       aria-valuenow=${shared || nothing}
       aria-valuemin=${look.least ?? nothing}
       aria-valuemax=${look.most ?? nothing}
-      aria-label="${look.label} (${look.unit || `${look.least} to ${look.most}`})"
+      aria-label=${words.numberLabel(look.label, look.unit || words.range(look.least ?? 0, look.most ?? 0))}
       aria-description=${look.tip ?? nothing}
-      placeholder="mixed"
+      placeholder=${words.mixed}
       .value=${untyped(shared)}
       ?disabled=${model.readonly && !look.changesNothing}
       @change=${commit}

@@ -6,25 +6,13 @@ import type { EditorModel } from '../editor/view_model';
 import { captionOf } from './command_button';
 import { icon } from './icons';
 
-/** The name and the tooltip of each overlay. */
-const TEXTS = {
-  mesh: ['Mesh', 'The triangles that the picture is drawn with'],
-  cells: ['Cells', 'The part nearest to each handle, virtual handles included'],
-  sites: ['Virtual handles', 'Points that move the picture between your handles'],
-  graph: ['Cell graph', 'The neighbours among all handles, virtual ones included'],
-  creases: ['Creases', 'Places where the picture has turned over'],
-  reach: ['Reach', 'How far each place follows a small move of the selected handles'],
-  coverage: ['Coverage', 'The number of handles that move each place, virtual ones included'],
-  stiffness: ['Stiffness', 'How stiff each place is: by the brush, and inside of stiff polygons'],
-  selection: ['Selection', 'The outline of what a lasso lets bend, and the rest dimmed'],
-} as const satisfies Record<OverlayName, readonly [label: string, tip: string]>;
-
 export function overlayButton(model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const { overlays: words } = model.texts;
   // The selection is shown from the beginning.
   const shown = OVERLAYS.filter((name) => model.overlays[name] && name !== 'selection').map(
-    (name) => TEXTS[name][0],
+    (name) => words.names[name],
   );
-  const label = ['Overlays', shown.join(', ').toLowerCase()].filter(Boolean).join(': ');
+  const label = shown.length > 0 ? words.titleWith(shown) : words.title;
   const open = !model.overlayList;
   return html`<button
     type="button"
@@ -36,25 +24,26 @@ export function overlayButton(model: EditorModel, dispatch: Dispatch): TemplateR
     aria-expanded=${String(model.overlayList)}
     @click=${({ detail }: MouseEvent) => dispatch({ type: 'overlays-opened', open, keyed: detail === 0 })}
   >
-    ${icon('overlays')}${captionOf('Overlays')}
+    ${icon('overlays')}${captionOf(words.title)}
   </button>`;
 }
 
 export function overlayList(model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const { overlays: words } = model.texts;
   const close = (keyed: boolean) => dispatch({ type: 'overlays-opened', open: false, keyed });
   const onKey = (event: KeyboardEvent) => {
     if (event.key !== 'Escape') return;
     event.preventDefault();
     close(true);
   };
-  return html`<section class="overlays" role="group" aria-label="Overlays" @keydown=${onKey}>
+  return html`<section class="overlays" role="group" aria-label=${words.title} @keydown=${onKey}>
     <div class="row">
-      <h3>Overlays</h3>
+      <h3>${words.title}</h3>
       <button
         type="button"
         class="button small"
         part="button"
-        aria-label="Close the list"
+        aria-label=${words.close}
         @click=${({ detail }: MouseEvent) => close(detail === 0)}
       >
         ${icon('close')}
@@ -65,7 +54,8 @@ export function overlayList(model: EditorModel, dispatch: Dispatch): TemplateRes
 }
 
 const check = (name: OverlayName, model: EditorModel, dispatch: Dispatch): TemplateResult => {
-  const [label, tip] = TEXTS[name];
+  const { names, tips } = model.texts.overlays;
+  const tip = tips[name];
   return html`<label class="check" title=${tip}>
     <input
       type="checkbox"
@@ -78,6 +68,6 @@ const check = (name: OverlayName, model: EditorModel, dispatch: Dispatch): Templ
         dispatch({ type: 'overlay-switched', overlay: name, on });
       }}
       @input=${(event: Event) => event.stopPropagation()}
-    />${label}
+    />${names[name]}
   </label>`;
 };

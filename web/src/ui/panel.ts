@@ -35,7 +35,7 @@ export function panel(model: EditorModel, dispatch: Dispatch): TemplateResult {
     away: pressing && !settings && !overlaid,
     high: !settings && !overlaid && isLow(selected, model),
   };
-  return html`<section class="panel card ${classMap(looks)}" part="panel" aria-label="Properties">
+  return html`<section class="panel card ${classMap(looks)}" part="panel" aria-label=${model.texts.panel.label}>
     ${overlaid ? overlayList(model, dispatch) : nothing}
     ${selected.length > 0 ? properties(selected, model, dispatch) : nothing}
     ${bending(model, dispatch, selected.length === 0 || settings)} ${handleList(model, dispatch)}
@@ -60,25 +60,26 @@ function isLow(selected: readonly Handle[], { camera, stage, numbers, corner }: 
 function properties(selected: readonly Handle[], model: EditorModel, dispatch: Dispatch): TemplateResult {
   const [first] = selected;
   if (!first) return html``;
-  const rest = anchor(first, 'rest').map((value) => Math.round(value));
-  return html`<section class="properties" aria-label="Selected handle">
-    ${selected.length === 1 ? nameTitle(first, model, dispatch) : html`<h2>${selected.length} handles</h2>`}
+  const { panel: words, names } = model.texts;
+  const [x, y] = anchor(first, 'rest');
+  return html`<section class="properties" aria-label=${words.selected}>
+    ${selected.length === 1 ? nameTitle(first, model, dispatch) : html`<h2>${names.handles(selected.length)}</h2>`}
     ${fields(selected, model, dispatch)}
     ${selected.length === 1 && isLine(first) ? cornerFields(first, model, dispatch) : nothing}
     <div class="row">
-      <span class="faint">${selected.length === 1 ? `Rests at ${rest.join(',\u00a0')}` : ''}</span>
+      <span class="faint">${selected.length === 1 ? words.restsAt(Math.round(x), Math.round(y)) : ''}</span>
       <button
         type="button"
         class="button unfold"
         part="button"
-        aria-label="Numbers"
+        aria-label=${words.numbers}
         aria-expanded=${String(model.numbers)}
         @click=${() => dispatch({ type: 'numbers-opened', open: !model.numbers })}
       >
         ${icon('unfold')}
       </button>
       ${commandButton('mirror', model, dispatch)}
-      ${commandButton('reset', model, dispatch, { label: 'Reset to rest' })}
+      ${commandButton('reset', model, dispatch, { label: words.resetToRest })}
       ${commandButton('remove', model, dispatch)}
     </div>
   </section>`;

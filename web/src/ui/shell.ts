@@ -31,9 +31,13 @@ export interface LaterParts {
   readonly exportPages: ExportPages | null;
 }
 
-/** @param canvas shows the picture, and lives as long as its WebGL context. */
+/**
+ * @param language the tag of the texts.
+ * @param canvas shows the picture, and lives as long as its WebGL context.
+ */
 export function shell(
   model: EditorModel,
+  language: string,
   dispatch: Dispatch,
   canvas: HTMLCanvasElement,
   { study, timeline, exportPages }: LaterParts,
@@ -41,7 +45,7 @@ export function shell(
   const { posable } = model;
   const studying = study !== null && model.study.page !== null && !posable;
   return html`${room(model)}
-  <div class="shell" lang="en" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
+  <div class="shell" lang=${language} tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
     ${posable ? nothing : topBar(model, dispatch, exportPages)}
     <div class="middle ${studying ? `studying on-${model.study.page}` : ''}">
       ${stage(model, dispatch, canvas, studying ? study.marks(model) : nothing)} ${model.picture ? nothing : emptyStage(model, dispatch)}
@@ -49,7 +53,7 @@ export function shell(
       ${model.task ? progressBar(model.task) : nothing}
       ${model.hint && !model.preview && !studying ? bubble(model.hint, model.camera) : nothing}
       ${posable ? nothing : html`${draftBar(model, dispatch)} ${brushBar(model, dispatch)} ${toolHint(model, dispatch)} ${legends(model)}`}
-      ${model.preview === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing}
+      ${model.preview === 'compare' ? html`<p class="hint" part="hint">${model.texts.stage.original}</p>` : nothing}
       ${posable ? nothing : exportCard(model, dispatch)} ${notice(model, dispatch)}
     </div>
     ${timeline && model.timeline ? timeline.bar(model, dispatch) : nothing} ${contextMenu(model, dispatch)}

@@ -25,9 +25,6 @@ import {
   siteOverlay,
 } from './overlays';
 
-/** Keys without a control of their own. */
-const KEYS = 'Arrow keys move the selection. Comma and full stop turn it, and with Alt scale it.';
-
 /** @param studied marks of the study card. */
 export function stage(
   model: EditorModel,
@@ -43,7 +40,7 @@ export function stage(
     tabindex=${handled ? (posable ? -1 : 0) : nothing}
     role=${handled ? 'application' : 'img'}
     aria-label=${stageLabel(model)}
-    aria-description=${model.picture && handled && !model.readonly ? KEYS : nothing}
+    aria-description=${model.picture && handled && !model.readonly ? model.texts.stage.keys : nothing}
     .style=${`cursor: ${cssCursor(model.cursor)}`}
   >
     ${canvas} ${cornerMarks()}
@@ -65,13 +62,13 @@ const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => 
 
 /** The picture for screen readers while the editor is inert. */
 export const disabledStage = (model: EditorModel): TemplateResult =>
-  html`<p class="spoken" role="img" aria-label="${pictureLabel(model)}, disabled"></p>`;
+  html`<p class="spoken" role="img" aria-label=${model.texts.stage.disabled(pictureLabel(model))}></p>`;
 
 const stageLabel = (model: EditorModel): string =>
-  `${pictureLabel(model)}${model.posable && !model.readonly ? ', to be posed by its handles' : ''}`;
+  model.posable && !model.readonly ? model.texts.stage.posable(pictureLabel(model)) : pictureLabel(model);
 
 /** The label of the picture. In an editor people may open other pictures than the one that the page describes. */
-function pictureLabel({ picture, posable, alt }: EditorModel): string {
-  if (!picture) return 'No picture';
-  return (posable && alt) || `Picture ${picture.name}`;
+function pictureLabel({ picture, posable, alt, texts }: EditorModel): string {
+  if (!picture) return texts.stage.noPicture;
+  return (posable && alt) || texts.stage.picture(picture.name);
 }

@@ -5,7 +5,8 @@ import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
 
 /** The colours that the button switches to. */
-export const themeLabel = ({ dark }: EditorModel): string => (dark ? 'Light colours' : 'Dark colours');
+export const themeLabel = ({ dark, texts }: EditorModel): string =>
+  dark ? texts.toolbar.lightColours : texts.toolbar.darkColours;
 
 export function themeButton(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const label = themeLabel(model);

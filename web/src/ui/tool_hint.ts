@@ -4,7 +4,6 @@
  */
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { ringsOf } from '../document/domain';
-import { COMMANDS } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import type { ToolName } from '../tools/machine';
@@ -37,25 +36,16 @@ const suggestButton = (model: EditorModel, dispatch: Dispatch): TemplateResult =
   ?disabled=${!model.canRun('suggest')}
   @click=${() => dispatch({ type: 'command-run', command: 'suggest' })}
 >
-  ${icon('suggest')}${COMMANDS.suggest.label}
+  ${icon('suggest')}${model.texts.commands.suggest}
 </button>`;
 
-function wordsOf({ press, document }: EditorModel): Partial<Record<ToolName, string>> {
+function wordsOf({ press, document, texts }: EditorModel): Partial<Record<ToolName, string>> {
+  const { hints } = texts;
   const lines = {
-    bar: `Drag a bar, or ${press} its corners`,
-    polygon: `Draw a polygon: ${press} its corners`,
-    lasso:
-      ringsOf(document.project).length > 0
-        ? 'Drag a corner of the selection, or draw around another part'
-        : `Draw around the part that bends: drag, or ${press} corners`,
+    bar: hints.bar[press],
+    polygon: hints.polygon[press],
+    lasso: ringsOf(document.project).length > 0 ? hints.lassoAgain : hints.lasso[press],
   };
   if (document.project.handles.length > 0) return lines;
-  return {
-    ...lines,
-    select: `Take the point tool, and ${press} the picture`,
-    point:
-      press === 'tap'
-        ? 'Tap the picture where you want to hold it'
-        : 'Click the picture where you want to hold it',
-  };
+  return { ...lines, select: hints.select[press], point: hints.point[press] };
 }

@@ -5,23 +5,24 @@ import type { EditorModel } from '../editor/view_model';
 import type { ToolName } from '../tools/machine';
 import { commandButton } from './command_button';
 
-/** The tools in their order, with their words on phones. */
+/** The tools in their order. */
 const TOOLS = [
-  ['select', 'Move'],
-  ['point', 'Point'],
-  ['bar', 'Bar'],
-  ['polygon', 'Polygon'],
-  ['lasso', 'Lasso'],
-  ['brush', 'Brush'],
-  ['hand', 'Pan'],
-  ['lens', 'Lens'],
-] as const satisfies readonly (readonly [ToolName, string])[];
+  'select',
+  'point',
+  'bar',
+  'polygon',
+  'lasso',
+  'brush',
+  'hand',
+  'lens',
+] as const satisfies readonly ToolName[];
 
 export function toolStrip(model: EditorModel, dispatch: Dispatch): TemplateResult {
-  return html`<div class="tools card" part="tools" role="group" aria-label="Tools">
-    ${TOOLS.map(([name, caption]) => commandButton(name, model, dispatch, { caption, pressed: model.tool === name }))}
+  const { tools: words } = model.texts;
+  return html`<div class="tools card" part="tools" role="group" aria-label=${words.label}>
+    ${TOOLS.map((name) => commandButton(name, model, dispatch, { caption: words[name], pressed: model.tool === name }))}
     <span class="sheet-switch">
-      ${commandButton('settings', model, dispatch, { caption: 'Bend', pressed: model.settings })}
+      ${commandButton('settings', model, dispatch, { caption: words.bend, pressed: model.settings })}
     </span>
   </div>`;
 }

@@ -15,39 +15,42 @@ import { themeButton } from './theme';
 
 /** @param pages see `exportMenu`. */
 export function topBar(model: EditorModel, dispatch: Dispatch, pages: ExportPages | null): TemplateResult {
+  const { toolbar: words } = model.texts;
   const command = (name: CommandName, look?: Look) => commandButton(name, model, dispatch, look);
-  return html`<div class="top" part="toolbar" role="group" aria-label="Document">
+  return html`<div class="top" part="toolbar" role="group" aria-label=${words.label}>
     <span class="brand" aria-hidden="true">c<sup>2</sup>warp</span>
     <div class="group">
-      ${command('open', { text: 'Open' })} ${model.offers('open') ? filesMenu(model, dispatch) : nothing}
-      ${command('save', { text: 'Save' })}
+      ${command('open', { text: words.open })} ${model.offers('open') ? filesMenu(model, dispatch) : nothing}
+      ${command('save', { text: words.save })}
       ${model.offers('export') ? exportMenu(model, dispatch, pages) : nothing}
     </div>
     <div class="group">
-      ${command('undo', { label: told('Undo', model.undo), caption: 'Undo' })}
-      ${command('redo', { label: told('Redo', model.redo), caption: 'Redo' })}
+      ${command('undo', {
+        label: model.undo === null ? words.undo : words.undoStep(model.undo),
+        caption: words.undo,
+      })}
+      ${command('redo', {
+        label: model.redo === null ? words.redo : words.redoStep(model.redo),
+        caption: words.redo,
+      })}
     </div>
     <div class="group">
       ${command('reset-all')}
-      ${holdButton('compare', 'Compare', model, dispatch)} ${overlayButton(model, dispatch)}
+      ${holdButton('compare', words.compare, model, dispatch)} ${overlayButton(model, dispatch)}
     </div>
-    <div class="group">${command('timeline', { text: 'Animate', pressed: model.timeline !== null })}</div>
+    <div class="group">${command('timeline', { text: words.animate, pressed: model.timeline !== null })}</div>
     ${moreMenu(model, dispatch)}
     <slot name="toolbar"></slot>
     ${title(model)}
-    ${keysButton()} ${themeButton(model, dispatch)}
+    ${keysButton(model)} ${themeButton(model, dispatch)}
   </div>`;
 }
 
-const told = (verb: string, label: string | null): string =>
-  label === null ? verb : `${verb}: ${label.charAt(0).toLowerCase()}${label.slice(1)}`;
-
-function title({ picture, unsaved, kept }: EditorModel): TemplateResult {
+function title({ picture, unsaved, kept, texts }: EditorModel): TemplateResult {
   const name = picture?.name ?? '';
-  const state = unsaved ? (kept ? 'Unsaved, kept in this browser' : 'Unsaved') : '';
-  const tip = [name, unsaved ? 'no file holds the last changes' : '', kept ? 'kept in this browser' : '']
-    .filter(Boolean)
-    .join(', ');
+  const { toolbar: words, names } = texts;
+  const state = unsaved ? (kept ? words.unsavedKept : words.unsaved) : '';
+  const tip = names.parts([name, unsaved ? words.noFile : '', kept ? words.kept : ''].filter(Boolean));
   return html`<span class="title ${unsaved ? 'unsaved' : ''}" title=${tip}>
     <span class="name">${name}</span>${state ? html`<span class="kept">${state}</span>` : nothing}
   </span>`;

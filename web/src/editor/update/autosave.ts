@@ -2,10 +2,10 @@
 
 import { fileProject } from '../../document/document';
 import { recordOf, timeline } from '../../document/history';
+import { say } from '../../texts/wording';
 import { drawingsOf } from '../../tools/machine';
 import type { AutosaveState } from '../autosave_state';
 import type { Emit } from '../effects';
-import { NOT_KEPT, OTHER_TAB } from '../notice_texts';
 import type { EditorState } from '../state';
 import { isWorkedOn, type Work, type WorkSnapshot } from '../work';
 import { withDocument } from './document_slice';
@@ -45,7 +45,13 @@ export function snapshotOf(state: EditorState): WorkSnapshot | null {
 
 /** Identifies a step or a corner of a drawing. Selecting something is no step. */
 export const stepKey = ({ name, record: { past, future }, drawings = [] }: WorkSnapshot): string =>
-  [name, past.length, past.at(-1)?.label, future.length, ...drawings.map((one) => one.corners.length)].join();
+  [
+    name,
+    past.length,
+    JSON.stringify(past.at(-1)?.label),
+    future.length,
+    ...drawings.map((one) => one.corners.length),
+  ].join();
 
 /** Stores the open work. */
 export function saveWork(state: EditorState, emit: Emit): EditorState {
@@ -93,7 +99,7 @@ export const autosaveHandlers: Handlers<
     // A picture that was opened and not touched is no loss.
     if (!work || !isWorkedOn(work) || state.autosave.failing) return state;
     const next = withAutosave(state, { failing: true });
-    return state.page.posable ? next : notify(next, { kind: 'error', text: NOT_KEPT }, emit);
+    return state.page.posable ? next : notify(next, { kind: 'error', text: say('notices.notKept') }, emit);
   },
   'project-saved': (state, { project }, emit) => {
     // Another picture may have been opened while the person chose a file.
@@ -105,7 +111,7 @@ export const autosaveHandlers: Handlers<
   'other-tab-stored': (state, _, emit) => {
     const work = snapshotOf(state);
     if (state.autosave.overwritten || !work || !isWorkedOn(work)) return state;
-    return inform(withAutosave(state, { overwritten: true }), OTHER_TAB, emit);
+    return inform(withAutosave(state, { overwritten: true }), say('notices.otherTab'), emit);
   },
 };
 

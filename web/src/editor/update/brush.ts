@@ -1,7 +1,9 @@
 /** The brush: its effect, its size and strength, and the way back from all that it has done. */
+
 import { withoutDisplacement } from '../../document/displacement';
 import { withoutStiffness } from '../../document/stiffness';
-import { type BrushKind, oppositeBrush } from '../../tools/brush_kinds';
+import { say } from '../../texts/wording';
+import { oppositeBrush } from '../../tools/brush_kinds';
 import { type BrushState, sizeBeside } from '../brush_state';
 import type { Emit } from '../effects';
 import { mayEdit } from '../permissions';
@@ -17,35 +19,27 @@ const withBrush = (state: EditorState, change: Partial<BrushState>): EditorState
 
 export function resizeBrush(state: EditorState, way: 1 | -1): EditorState {
   const size = sizeBeside(state.brush, way);
-  return announce(withBrush(state, { size }), `Brush size ${size} percent`);
+  return announce(withBrush(state, { size }), say('spoken.brushSize', size));
 }
-
-const WORDS: Readonly<Record<BrushKind, string>> = {
-  push: 'The brush pushes',
-  pinch: 'The brush pinches',
-  bloat: 'The brush bloats',
-  smooth: 'The brush smooths',
-  restore: 'The brush restores',
-  stiffen: 'The brush stiffens',
-};
 
 /** Switches to the effect of Alt. */
 export function switchBrush(state: EditorState): EditorState {
   const brush = oppositeBrush(state.brush);
-  const paints = brush.erases ? 'The brush erases' : 'The brush paints';
-  return announce({ ...state, brush }, brush.kind === 'stiffen' ? paints : WORDS[brush.kind]);
+  const { kind, erases } = brush;
+  const effect = kind !== 'stiffen' ? kind : erases ? 'erases' : 'paints';
+  return announce({ ...state, brush }, say(`spoken.brush.${effect}`));
 }
 
 /** Makes the whole picture soft, but for polygons. */
 function clearStiffness(state: EditorState, emit: Emit): EditorState {
   const project = withoutStiffness(projectOf(state));
-  return step(state, 'Clear stiffness', { ...documentOf(state), project }, emit);
+  return step(state, say('steps.clearStiffness'), { ...documentOf(state), project }, emit);
 }
 
 /** Takes back all that the brush has moved. */
 function clearDisplacement(state: EditorState, emit: Emit): EditorState {
   const project = withoutDisplacement(projectOf(state));
-  return step(state, 'Clear the strokes of the brush', { ...documentOf(state), project }, emit);
+  return step(state, say('steps.clearStrokes'), { ...documentOf(state), project }, emit);
 }
 
 export const brushHandlers: Handlers<'brush-set' | 'stiffness-cleared' | 'displacement-cleared'> = {

@@ -1,4 +1,5 @@
 /** The keys of the open clip: selected, moved, eased, copied, mirrored, removed, and set for the selected handles. */
+
 import { restingRotation } from '../../document/bending';
 import {
   allowedMove,
@@ -24,17 +25,11 @@ import { atRest, corners, isLine } from '../../document/handle';
 import { mirrorHandles } from '../../document/mirror';
 import type { Clip, Handle, Key, Project } from '../../document/project';
 import type { Vec } from '../../geometry/vec';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import { openClip } from '../open_clip';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, filedProject, selectionOf } from '../state';
-import {
-  countedKeys,
-  EASE_NAMES,
-  keysLeftOutText,
-  NO_COPIED_KEYS,
-  NO_KEYS_SELECTED,
-} from '../timeline_texts';
 import { withTimeline } from './clip_slice';
 import { editClip, editProject } from './clips';
 import type { Handlers } from './handlers';
@@ -66,7 +61,7 @@ function move(state: EditorState, by: number, key: string | null, emit: Emit): E
   const clip = openClip(state);
   if (!clip) return state;
   const moved = moveKeys(clip, state.timeline.selected, by);
-  const label = `Move ${countedKeys(state.timeline.selected.length)}`;
+  const label = say('steps.moveKeys', state.timeline.selected.length);
   const next = editClip(state, label, () => moved.clip, emit, key);
   return withTimeline(next, { selected: moved.refs });
 }
@@ -82,7 +77,7 @@ export function setKeys(before: EditorState, emit: Emit): EditorState {
     const handle = handleById(document, id);
     return handle ? [{ handle: id, key: keyOf(handle, time, keyedValues(clip, handle)) }] : [];
   });
-  const label = placed.length === 1 ? 'Set a key' : `Set ${countedKeys(placed.length)}`;
+  const label = say('steps.setKeys', placed.length);
   const next = editClip(state, label, (clip) => putKeys(clip, placed), emit);
   return withTimeline(next, { selected: placed.map(refOf) });
 }
@@ -92,7 +87,7 @@ function withClip(state: EditorState, emit: Emit): EditorState {
   if (openClip(state)) return state;
   const clip = newClip(freeClipName(filedProject(state), 'clip'));
   return withTimeline(
-    editProject(state, `Add ${clip.name}`, (project) => addClip(project, clip), emit),
+    editProject(state, say('steps.addClip', clip.name), (project) => addClip(project, clip), emit),
     { clip: clip.name },
   );
 }
@@ -115,26 +110,26 @@ function copy(state: EditorState): EditorState {
     handle,
     key: { ...key, time: roundedTime(key.time - first) },
   }));
-  if (copied.length === 0) return announce(state, NO_KEYS_SELECTED);
-  return announce(withTimeline(state, { copied }), `Copied ${countedKeys(copied.length)}`);
+  if (copied.length === 0) return announce(state, say('notices.noKeysSelected'));
+  return announce(withTimeline(state, { copied }), say('notices.copiedKeys', copied.length));
 }
 
 /** Pastes the copied keys from the playhead on. Those of handles that are gone, or beyond the end, are left out. */
 function paste(state: EditorState, emit: Emit): EditorState {
   const { copied, time } = state.timeline;
   const clip = openClip(state);
-  if (!clip || copied.length === 0) return announce(state, NO_COPIED_KEYS);
+  if (!clip || copied.length === 0) return announce(state, say('notices.noCopiedKeys'));
   const document = documentOf(state);
   const pasted = copied
     .map(({ handle, key }) => ({ handle, key: { ...key, time: roundedTime(time + key.time) } }))
     .filter(({ handle, key }) => key.time <= clip.duration && fits(key, handleById(document, handle)));
   const left = copied.length - pasted.length;
-  const label = `Paste ${countedKeys(pasted.length)}`;
+  const label = say('steps.pasteKeys', pasted.length);
   const next = withTimeline(
     editClip(state, label, (clip) => putKeys(clip, pasted), emit),
     { selected: pasted.map(refOf) },
   );
-  return left > 0 ? inform(next, keysLeftOutText(left), emit) : next;
+  return left > 0 ? inform(next, say('notices.keysLeftOut', left), emit) : next;
 }
 
 const fits = ({ posed }: Key, handle: Handle | undefined): boolean =>
@@ -146,7 +141,8 @@ function mirror(state: EditorState, emit: Emit): EditorState {
   const deformation = state.solution.shown?.deformation;
   const bounds = deformation?.restBounds();
   const chosen = clip ? keysAt(clip, state.timeline.selected) : [];
-  if (!clip || !deformation || !bounds || chosen.length === 0) return announce(state, NO_KEYS_SELECTED);
+  if (!clip || !deformation || !bounds || chosen.length === 0)
+    return announce(state, say('notices.noKeysSelected'));
   const bends = (rest: Vec) => deformation.bends(rest);
   let project = filedProject(state);
   const placed: PlacedKey[] = [];
@@ -163,7 +159,7 @@ function mirror(state: EditorState, emit: Emit): EditorState {
         });
     }
   }
-  const label = `Mirror ${countedKeys(chosen.length)}`;
+  const label = say('steps.mirrorKeys', chosen.length);
   const next = editProject(
     state,
     label,
@@ -218,13 +214,13 @@ export const clipKeyHandlers: Handlers<
   'keys-eased': (state, { ease }, emit) =>
     editClip(
       state,
-      `Make ${countedKeys(state.timeline.selected.length)} ${EASE_NAMES[ease].toLowerCase()}`,
+      say(`steps.ease.${ease}`, state.timeline.selected.length),
       (clip) => easeKeys(clip, state.timeline.selected, ease),
       emit,
     ),
   'keys-removed': (state, _, emit) => {
     const { selected } = state.timeline;
-    const label = `Delete ${countedKeys(selected.length)}`;
+    const label = say('steps.deleteKeys', selected.length);
     const next = editClip(state, label, (clip) => removeKeys(clip, selected), emit);
     return withTimeline(next, { selected: [] });
   },

@@ -1,5 +1,6 @@
 /** Adding, naming, duplicating and removing clips, and their settings. */
-import { presetClip } from '../../document/clip_presets';
+
+import { type ClipPreset, presetClip } from '../../document/clip_presets';
 import {
   addClip,
   changeClip,
@@ -12,13 +13,13 @@ import {
 import { withFileProject } from '../../document/moment';
 import { tidyName } from '../../document/names';
 import type { Clip, Project } from '../../document/project';
+import { say, type Wording } from '../../texts/wording';
 import type { Emit } from '../effects';
-import { clipNameTakenText } from '../notice_texts';
 import { openClip } from '../open_clip';
 import { mayEdit } from '../permissions';
+import { secondsText } from '../seconds';
 import { documentOf, type EditorState, filedProject, selectionOf } from '../state';
 import { ZOOM } from '../timeline_state';
-import { LOOP_NAMES, PRESET_NAMES, secondsText } from '../timeline_texts';
 import { withTimeline } from './clip_slice';
 import { changedNumber } from './edits';
 import type { Handlers } from './handlers';
@@ -29,7 +30,7 @@ import { commitStep } from './steps';
 /** Changes the project of the file, as one step. */
 export function editProject(
   state: EditorState,
-  label: string,
+  label: Wording,
   change: (project: Project) => Project,
   emit: Emit,
   key: string | null = null,
@@ -44,7 +45,7 @@ export function editProject(
 /** Changes the open clip, as one step. */
 export function editClip(
   state: EditorState,
-  label: string,
+  label: Wording,
   change: (clip: Clip) => Clip,
   emit: Emit,
   key: string | null = null,
@@ -59,14 +60,14 @@ export function editClip(
 const choose = (state: EditorState, name: string, emit: Emit): EditorState =>
   withTimeline(movePlayhead(state, 0, emit), { clip: name, time: 0, selected: [], zoom: null });
 
-function add(before: EditorState, preset: keyof typeof PRESET_NAMES | null, emit: Emit): EditorState {
+function add(before: EditorState, preset: ClipPreset | null, emit: Emit): EditorState {
   const state = openTimeline(before, true, emit);
   const project = filedProject(state);
   if (preset && project.handles.length === 0) return state;
   const clip = preset
     ? presetClip(project, preset, selectionOf(state))
     : newClip(freeClipName(project, 'clip'));
-  const label = preset ? `Add a clip: ${PRESET_NAMES[preset].toLowerCase()}` : `Add ${clip.name}`;
+  const label = preset ? say(`steps.addPreset.${preset}`) : say('steps.addClip', clip.name);
   const added = choose(
     editProject(state, label, (project) => addClip(project, clip), emit),
     clip.name,
@@ -81,8 +82,13 @@ function named(before: EditorState, typed: string, emit: Emit): EditorState {
   const clip = openClip(state);
   const name = tidyName(typed);
   if (!before.timeline.renaming || !clip || name === '' || name === clip.name) return state;
-  if (clipNamed(filedProject(state), name)) return inform(state, clipNameTakenText(name), emit);
-  const renamed = editClip(state, `Rename ${clip.name} to ${name}`, (clip) => ({ ...clip, name }), emit);
+  if (clipNamed(filedProject(state), name)) return inform(state, say('notices.clipNameTaken', name), emit);
+  const renamed = editClip(
+    state,
+    say('steps.renameClip', clip.name, name),
+    (clip) => ({ ...clip, name }),
+    emit,
+  );
   return withTimeline(renamed, { clip: name });
 }
 
@@ -90,7 +96,7 @@ function duplicate(state: EditorState, emit: Emit): EditorState {
   const clip = openClip(state);
   if (!clip) return state;
   const name = freeClipName(filedProject(state), `${clip.name} copy`);
-  const label = `Duplicate ${clip.name}`;
+  const label = say('steps.duplicateClip', clip.name);
   return choose(
     editProject(state, label, (project) => addClip(project, { ...clip, name }), emit),
     name,
@@ -102,7 +108,12 @@ function remove(state: EditorState, emit: Emit): EditorState {
   const clip = openClip(state);
   if (!clip) return state;
   const stopped = movePlayhead(state, 0, emit);
-  return editProject(stopped, `Delete ${clip.name}`, (project) => removeClip(project, clip.name), emit);
+  return editProject(
+    stopped,
+    say('steps.deleteClip', clip.name),
+    (project) => removeClip(project, clip.name),
+    emit,
+  );
 }
 
 function zoom(state: EditorState, notches: number): EditorState {
@@ -135,12 +146,12 @@ export const clipHandlers: Handlers<
   'clip-duplicated': (state, _, emit) => duplicate(state, emit),
   'clip-removed': (state, _, emit) => remove(state, emit),
   'clip-loop-chosen': (state, { loop }, emit) =>
-    editClip(state, `Set the loop to ${LOOP_NAMES[loop].toLowerCase()}`, (clip) => ({ ...clip, loop }), emit),
+    editClip(state, say(`steps.loops.${loop}`), (clip) => ({ ...clip, loop }), emit),
   'clip-duration-set': (state, { change }, emit) => {
     const seconds = changedNumber(change, openClip(state)?.duration ?? 0);
     const set = (clip: Clip) => withDuration(clip, seconds);
     const clip = openClip(state);
-    const label = `Set the duration to ${secondsText(clip ? set(clip).duration : seconds)}`;
+    const label = say('steps.setDuration', secondsText(clip ? set(clip).duration : seconds));
     return editClip(state, label, set, emit, 'clip duration');
   },
   'frame-rate-chosen': (state, { rate }) => withTimeline(state, { rate }),

@@ -3,6 +3,7 @@
 import { selectedHandles } from '../../document/document';
 import { parsePose } from '../../document/pose_text';
 import type { Handle } from '../../document/project';
+import { say } from '../../texts/wording';
 import {
   bailOut,
   cancelPress,
@@ -25,9 +26,9 @@ import type { MenuState } from '../menu_state';
 import { mayEdit } from '../permissions';
 import { stem } from '../picture';
 import { ringCornerInHand } from '../ring_corner';
+import { handleWords } from '../selection_words';
 import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from '../state';
 import { fitView, showActualSize, zoom } from '../view';
-import { handleWords } from '../wording';
 import { resizeBrush, switchBrush } from './brush';
 import { setKeys } from './clip_keys';
 import { addCornerToSelected, focus, removeFocusedCorner } from './corners';
@@ -146,7 +147,7 @@ const RUN: Readonly<Record<CommandName, Run>> = {
       handles.map(({ id }) => id),
       emit,
     );
-    return handles.length > 0 ? announce(selected, `Selected ${handleWords(handles)}`) : selected;
+    return handles.length > 0 ? announce(selected, say('spoken.selected', handleWords(handles))) : selected;
   },
   compare: (state, emit) => togglePreview(state, 'compare', emit),
   preview: (state, emit) => togglePreview(state, 'preview', emit),
@@ -226,14 +227,14 @@ export const commandHandlers: Handlers<'command-run' | 'pose-copied' | 'text-pas
     const reason = mayEdit(state) ? reasonAgainst(state, command) : null;
     return reason === null ? state : announce(state, reason);
   },
-  'pose-copied': (state) => announce(state, `Copied the pose of ${handleWords(copiedHandles(state))}`),
+  'pose-copied': (state) => announce(state, say('spoken.copiedPose', handleWords(copiedHandles(state)))),
   'text-pasted': (state, { text }, emit) => {
     if (!mayEdit(state)) return state;
     try {
       const copied = parsePose(text);
       return copied ? paste(state, copied, emit) : state;
     } catch (error) {
-      const text = `This pose cannot be pasted: ${(error as Error).message}.`;
+      const text = say('notices.badPose', (error as Error).message);
       return notify(state, { kind: 'error', text }, emit);
     }
   },

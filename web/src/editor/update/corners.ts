@@ -1,16 +1,18 @@
 /** Corners of bars and polygons: adding, removing, and finishing a drawing. */
+
 import { handleById, selectedHandles } from '../../document/document';
 import { addCorner, removeCorner } from '../../document/edits';
-import { CORNERS_NEEDED, edges, isClosed, isLine, nameOf } from '../../document/handle';
+import { CORNERS_NEEDED, edges, isClosed, isLine } from '../../document/handle';
+import { nameWords } from '../../document/names';
 import type { LineHandle } from '../../document/project';
 import { type LinePlace, nearestPlace } from '../../geometry/polyline';
 import { distance, type Vec } from '../../geometry/vec';
+import { say } from '../../texts/wording';
 import { hit } from '../../tools/hit';
 import { draftOf, finishDrawing } from '../../tools/machine';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import { gripsOf, toolContext } from '../hit_areas';
-import { cornersNeededText } from '../reason_texts';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import { announce } from './notices';
 import { applyTools } from './press';
@@ -70,13 +72,19 @@ function placeOn(state: EditorState, { posed, kind }: LineHandle, at: Vec): Line
 
 function cornerAdded(state: EditorState, handle: LineHandle, at: LinePlace, emit: Emit): EditorState {
   focus(emit, handle.id, at.edge + 1);
-  return step(state, `Add a corner to ${nameOf(handle)}`, addCorner(documentOf(state), handle.id, at), emit);
+  return step(
+    state,
+    say('steps.addCorner', nameWords(handle)),
+    addCorner(documentOf(state), handle.id, at),
+    emit,
+  );
 }
 
 function cornerRemoved(state: EditorState, handle: LineHandle, index: number, emit: Emit): EditorState {
   const needed = CORNERS_NEEDED[handle.kind];
-  if (handle.posed.length <= needed) return announce(state, cornersNeededText(handle.kind, needed));
+  if (handle.posed.length <= needed)
+    return announce(state, say(`reasons.cornersNeeded.${handle.kind}`, needed));
   focus(emit, handle.id, Math.max(0, index - 1));
   const document = removeCorner(documentOf(state), handle.id, index);
-  return step(state, `Delete a corner of ${nameOf(handle)}`, document, emit);
+  return step(state, say('steps.deleteCorner', nameWords(handle)), document, emit);
 }

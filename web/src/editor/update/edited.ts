@@ -1,7 +1,9 @@
 /** Consequences of every change of the document: a solve, saving, the page's events, checks, and what closes. */
+
 import { selectedHandles } from '../../document/document';
 import { corners } from '../../document/handle';
 import { redoLabel, undoLabel } from '../../document/history';
+import { isSameWording, type Wording } from '../../texts/wording';
 import type { Emit, PageNotification } from '../effects';
 import { isLassoing } from '../hit_areas';
 import { documentOf, type EditorState, filedProject, selectionOf } from '../state';
@@ -68,6 +70,9 @@ function withFocusedCornerSelected(state: EditorState): EditorState {
   return { ...state, focus: { ...state.focus, corner: null } };
 }
 
+const isSameLabel = (a: Wording | null, b: Wording | null): boolean =>
+  a === b || (a !== null && b !== null && isSameWording(a, b));
+
 /** Emits the DOM events of a change. */
 function notifyPage(state: EditorState, kind: ChangeKind, emit: Emit): EditorState {
   const { reported, history } = state.document;
@@ -77,7 +82,7 @@ function notifyPage(state: EditorState, kind: ChangeKind, emit: Emit): EditorSta
   if (selection.join('\n') !== reported.selection.join('\n')) notify({ type: 'selectionchange', selection });
   if (isStep(kind)) notify({ type: 'change', project: filedProject(state) });
   else if (kind === 'input') notify({ type: 'input', project: filedProject(state) });
-  if (now.undo !== reported.undo || now.redo !== reported.redo) {
+  if (!isSameLabel(now.undo, reported.undo) || !isSameLabel(now.redo, reported.redo)) {
     notify({ type: 'historychange', undo: now.undo, redo: now.redo });
   }
   return withDocument(state, { reported: { ...reported, ...now } });

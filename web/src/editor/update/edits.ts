@@ -1,4 +1,5 @@
 /** Edits of the document: each is one undo step with a label, announced to screen readers. */
+
 import { type Detail, modeOf, withBlend, withDetail, withMode } from '../../document/bending';
 import { type Document, handleById, isSameWork, selectedHandles } from '../../document/document';
 import {
@@ -20,7 +21,6 @@ import {
   depthOf,
   isLine,
   moved,
-  nameOf,
   rotationOf,
   scaledTo,
   scaleOf,
@@ -28,20 +28,21 @@ import {
   withAutoRotation,
 } from '../../document/handle';
 import { mirrorHandles } from '../../document/mirror';
+import { nameWords } from '../../document/names';
 import type { Handle, PoseMode } from '../../document/project';
 import { stiffened, stiffnessOf } from '../../document/stiffness';
 import type { Blend } from '../../geometry/skin';
 import { add, type Vec } from '../../geometry/vec';
+import { say, type Wording } from '../../texts/wording';
 import type { Corner } from '../corner';
 import { beginCrossing, crossed, withDepths } from '../crossing';
 import type { Emit } from '../effects';
 import type { Field, NumberChange } from '../events';
 import { guarded } from '../fold_guard';
 import { turnsOf } from '../hit_areas';
-import { BRUSHED_STILL, noCounterpartText, noOtherSideText, SAME_THERE } from '../notice_texts';
+import { cornerWords, depthWords, handleWords, placeWords, selectionName } from '../selection_words';
 import { documentOf, type EditorState, projectOf } from '../state';
-import { cornerWords, depthWords, handleWords, placeWords, selectionName } from '../wording';
-import { announce, informOfStep, notify } from './notices';
+import { announce, announceAt, informOfStep, notify } from './notices';
 import { select } from './selection';
 import { commitStep, modeReturn, step } from './steps';
 
@@ -52,7 +53,12 @@ export const changedNumber = (change: NumberChange, now: number): number =>
 export function removeSelected(state: EditorState, emit: Emit): EditorState {
   const document = documentOf(state);
   if (document.selection.length === 0) return state;
-  return step(state, `Delete ${selectionName(document)}`, removeHandles(document, document.selection), emit);
+  return step(
+    state,
+    say('steps.delete', selectionName(document)),
+    removeHandles(document, document.selection),
+    emit,
+  );
 }
 
 /** Returns the selected handles, or all, to their rest pose. */
@@ -60,12 +66,16 @@ export function reset(state: EditorState, all: boolean, emit: Emit): EditorState
   const document = documentOf(state);
   const ids = all ? document.project.handles.map(({ id }) => id) : document.selection;
   if (!all && ids.length === 0) return state;
-  const label = all ? 'Reset all handles' : `Reset ${selectionName(document)}`;
+  const label = all ? say('steps.resetAll') : say('steps.reset', selectionName(document));
   const next = step(state, label, resetHandles(document, ids), emit);
   if (!all || !document.project.displacement) return next;
   const event = { type: 'displacement-cleared' } as const;
-  const action = { label: 'Take it back', event } as const;
-  return notify(next, { kind: 'info', text: BRUSHED_STILL, action, passes: true, ofStep: true }, emit);
+  const action = { label: say('answers.takeBack'), event } as const;
+  return notify(
+    next,
+    { kind: 'info', text: say('notices.brushedStill'), action, passes: true, ofStep: true },
+    emit,
+  );
 }
 
 /** Mirrors the selected handles to the other side, and selects their counterparts. */
@@ -78,12 +88,14 @@ export function mirror(state: EditorState, emit: Emit): EditorState {
   const goes = document.selection.some((id) => !before.selection.includes(id));
   let next = state;
   if (goes || !isSameWork(before, document)) {
-    const label = `Mirror ${selectionName(before)}`;
+    const label = say('steps.mirror', selectionName(before));
     // Counterparts that were posed so already make no step, but are selected.
     next = select(step(state, label, document, emit), document.selection, emit);
-    next = announce(next, `${label}. ${placeWords(documentOf(next), turnsOf(next))}`);
-  } else if (unmatched.length === 0) return informOfStep(state, SAME_THERE, emit);
-  return unmatched.length > 0 ? informOfStep(next, noOtherSideText(unmatched.map(nameOf)), emit) : next;
+    next = announceAt(next, label);
+  } else if (unmatched.length === 0) return informOfStep(state, say('notices.sameThere'), emit);
+  return unmatched.length > 0
+    ? informOfStep(next, say('notices.noOtherSide', unmatched.map(nameWords)), emit)
+    : next;
 }
 
 /** Poses handles like copied ones. @throws RangeError if that leads to numbers that the solver cannot pose. */
@@ -91,8 +103,10 @@ export function paste(state: EditorState, copied: readonly Handle[], emit: Emit)
   const { document, unmatched } = pastePose(documentOf(state), copied);
   const posed = copied.filter((handle) => !unmatched.includes(handle));
   const next =
-    posed.length > 0 ? step(state, `Paste the pose of ${handleWords(posed)}`, document, emit) : state;
-  return unmatched.length > 0 ? informOfStep(next, noCounterpartText(unmatched.map(nameOf)), emit) : next;
+    posed.length > 0 ? step(state, say('steps.pastePose', handleWords(posed)), document, emit) : state;
+  return unmatched.length > 0
+    ? informOfStep(next, say('notices.noCounterpart', unmatched.map(nameWords)), emit)
+    : next;
 }
 
 export function nudge(state: EditorState, by: Vec, emit: Emit): EditorState {
@@ -100,7 +114,7 @@ export function nudge(state: EditorState, by: Vec, emit: Emit): EditorState {
   const wanted = { document: moveHandles(document, document.selection, by) };
   return guardedStep(
     state,
-    `Move ${selectionName(document)}`,
+    say('steps.move', selectionName(document)),
     wanted,
     `nudge ${document.selection.join(' ')}`,
     emit,
@@ -140,12 +154,12 @@ function moveCorner(
   if (!handle || !at) return state;
   const words = (next: EditorState) => {
     const now = handleById(documentOf(next), id);
-    return now && isLine(now) ? cornerWords(now, index) : '';
+    return now && isLine(now) ? cornerWords(now, index) : null;
   };
   const wanted = { document: putCorner(document, id, index, to(at)) };
   return guardedStep(
     state,
-    `Move a corner of ${nameOf(handle)}`,
+    say('steps.moveCorner', nameWords(handle)),
     wanted,
     `${way} ${id} ${index}`,
     emit,
@@ -158,7 +172,7 @@ export function raise(state: EditorState, by: number, emit: Emit): EditorState {
   const document = documentOf(state);
   const { selection } = document;
   if (selection.length === 0) return state;
-  const label = `${by > 0 ? 'Bring forward' : 'Send back'} ${selectionName(document)}`;
+  const label = say(by > 0 ? 'steps.bringForward' : 'steps.sendBack', selectionName(document));
   const raised = raiseHandles(document, selection, by);
   return announceDepth(commitStep(state, label, raised, emit, `raise ${selection.join(' ')}`));
 }
@@ -166,21 +180,21 @@ export function raise(state: EditorState, by: number, emit: Emit): EditorState {
 export const setBlend = (state: EditorState, blend: Blend, emit: Emit): EditorState =>
   step(
     state,
-    blend === 'rigid' ? 'Keep widths' : 'Let widths change',
+    say(blend === 'rigid' ? 'steps.keepWidths' : 'steps.letWidthsChange'),
     { ...documentOf(state), project: withBlend(projectOf(state), blend) },
     emit,
   );
 
 export const setBoundaryHeld = (state: EditorState, held: boolean, emit: Emit): EditorState =>
-  step(state, held ? 'Hold the boundary' : 'Free the boundary', holdBoundary(documentOf(state), held), emit);
-
-export const setEdges = (state: EditorState, on: boolean, emit: Emit): EditorState =>
   step(
     state,
-    on ? 'Show edges where parts cross' : 'Hide edges where parts cross',
-    withEdges(documentOf(state), on),
+    say(held ? 'steps.holdBoundary' : 'steps.freeBoundary'),
+    holdBoundary(documentOf(state), held),
     emit,
   );
+
+export const setEdges = (state: EditorState, on: boolean, emit: Emit): EditorState =>
+  step(state, say(on ? 'steps.showEdges' : 'steps.hideEdges'), withEdges(documentOf(state), on), emit);
 
 /** Turns the selected handle about its own place. Several handles, or a scale, transform as one group. */
 export function turn(state: EditorState, degrees: number, scale: number, emit: Emit): EditorState {
@@ -192,12 +206,12 @@ export function turn(state: EditorState, degrees: number, scale: number, emit: E
   const wanted: PosedDocument = alone
     ? { document: turnHandles(document, selection, (handle) => rotationOf(handle, turns) + degrees) }
     : posedGroup(document, degrees, scale);
-  const verb = scale === 1 ? 'Turn' : 'Scale';
+  const way = scale === 1 ? 'turn' : 'scale';
   return guardedStep(
     state,
-    `${verb} ${handleWords(selected)}`,
+    say(`steps.${way}`, handleWords(selected)),
     wanted,
-    `${verb} ${selection.join(' ')}`,
+    `${way} ${selection.join(' ')}`,
     emit,
   );
 }
@@ -212,14 +226,14 @@ export function setAutomatic(state: EditorState, on: boolean, emit: Emit): Edito
   const changed = on
     ? changeHandles(document, ids, withAutoRotation)
     : turnHandles(document, ids, (handle) => rotationOf(handle, turns));
-  return step(state, `${on ? 'Free' : 'Pin'} the turn of ${selectionName(document)}`, changed, emit);
+  return step(state, say(on ? 'steps.freeTurn' : 'steps.pinTurn', selectionName(document)), changed, emit);
 }
 
 /** Changes the pose mode, with the settings that belong to it. */
 export function setPoseMode(state: EditorState, mode: PoseMode, emit: Emit): EditorState {
   const present = projectOf(state);
   if (mode === modeOf(present)) return state;
-  const label = mode === 'rigid' ? 'Bend rigidly' : 'Bend by hand';
+  const label = say(`steps.modes.${mode}`);
   const project = withMode(present, mode, turnsOf(state), modeReturn(state, mode));
   return step(state, label, { ...documentOf(state), project }, emit);
 }
@@ -227,7 +241,7 @@ export function setPoseMode(state: EditorState, mode: PoseMode, emit: Emit): Edi
 export const setDetail = (state: EditorState, detail: Detail, emit: Emit): EditorState =>
   step(
     state,
-    `Set detail to ${detail}`,
+    say(`steps.details.${detail}`),
     { ...documentOf(state), project: withDetail(projectOf(state), detail) },
     emit,
   );
@@ -247,7 +261,7 @@ export function setField(state: EditorState, field: Field, change: NumberChange,
   };
   const { selection } = document;
   const wanted = { document: changeHandles(document, selection, set[field]) };
-  const label = `Set ${field} of ${selectionName(document)}`;
+  const label = say(`steps.set.${field}`, selectionName(document));
   const key = `${field} ${selection.join(' ')}`;
   if (field === 'stiffness') return announce(commitStep(state, label, wanted.document, emit, key), label);
   if (field === 'depth') return announceDepth(commitStep(state, label, wanted.document, emit, key));
@@ -257,7 +271,7 @@ export function setField(state: EditorState, field: Field, change: NumberChange,
 /** Commits a change as far as the guard against folds allows, and announces the result. */
 function guardedStep(
   state: EditorState,
-  label: string,
+  label: Wording,
   wanted: PosedDocument,
   key: string,
   emit: Emit,
@@ -271,9 +285,10 @@ function guardedStep(
     wanted,
   );
   const limited = { ...state, guard };
-  if (document === present && guard.holding) return announce(limited, 'Stopped: more would fold the picture');
+  if (document === present && guard.holding) return announce(limited, say('spoken.stoppedAtFold'));
   const next = commitStep(limited, label, inFront(state, document), emit, key);
-  return announce(next, words(next));
+  const said = words(next);
+  return said === null ? next : announce(next, said);
 }
 
 /** A moved document, with the selected handles in front of what they have come to lie behind. */

@@ -1,4 +1,5 @@
 /** Exports in the state. */
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import type { EditorState, ExportState } from '../state';
 import { beginTask } from './notices';
@@ -10,6 +11,6 @@ export const withExport = (state: EditorState, change: Partial<ExportState>): Ed
 
 /** @param cut whether the export cuts off a part of the posed picture. */
 export function beginExport(state: EditorState, emit: Emit, cut = false): EditorState {
-  const task = { name: 'export', label: 'Exporting', cancellable: true, fraction: 0 } as const;
+  const task = { name: 'export', label: say('tasks.exporting'), cancellable: true, fraction: 0 } as const;
   return beginTask(withExport(state, { running: { cut } }), task, emit);
 }

@@ -1,10 +1,11 @@
 import type { Project } from '../../document/project';
+import { isSameWording, say, type Words } from '../../texts/wording';
 import type { Emit } from '../effects';
-import { lossText } from '../engine_texts';
+import { lossWords } from '../engine_words';
 import type { EventOf } from '../events';
 import { choicesFor, EXPORT_FORMATS, type ExportChoices } from '../export_choices';
-import { timeLeftText } from '../film_texts';
-import { EXPORT_CANCELLED, savedText } from '../notice_texts';
+import { timeLeft } from '../film_words';
+import { savedWords } from '../notice_words';
 import { isDrawing, stem } from '../picture';
 import { type EditorState, filedProject } from '../state';
 import { reachesBeyondFrame } from '../view';
@@ -76,12 +77,15 @@ function follow(state: EditorState, fraction: number, seconds: number | undefine
   const task = state.notices.tasks.find(({ name }) => name === 'export');
   const before = task?.fraction ?? 0;
   const now = Math.max(before, Math.floor(fraction * 100) / 100);
-  const left = seconds === undefined ? undefined : timeLeftText(seconds);
-  if (!state.exporting.running || (now === before && left === task?.left)) return state;
+  const left = seconds === undefined ? undefined : timeLeft(seconds);
+  if (!state.exporting.running || (now === before && isSameLeft(left, task?.left))) return state;
   const next = followTask(state, 'export', { fraction: now, ...(left && { left }) }, emit);
   const isStep = Math.floor(now / ANNOUNCED) > Math.floor(before / ANNOUNCED) && now < 1;
-  return isStep ? announce(next, `Exporting, ${Math.round(now * 100)} percent`) : next;
+  return isStep ? announce(next, say('spoken.exporting', Math.round(now * 100))) : next;
 }
+
+const isSameLeft = (a: Words | undefined, b: Words | undefined): boolean =>
+  a === b || (a !== undefined && b !== undefined && isSameWording(a, b));
 
 function ended(
   before: EditorState,
@@ -91,12 +95,13 @@ function ended(
   const cut = before.exporting.running?.cut ?? false;
   const state = withExport(endTask(before, 'export', emit), { running: null });
   if (error) return report(state, error, emit);
-  if (saved === null) return announce(state, EXPORT_CANCELLED);
+  if (saved === null) return announce(state, say('spoken.exportCancelled'));
   const loss = lossOf(before);
-  const text = [savedText(saved, cut), ...(loss ? [lossText(loss)] : []), ...remarks].join(' ');
+  const sentences = [savedWords(saved, cut), ...(loss ? [lossWords(loss)] : []), ...remarks];
+  const text = sentences.length > 1 ? say('names.sentences', sentences) : savedWords(saved, cut);
   if (!cut) return inform(state, text, emit);
   const event = { type: 'command-run', command: 'export-all' } as const;
-  const action = { label: 'Export all', readsOnly: true, event } as const;
+  const action = { label: say('answers.exportAll'), readsOnly: true, event } as const;
   return notify(state, { kind: 'info', text, action, passes: true }, emit);
 }
 

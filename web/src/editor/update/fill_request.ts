@@ -1,12 +1,13 @@
 /** Requests of fills: the background behind a lassoed part, for the solution that is shown. */
+
 import { isFilled, ringsOf } from '../../document/domain';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import { mayEdit } from '../permissions';
 import type { Solution, SolutionState } from '../solution';
 import type { EditorState } from '../state';
 import { beginTask, endTask } from './notices';
 
-const LABEL = 'Filling the background';
 /** From here on a wait is noticeable. */
 const PATIENCE_MS = 300;
 
@@ -34,7 +35,7 @@ export function requestFill(state: EditorState, emit: Emit): EditorState {
 export function showFilling(state: EditorState, emit: Emit): EditorState {
   const { fill } = state.solution;
   return fill && !fill.done
-    ? beginTask(state, { name: 'fill', label: LABEL, cancellable: mayEdit(state) }, emit)
+    ? beginTask(state, { name: 'fill', label: say('tasks.filling'), cancellable: mayEdit(state) }, emit)
     : state;
 }
 

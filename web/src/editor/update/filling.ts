@@ -1,6 +1,8 @@
 /** The fill behind a lassoed part: switched by a person, made by the worker. */
+
 import { withFill } from '../../document/domain';
 import { amend } from '../../document/history';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, projectOf } from '../state';
@@ -14,7 +16,7 @@ import { step } from './steps';
 /** Fills the background, or leaves it empty. */
 export function switchFill(state: EditorState, on: boolean, emit: Emit): EditorState {
   const document = documentOf(state);
-  const label = on ? 'Fill the background' : 'Leave the background empty';
+  const label = say(on ? 'steps.fill' : 'steps.leaveEmpty');
   return step(state, label, { ...document, project: withFill(projectOf(state), on) }, emit);
 }
 

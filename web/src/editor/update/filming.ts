@@ -1,4 +1,5 @@
 /** Exports of clips as films. */
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import type { ExportKind } from '../export_choices';
 import {
@@ -12,7 +13,6 @@ import {
   videoBits,
 } from '../film_choices';
 import { filmSize } from '../film_model';
-import { NO_CLIP_TO_EXPORT } from '../film_texts';
 import { fileWord, stem } from '../picture';
 import { type EditorState, filedProject } from '../state';
 import { saveWork } from './autosave';
@@ -27,7 +27,7 @@ export function exportFilm(state: EditorState, emit: Emit): EditorState {
   if (!picture || running) return state;
   const project = filedProject(state);
   const clip = filmedClip(project, film, state.timeline.clip);
-  if (!clip) return inform(state, NO_CLIP_TO_EXPORT, emit);
+  if (!clip) return inform(state, say('film.noClip'), emit);
   const format = filmFormat(film, codecs);
   if (!format) return findCodecs(withExport(state, { awaitsCodecs: true }), emit);
   const { extension, suffix } = FILM_FORMATS[format];

@@ -1,9 +1,11 @@
 /** Tells the handles that force folds, with a way out, where folds or handles are new. */
+
 import { handleById } from '../../document/document';
-import { nameOf } from '../../document/handle';
+import { nameWords } from '../../document/names';
+import { say } from '../../texts/wording';
 import { isPressing } from '../../tools/machine';
 import type { Emit } from '../effects';
-import { foldsText, WITHOUT_FOLDS } from '../fold_texts';
+import { foldsWords } from '../notice_words';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, projectOf } from '../state';
 import { notify } from './notices';
@@ -17,10 +19,10 @@ export function checkForcing(before: EditorState, emit: Emit): EditorState {
   if (isSame(forcing, checks.forcing)) return before;
   const state = { ...before, checks: { ...checks, forcing } };
   if (forcing.length === 0 || !mayEdit(state)) return state;
-  const names = forcing.flatMap((id) => handleById(documentOf(state), id) ?? []).map(nameOf);
+  const names = forcing.flatMap((id) => handleById(documentOf(state), id) ?? []).map(nameWords);
   const event = { type: 'command-run', command: 'without-folds' } as const;
-  const action = { label: WITHOUT_FOLDS, event } as const;
-  return notify(state, { kind: 'info', text: foldsText(names), action, passes: true, ofStep: true }, emit);
+  const action = { label: say('commands.without-folds'), event } as const;
+  return notify(state, { kind: 'info', text: foldsWords(names), action, passes: true, ofStep: true }, emit);
 }
 
 const isSame = (a: readonly string[], b: readonly string[]): boolean =>

@@ -1,5 +1,5 @@
 /** The loss of the graphics context: browsers take it away, and mostly give it back within a moment. */
-import { graphicsLostText } from '../notice_texts';
+import { graphicsLostWords } from '../notice_words';
 import { mayEdit } from '../permissions';
 import type { EditorState } from '../state';
 import type { Handlers } from './handlers';
@@ -11,7 +11,7 @@ const PATIENCE_MS = 1500;
 export function tellOfLostGraphics(state: EditorState): EditorState {
   const { key, failing } = state.autosave;
   const loses = mayEdit(state) && !state.page.posable;
-  return notifyOfGraphics(state, graphicsLostText(loses ? key !== null && !failing : null));
+  return notifyOfGraphics(state, graphicsLostWords(loses ? key !== null && !failing : null));
 }
 
 export const graphicsHandlers: Handlers<'graphics-lost' | 'graphics-restored'> = {

@@ -1,7 +1,9 @@
 /** Keys on the stage: arrows nudge, move the crosshair or pan; comma and full stop turn or scale; Enter places. */
+
 import { handleById } from '../../document/document';
 import { panned } from '../../geometry/camera';
 import { scaled, type Vec } from '../../geometry/vec';
+import { say } from '../../texts/wording';
 import { draftOf, hover, isPressing, places, pressDown, pressMove, pressUp } from '../../tools/machine';
 import { pressAt } from '../../tools/state';
 import { crosshairMoved, crosshairPlace, hideCrosshair } from '../crosshair';
@@ -68,7 +70,7 @@ function moveCrosshair(state: EditorState, by: Vec, emit: Emit): EditorState {
   }
   const tools = hover(state.tools, pressAt(at), toolContext(state));
   const moved = { ...state, tools, display: { ...state.display, crosshair: at } };
-  return announce(moved, `x ${Math.round(at[0])}, y ${Math.round(at[1])}`);
+  return announce(moved, say('spoken.at', Math.round(at[0]), Math.round(at[1])));
 }
 
 /** A push needs a direction: the picture is held, and arrows lead it. */
@@ -77,7 +79,7 @@ function hold(state: EditorState, emit: Emit): EditorState {
   const outcome = pressDown(state.tools, pressAt(crosshair), contextWithoutHandles(state));
   const held = applyTools(state, outcome, emit);
   const shown = { ...held, display: { ...held.display, crosshair } };
-  return isPressing(held.tools) ? announce(shown, 'Held. Arrows push, Enter lets go') : shown;
+  return isPressing(held.tools) ? announce(shown, say('spoken.held')) : shown;
 }
 
 /** Places a handle or sets a corner at the crosshair; without a crosshair, finishes the current drawing. */

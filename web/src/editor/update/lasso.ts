@@ -1,4 +1,5 @@
 /** The lasso: which part of the picture bends, and what a press beside that part says. */
+
 import {
   featherOf,
   isFilled,
@@ -12,18 +13,9 @@ import { selectHandles } from '../../document/edits';
 import { withPlaceAdded } from '../../document/lasso_growth';
 import { withPartPolygon } from '../../document/part_polygon';
 import type { Vec } from '../../geometry/vec';
-import { COMMANDS } from '../commands';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import type { NumberChange } from '../events';
-import {
-  LASSO_EMPTY,
-  LASSO_FILLED,
-  LASSO_LOOSE,
-  LASSO_OUTSIDE,
-  leftOutText,
-  NOTHING_TO_HOLD,
-  PART_ON_FRAME,
-} from '../notice_texts';
 import { mayEdit } from '../permissions';
 import { isOpaque } from '../picture';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
@@ -36,24 +28,27 @@ import { choose } from './tool_choice';
 /** Lets only the inside of a ring bend, or cuts a hole there. Says which handles are gone, or what the lasso lacks. */
 function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Emit): EditorState {
   const found = withLasso(projectOf(state), ring, hole);
-  if (!found) return informOfStep(state, LASSO_EMPTY, emit);
+  if (!found) return informOfStep(state, say('notices.lassoEmpty'), emit);
   const { cut } = found;
   // A part of an opaque picture moves over a filled background. A picture that is cut out has none.
   const isFirst = ringsOf(projectOf(state)).length === 0 && isOpaque(state.picture);
   const project = isFirst ? { ...withFill(found.project, true), fix_boundary: false } : found.project;
   const removed = projectOf(state).handles.length - project.handles.length;
   const document = selectHandles({ ...documentOf(state), project }, selectionOf(state));
-  const stepped = step(state, cut ? 'Cut a hole' : 'Bend what is inside', document, emit);
+  const stepped = step(state, say(cut ? 'steps.cutHole' : 'steps.bendInside'), document, emit);
   const next = choose(stepped, project.handles.length > 0 ? 'select' : 'point', emit);
-  if (removed > 0) return informOfStep(next, leftOutText(removed), emit);
+  if (removed > 0) return informOfStep(next, say('notices.leftOut', removed), emit);
   if (project.fix_boundary) return next;
-  const action = { label: 'Hold its boundary', event: { type: 'boundary-switched', held: true } } as const;
+  const action = {
+    label: say('answers.holdBoundary'),
+    event: { type: 'boundary-switched', held: true },
+  } as const;
   const other = {
-    label: COMMANDS['turn-part'].label,
+    label: say('commands.turn-part'),
     event: { type: 'command-run', command: 'turn-part' },
   } as const;
   const actions = isOpaque(state.picture) ? { action, other } : { action };
-  const text = isFilled(project) ? LASSO_FILLED : LASSO_LOOSE;
+  const text = say(isFilled(project) ? 'notices.lassoFilled' : 'notices.lassoLoose');
   return notify(next, { kind: 'info', text, ...actions, passes: true, ofStep: true }, emit);
 }
 
@@ -61,7 +56,7 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
 export function removeLasso(state: EditorState, emit: Emit): EditorState {
   if (!state.picture) return state;
   const project = withoutLasso(projectOf(state), state.picture.alphaThreshold);
-  return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
+  return step(state, say('steps.bendAll'), { ...documentOf(state), project }, emit);
 }
 
 /** Sets the width of the soft rim. Consecutive changes are one step. */
@@ -70,26 +65,29 @@ export function setFeather(state: EditorState, change: NumberChange, emit: Emit)
   if (present === null) return state;
   const project = withFeather(projectOf(state), changedNumber(change, present));
   const document = { ...documentOf(state), project };
-  return step(state, 'Set the feather of the selection', document, emit, 'feather');
+  return step(state, say('steps.setFeather'), document, emit, 'feather');
 }
 
 /** A polygon takes the place of the lasso: it turns its part, and the rest bends along up to the held frame. */
 export function turnPart(state: EditorState, emit: Emit): EditorState {
   const document = withPartPolygon(documentOf(state));
-  if (!document) return inform(state, PART_ON_FRAME, emit);
-  return choose(step(state, COMMANDS['turn-part'].label, document, emit), 'select', emit);
+  if (!document) return inform(state, say('notices.partOnFrame'), emit);
+  return choose(step(state, say('steps.turnPart'), document, emit), 'select', emit);
 }
 
 /** Says that a place does not bend. A place of the picture outside of the lasso can be added. */
 function missed(state: EditorState, at: Vec, emit: Emit): EditorState {
-  if (!withPlaceAdded(projectOf(state), at)) return inform(state, NOTHING_TO_HOLD, emit);
-  const action = { label: 'Extend the selection', event: { type: 'selection-extended', at } } as const;
-  return notify(state, { kind: 'info', text: LASSO_OUTSIDE, action, passes: true }, emit);
+  if (!withPlaceAdded(projectOf(state), at)) return inform(state, say('notices.nothingToHold'), emit);
+  const action = {
+    label: say('answers.extendSelection'),
+    event: { type: 'selection-extended', at },
+  } as const;
+  return notify(state, { kind: 'info', text: say('notices.lassoOutside'), action, passes: true }, emit);
 }
 
 function extend(state: EditorState, at: Vec, emit: Emit): EditorState {
   const project = withPlaceAdded(projectOf(state), at);
-  return project ? step(state, 'Extend the selection', { ...documentOf(state), project }, emit) : state;
+  return project ? step(state, say('steps.extendSelection'), { ...documentOf(state), project }, emit) : state;
 }
 
 export const lassoHandlers: Handlers<'placement-missed' | 'selection-extended' | 'lasso-drawn'> = {

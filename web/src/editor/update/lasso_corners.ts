@@ -1,4 +1,5 @@
 /** The corners of the selection's outline, by keys and double clicks: moving, adding and removing them. */
+
 import { ringsOf } from '../../document/domain';
 import {
   type RingCorner,
@@ -9,11 +10,11 @@ import {
 } from '../../document/lasso_corners';
 import type { Project } from '../../document/project';
 import { add, type Vec } from '../../geometry/vec';
+import { say, type Wording } from '../../texts/wording';
 import { draftOf } from '../../tools/machine';
 import { ringHit } from '../../tools/ring_hit';
 import type { Emit } from '../effects';
 import { gripsOf } from '../hit_areas';
-import { CORNER_CROSSES, CORNER_STAYS, leftOutText } from '../notice_texts';
 import { ringCornerInHand } from '../ring_corner';
 import { documentOf, type EditorState, projectOf } from '../state';
 import { announce, informOfStep } from './notices';
@@ -23,15 +24,15 @@ const focusRing = (emit: Emit, ring: RingCorner): void =>
   emit({ type: 'focus', target: { handle: null, corner: null, ring } });
 
 /** Where a corner is, for screen readers. */
-function words(project: Project, corner: RingCorner): string {
-  const [x, y] = ringCornerAt(project, corner)?.map(Math.round) ?? [];
-  return `Corner ${corner.index + 1} of the selection: x ${x}, y ${y}`;
+function words(project: Project, corner: RingCorner): Wording {
+  const [x = 0, y = 0] = ringCornerAt(project, corner)?.map(Math.round) ?? [];
+  return say('spoken.selectionCornerAt', corner.index + 1, x, y);
 }
 
 /** @param key moves of one corner are one undo step. */
 function stepped(
   state: EditorState,
-  label: string,
+  label: Wording,
   project: Project,
   corner: RingCorner,
   emit: Emit,
@@ -42,7 +43,7 @@ function stepped(
     commitStep(state, label, { ...documentOf(state), project }, emit, key),
     words(project, corner),
   );
-  return gone > 0 ? informOfStep(next, leftOutText(gone), emit) : next;
+  return gone > 0 ? informOfStep(next, say('notices.leftOut', gone), emit) : next;
 }
 
 export function nudgeRingCorner(state: EditorState, by: Vec, emit: Emit): EditorState {
@@ -50,9 +51,9 @@ export function nudgeRingCorner(state: EditorState, by: Vec, emit: Emit): Editor
   const at = corner && ringCornerAt(projectOf(state), corner);
   if (!corner || !at) return state;
   const project = withRingCornerMoved(projectOf(state), corner, add(at, by));
-  if (!project) return announce(state, CORNER_CROSSES);
+  if (!project) return announce(state, say('spoken.cornerCrosses'));
   const key = `nudge ring ${corner.ring} ${corner.index}`;
-  return stepped(state, 'Move a corner of the selection', project, corner, emit, key);
+  return stepped(state, say('steps.moveSelectionCorner'), project, corner, emit, key);
 }
 
 /** Adds a corner halfway after the focused one. */
@@ -62,7 +63,7 @@ export function addRingCorner(state: EditorState, emit: Emit): EditorState {
   const project = withRingCornerAdded(projectOf(state), corner.ring, { edge: corner.index, fraction: 0.5 });
   const added = { ...corner, index: corner.index + 1 };
   focusRing(emit, added);
-  return stepped(state, 'Add a corner to the selection', project, added, emit);
+  return stepped(state, say('steps.addSelectionCorner'), project, added, emit);
 }
 
 export function removeRingCorner(state: EditorState, emit: Emit): EditorState {
@@ -78,9 +79,9 @@ export function removeRingCornerAt(state: EditorState, at: Vec, emit: Emit): Edi
 
 function removed(state: EditorState, { ring, index }: RingCorner, emit: Emit): EditorState {
   const project = withRingCornerRemoved(projectOf(state), { ring, index });
-  if (!project) return announce(state, CORNER_STAYS);
+  if (!project) return announce(state, say('spoken.cornerStays'));
   const count = ringsOf(project)[ring]?.length ?? 1;
   const before = { ring, index: (index - 1 + count) % count };
   focusRing(emit, before);
-  return stepped(state, 'Delete a corner of the selection', project, before, emit);
+  return stepped(state, say('steps.deleteSelectionCorner'), project, before, emit);
 }

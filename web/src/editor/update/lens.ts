@@ -4,11 +4,12 @@ import { selectedHandles } from '../../document/document';
 import { anchor } from '../../document/handle';
 import { toImage } from '../../geometry/camera';
 import type { Vec } from '../../geometry/vec';
+import { say } from '../../texts/wording';
 import { crosshairMoved } from '../crosshair';
 import type { Emit } from '../effects';
 import type { EventOf } from '../events';
 import { toolContext } from '../hit_areas';
-import { lensWords, NOTHING_BENDS } from '../lens_texts';
+import { lensWords } from '../lens_words';
 import type { Solution } from '../solution';
 import { documentOf, type EditorState, projectOf } from '../state';
 import type { LensState, StudyState } from '../study_state';
@@ -88,7 +89,7 @@ function answered(state: EditorState, { solution, at, lens }: EventOf<'lens-foun
   const speaks = state.study.lens.speaks && !isNewest;
   const next = withLens(state, { asked: null, speaks, ...(known && { found: known }) });
   if (!state.study.lens.speaks || !isNewest) return next;
-  return announce(next, lens ? lensWords(lens, solution.project) : NOTHING_BENDS);
+  return announce(next, lens ? lensWords(lens, solution.project) : say('lens.nothingBends'));
 }
 
 /** The pages that explain the solution. */

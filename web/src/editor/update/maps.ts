@@ -1,7 +1,7 @@
 /** Exports of maps and weights. */
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import { type MapChoices, mapFile, mapFileName } from '../map_choices';
-import { SELECT_ONE } from '../notice_texts';
 import { type EditorState, onlySelected } from '../state';
 import { saveWork } from './autosave';
 import { drawn } from './drawn';
@@ -13,7 +13,7 @@ export function exportMap(state: EditorState, emit: Emit): EditorState {
   const { picture, exporting } = state;
   if (!picture || exporting.running) return state;
   const file = mapFile(exporting.maps, onlySelected(state)?.id ?? null);
-  if (!file) return inform(state, SELECT_ONE, emit);
+  if (!file) return inform(state, say('notices.selectOne'), emit);
   emit({ type: 'export-map', name: mapFileName(picture.name, file), ...drawn(state), picture, file });
   return beginExport(state, emit);
 }

@@ -1,7 +1,9 @@
 /** Opening the context menu, of what lies under a place, and running its commands. */
+
 import { handleById } from '../../document/document';
 import { anchor, isLine } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
+import { say } from '../../texts/wording';
 import type { Hit } from '../../tools/hit';
 import { cancelPress, drawingsOf, isPressing, places } from '../../tools/machine';
 import { withoutRings } from '../../tools/pressing';
@@ -11,11 +13,11 @@ import type { Emit } from '../effects';
 import type { Focus } from '../focus';
 import { hitAt, isLassoing, pressOf, toolContext } from '../hit_areas';
 import { mayEdit } from '../permissions';
+import { selectionName } from '../selection_words';
 import type { StagePointer } from '../stage_pointer';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import { reveal } from '../view';
 import { awaitsPicture } from '../waiting_input';
-import { selectionName } from '../wording';
 import { focus } from './corners';
 import type { Handlers } from './handlers';
 import { releaseByKeys } from './held_by_keys';
@@ -66,13 +68,13 @@ function openMenu(before: EditorState, under: Hit | null, at: Vec, emit: Emit): 
   const corner = alone && under?.part === 'corner' ? { id: under.id, index: under.index } : null;
   if (under) focus(emit, under.id, corner?.index ?? null);
   else if (!isOnStage(state.focus)) focus(emit);
-  const name = under ? selectionName(documentOf(state)) : 'Picture';
+  const name = under ? selectionName(documentOf(state)) : say('stage.pictureMenu');
   emit({ type: 'show-menu', at });
   return {
     ...state,
     menu: {
       about: under ? 'handles' : 'picture',
-      name: corner ? `Corner ${corner.index + 1} of ${name}` : name,
+      name: corner ? say('stage.cornerMenu', corner.index + 1, name) : name,
       corner,
       at,
       bends: toolContext(state).place(at) !== null,

@@ -2,11 +2,14 @@
 
 import { solveKey } from '../../document/solved';
 import { asError, isAbort, isEngineFailure } from '../../error';
+import { isSameWording, say, type Wording, type Words } from '../../texts/wording';
 import type { Emit } from '../effects';
-import { refusalWords } from '../error_texts';
+import { errorWords } from '../error_words';
+import { turnsOf } from '../hit_areas';
 import type { Notice, NoticesState } from '../notice';
 import { mayChange } from '../permissions';
-import { type EditorState, projectOf } from '../state';
+import { placeWords } from '../selection_words';
+import { documentOf, type EditorState, projectOf } from '../state';
 import type { Task, TaskName } from '../task';
 import type { Handlers } from './handlers';
 
@@ -44,15 +47,20 @@ export function notify(state: EditorState, given: Notice, emit: Emit): EditorSta
 /** Joins notices about the same step. */
 function joined(before: Notice | null, notice: Notice): Notice {
   if (!before?.ofStep || !notice.ofStep) return notice;
-  if (before.text.includes(notice.text)) return before;
-  return { ...before, ...notice, text: `${before.text} ${notice.text}` };
+  const said = sentencesOf(before.text);
+  if (said.some((sentence) => isSameWording(sentence, notice.text))) return before;
+  return { ...before, ...notice, text: say('names.sentences', [...said, notice.text]) };
 }
 
-export const inform = (state: EditorState, text: string, emit: Emit): EditorState =>
+/** The sentences of joined notices. */
+const sentencesOf = (text: Words): readonly Words[] =>
+  typeof text !== 'string' && text.key === 'names.sentences' ? (text.values[0] as readonly Words[]) : [text];
+
+export const inform = (state: EditorState, text: Words, emit: Emit): EditorState =>
   notify(state, { kind: 'info', text }, emit);
 
 /** Informs about the last step, until the next one. */
-export const informOfStep = (state: EditorState, text: string, emit: Emit): EditorState =>
+export const informOfStep = (state: EditorState, text: Wording, emit: Emit): EditorState =>
   notify(state, { kind: 'info', text, ofStep: true }, emit);
 
 /**
@@ -67,17 +75,27 @@ export function report(state: EditorState, thrown: unknown, emit: Emit, reverted
   const isUnsolved = state.solution.shown?.key !== solveKey(projectOf(state));
   const retry =
     isEngineFailure(error) && isUnsolved
-      ? ({ action: { label: 'Try again', event: { type: 'retry-asked' } }, passes: true } as const)
+      ? ({
+          action: { label: say('answers.tryAgain'), event: { type: 'retry-asked' } },
+          passes: true,
+        } as const)
       : {};
-  const next = notify(state, { kind: 'error', text: refusalWords(error, reverted), ...retry }, emit);
+  const next = notify(state, { kind: 'error', text: errorWords(error, reverted), ...retry }, emit);
   emit({ type: 'notify-page', notification: { type: 'error', error } });
   return next;
 }
 
-/** Announces a text. Screen readers read only changes: a repeated text gets a trailing space that is not read. */
-export function announce(state: EditorState, text: string): EditorState {
-  const { announcement } = state.notices;
-  return withNotices(state, { announcement: announcement === text ? `${text}\u00a0` : text });
+/** Announces words. Screen readers read only changes, so words that are repeated are marked. */
+export function announce(state: EditorState, words: Wording): EditorState {
+  const { announcement: last } = state.notices;
+  const again = last !== null && !last.again && isSameWording(last.words, words);
+  return withNotices(state, { announcement: { words, again } });
+}
+
+/** Announces a step, and where it has led the selected handles. */
+export function announceAt(state: EditorState, step: Wording): EditorState {
+  const place = placeWords(documentOf(state), turnsOf(state));
+  return announce(state, place ? say('spoken.stepAt', step, place) : step);
 }
 
 /** Another step was done, undone or redone: closes the notice about the step before. */
@@ -100,7 +118,7 @@ export function dismiss(state: EditorState, emit: Emit): EditorState {
 }
 
 /** Shows that nothing can be drawn. Other pictures do not close this notice: they are not drawn either. */
-export const notifyOfGraphics = (state: EditorState, text: string): EditorState =>
+export const notifyOfGraphics = (state: EditorState, text: Wording): EditorState =>
   withNotices(state, { graphics: { kind: 'error', text } });
 
 export const withoutGraphicsNotice = (state: EditorState): EditorState =>

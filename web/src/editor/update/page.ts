@@ -1,6 +1,8 @@
 /** Changes by the page: attributes, device, size, and the methods of the element. */
+
 import { openDocument } from '../../document/document';
 import { addHandle, putHandles, removeHandles } from '../../document/edits';
+import { say } from '../../texts/wording';
 import { cancelAll, cancelPress, isPressing } from '../../tools/machine';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
@@ -86,14 +88,14 @@ export const pageHandlers: Handlers<
   'tool-set': (state, { tool }, emit) =>
     tool === 'lens' && state.picture ? showStudy(state, 'lens', emit) : choose(state, tool, emit),
   'handle-added': (state, { handle }, emit) =>
-    step(state, 'Add handle', addHandle(documentOf(state), handle), emit),
+    step(state, say('steps.addHandle'), addHandle(documentOf(state), handle), emit),
   'handle-changed': (state, { handle }, emit) =>
-    step(state, 'Change handle', putHandles(documentOf(state), [handle]), emit),
+    step(state, say('steps.changeHandle'), putHandles(documentOf(state), [handle]), emit),
   'handle-removed': (state, { id }, emit) =>
-    step(state, 'Delete handle', removeHandles(documentOf(state), [id]), emit),
+    step(state, say('steps.deleteHandle'), removeHandles(documentOf(state), [id]), emit),
   'handles-posed': (state, { handles }, emit) => poseForPage(state, handles, emit),
   'project-adopted': (state, { project }, emit) =>
-    step(withDocument(state, { saved: project }), 'Set project', openDocument(project), emit),
+    step(withDocument(state, { saved: project }), say('steps.setProject'), openDocument(project), emit),
   'page-project-set': (state, { project }) => withOpening(state, { pageProject: project }),
   'selection-set': (state, { ids }, emit) =>
     state.picture && state.opening.revision === state.opening.openedRevision

@@ -1,10 +1,12 @@
 /** The playhead of the timeline: opening, moving, playing. */
+
 import { lastTime, timePlayed } from '../../document/clips';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import { openClip } from '../open_clip';
+import { secondsText } from '../seconds';
 import { documentOf, type EditorState } from '../state';
 import { CLOSED_TIMELINE } from '../timeline_state';
-import { secondsText } from '../timeline_texts';
 import { refitView } from '../view';
 import { stopPlaying, withTimeline } from './clip_slice';
 import type { Handlers } from './handlers';
@@ -17,7 +19,7 @@ export function openTimeline(state: EditorState, open: boolean, emit: Emit): Edi
   if (open) emit({ type: 'focus-control', control: 'timeline' });
   const paused = open ? endPlayback(state, emit) : state;
   const next = withTimeline(stopPlaying(paused, emit), { open, selected: [], renaming: false });
-  return refitView(announce(next, open ? 'Timeline' : 'Timeline closed'));
+  return refitView(announce(next, say(open ? 'spoken.timelineOpen' : 'spoken.timelineClosed')));
 }
 
 /** Closes the timeline of a picture that goes. */
@@ -45,7 +47,7 @@ export const movePlayhead = (state: EditorState, time: number, emit: Emit): Edit
 function stepPlayhead(state: EditorState, frames: number, emit: Emit): EditorState {
   const { time, rate } = state.timeline;
   const next = movePlayhead(state, time + frames / rate, emit);
-  return announce(next, secondsText(next.timeline.time));
+  return announce(next, say('spoken.time', secondsText(next.timeline.time)));
 }
 
 export function play(state: EditorState, on: boolean, emit: Emit): EditorState {

@@ -5,12 +5,14 @@
  * Creases and the frame need a pass over the whole mesh. It is made a few times a second during a drag, and once after
  * it.
  */
+
 import { ringsOf } from '../../document/domain';
-import { nameOf } from '../../document/handle';
+import { nameWords } from '../../document/names';
 import { settingsOf } from '../../document/settings';
 import { placeKey } from '../../document/solved';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
-import { looseText, outlineText, outsideText } from '../notice_texts';
+import { outlineWords } from '../notice_words';
 import { mayEdit } from '../permissions';
 import type { Solution, SolveReport } from '../solution';
 import { type EditorState, projectOf } from '../state';
@@ -46,8 +48,14 @@ function checkLooseParts(state: EditorState, { looseParts }: SolveReport, emit: 
     looseParts === 0 || project.handles.length === 0 || settingsOf(project).loose_parts === 'follow';
   if (isFine || state.checks.loose || !mayEdit(state)) return state;
   const event = { type: 'setting-set', setting: { name: 'loose_parts', value: 'follow' } } as const;
-  const action = { label: 'Let them follow', event } as const;
-  const notice = { kind: 'info', text: looseText(looseParts), action, passes: true, ofStep: true } as const;
+  const action = { label: say('answers.letFollow'), event } as const;
+  const notice = {
+    kind: 'info',
+    text: say('notices.looseParts', looseParts),
+    action,
+    passes: true,
+    ofStep: true,
+  } as const;
   return notify({ ...state, checks: { ...state.checks, loose: true } }, notice, emit);
 }
 
@@ -56,7 +64,7 @@ function checkOutline(state: EditorState, { outline, bridgedGap }: SolveReport, 
   const key = `${outline} ${bridgedGap}`;
   if (key === state.checks.outline) return state;
   const next = { ...state, checks: { ...state.checks, outline: key } };
-  const text = outlineText(outline, bridgedGap);
+  const text = outlineWords(outline, bridgedGap);
   return text === null ? next : informOfStep(next, text, emit);
 }
 
@@ -70,8 +78,12 @@ function checkOutside(state: EditorState, { project, report }: Solution, emit: E
   const places = project.handles.filter(({ id }) => ids.has(id)).map(placeKey);
   const names = projectOf(next)
     .handles.filter((handle) => places.includes(placeKey(handle)))
-    .map(nameOf);
+    .map(nameWords);
   return names.length > 0
-    ? informOfStep(next, outsideText(names, ringsOf(projectOf(next)).length > 0), emit)
+    ? informOfStep(
+        next,
+        say(`notices.outside${ringsOf(projectOf(next)).length > 0 ? 'Lasso' : 'Picture'}`, names),
+        emit,
+      )
     : next;
 }

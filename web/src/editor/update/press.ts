@@ -1,26 +1,26 @@
 /** Presses of the tools: their effects on the document, the display and the view. */
+
 import { handleById, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import type { PosedDocument } from '../../document/group';
 import * as history from '../../document/history';
 import { revertHandle } from '../../document/reverting';
 import { panned } from '../../geometry/camera';
+import { say, type Wording } from '../../texts/wording';
 import { cancelPress, type ToolsOutcome } from '../../tools/machine';
 import type { Effect } from '../../tools/state';
 import { beginCrossing, crossed, withDepths, withNeededDepths } from '../crossing';
 import type { Emit } from '../effects';
 import { beginGuarding, guarded } from '../fold_guard';
-import { turnsOf } from '../hit_areas';
-import { leftOutText } from '../notice_texts';
+import { draftWords } from '../selection_words';
 import { documentOf, type EditorState } from '../state';
 import { moveCamera } from '../view';
-import { draftWords, placeWords } from '../wording';
 import { saveWork } from './autosave';
 import { noteStroke } from './brush_use';
 import { committed, guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { look } from './lens';
-import { announce, closeStepNotice, informOfStep } from './notices';
+import { announce, announceAt, closeStepNotice, informOfStep } from './notices';
 import { letGo, ownPose } from './playback';
 import { beginRecording, dropRecording, endRecording, recordMove } from './recording';
 import { select } from './selection';
@@ -63,7 +63,7 @@ function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
       emit({ type: 'focus', target: { handle: null, corner: null, ring: effect.corner } });
       return state;
     case 'left-out':
-      return informOfStep(state, leftOutText(effect.count), emit);
+      return informOfStep(state, say('notices.leftOut', effect.count), emit);
     case 'lassoed':
       emit({ type: 'follow-up', event: { type: 'lasso-drawn', ring: effect.ring, hole: effect.hole } });
       return state;
@@ -80,7 +80,7 @@ export const endPress = (state: EditorState, { tools, effects }: ToolsOutcome, e
   applyTools(state, { tools, effects: effects.filter(({ type }) => type === 'box') }, emit);
 
 /** Opens an undo step for a drag. */
-function beginDrag(state: EditorState, label: string): EditorState {
+function beginDrag(state: EditorState, label: Wording): EditorState {
   const deformation = state.solution.shown?.deformation ?? null;
   const begun = withDocument(state, {
     history: history.begin(state.document.history, label, isSameWork),
@@ -119,9 +119,8 @@ function endDrag(before: EditorState, emit: Emit): EditorState {
   // A drag that changed nothing: its label must disappear from undo.
   if (ended.document.history.past === state.document.history.past) return edited(ended, 'input', emit);
   const next = edited(ownPose(ended, emit), 'drag', emit);
-  const label = history.undoLabel(next.document.history) ?? '';
-  const place = placeWords(documentOf(next), turnsOf(next));
-  return announce(next, place === '' ? label : `${label}. ${place}`);
+  const label = history.undoLabel(next.document.history);
+  return label ? announceAt(next, label) : next;
 }
 
 /** Drops the depths that a drag has decided, where it ends without a crossing. */

@@ -1,5 +1,7 @@
 /** Putting a picture on the stage, with earlier work on it or none. */
+
 import { newProject, openDocument } from '../../document/document';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import type { PageAttributes } from '../page';
 import type { Picture } from '../picture';
@@ -44,5 +46,5 @@ function showPicture(before: EditorState, picture: Picture | null, emit: Emit): 
     checks: { ...state.checks, outline: '', loose: false },
   };
   const next = wantLuminance(shown, emit);
-  return picture && !next.page.posable ? announce(next, `${picture.name} is open`) : next;
+  return picture && !next.page.posable ? announce(next, say('spoken.pictureOpen', picture.name)) : next;
 }

@@ -1,5 +1,6 @@
 /** The list of recent work, and the versions of other tabs in it. */
-import { removedText } from '../notice_texts';
+import { say } from '../../texts/wording';
+import { removedWords } from '../notice_words';
 import { bounded, withoutVersions } from '../recent';
 import { saveRecent } from './autosave';
 import type { Handlers } from './handlers';
@@ -14,8 +15,8 @@ export const recentHandlers: Handlers<'version-kept' | 'recent-removed' | 'recen
     const works = before.filter((work) => id === null || work.id === id);
     const recent = before.filter((work) => !works.includes(work));
     const removed = saveRecent(withOpening(state, { recent }), emit);
-    const action = { label: 'Put back', event: { type: 'recent-put-back', works } } as const;
-    return notify(removed, { kind: 'info', text: removedText(works), action, passes: true }, emit);
+    const action = { label: say('answers.putBack'), event: { type: 'recent-put-back', works } } as const;
+    return notify(removed, { kind: 'info', text: removedWords(works), action, passes: true }, emit);
   },
   'recent-put-back': (state, { works }, emit) =>
     saveRecent(withOpening(state, { recent: bounded([...works, ...state.opening.recent]) }), emit),

@@ -1,4 +1,5 @@
 /** Recording: while R is held, the motion of a drag becomes keys. */
+
 import { putKeys, removeKeys, roundedTime, trackOf } from '../../document/clip_keys';
 import { changeClip, DURATIONS, lastKeyTime } from '../../document/clips';
 import { fileProject, selectedHandles } from '../../document/document';
@@ -6,11 +7,12 @@ import * as history from '../../document/history';
 import { withFileProject } from '../../document/moment';
 import type { Clip, Handle } from '../../document/project';
 import { thinned } from '../../document/thinning';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import { openClip } from '../open_clip';
+import { handleWords } from '../selection_words';
 import { documentOf, type EditorState } from '../state';
 import type { Recording } from '../timeline_state';
-import { handleWords } from '../wording';
 import { stopPlaying, withTimeline } from './clip_slice';
 import { withHistory } from './document_slice';
 import type { Handlers } from './handlers';
@@ -24,7 +26,7 @@ export function beginRecording(state: EditorState, emit: Emit): EditorState {
   const { open } = state.document.history;
   if (!recordHeld || !openClip(state) || !open) return state;
   emit({ type: 'run-clock', on: true });
-  const label = `Record ${handleWords(selectedHandles(documentOf(state)))}`;
+  const label = say('steps.record', handleWords(selectedHandles(documentOf(state))));
   const named = withHistory(state, { ...state.document.history, open: { ...open, label } });
   return recordMove(withTimeline(named, { recording: { from: time, samples: [] }, playing: false }));
 }

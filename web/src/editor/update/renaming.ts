@@ -1,12 +1,13 @@
 /** Renaming a handle: the panel shows a field for its name. A new name is one undo step. */
+
 import { handleById } from '../../document/document';
 import { isLine, nameOf } from '../../document/handle';
-import { nameFault, renameHandle, tidyName } from '../../document/names';
+import { nameFault, nameWords, renameHandle, tidyName } from '../../document/names';
 import type { Vec } from '../../geometry/vec';
+import { say } from '../../texts/wording';
 import { hit } from '../../tools/hit';
 import type { Emit } from '../effects';
 import { toolContext } from '../hit_areas';
-import { NAME_FAULTS, nameStaysText } from '../notice_texts';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, projectOf, type Renaming, selectionOf } from '../state';
 import { focus, toggleCorner } from './corners';
@@ -52,7 +53,7 @@ function typed(state: EditorState, name: string): EditorState {
   const fault = nameFault(projectOf(state), renaming.id, tidyName(name));
   if (fault === renaming.fault) return state;
   const next = withRenaming(state, { ...renaming, fault });
-  return fault ? announce(next, NAME_FAULTS[fault]) : next;
+  return fault ? announce(next, say(`panel.nameFaults.${fault}`)) : next;
 }
 
 function given(before: EditorState, text: string, keyed: boolean, emit: Emit): EditorState {
@@ -65,7 +66,7 @@ function given(before: EditorState, text: string, keyed: boolean, emit: Emit): E
   if (fault && keyed) return state;
   const ended = withRenaming(state, null);
   if (!handle || !mayEdit(ended)) return ended;
-  if (fault) return inform(ended, nameStaysText(fault, nameOf(handle)), emit);
+  if (fault) return inform(ended, say(`notices.nameStays.${fault}`, nameWords(handle)), emit);
   const name = tidyName(text);
   const isNew = name !== nameOf(handle);
   if (keyed) focus(emit, isNew ? name : id);
@@ -75,7 +76,7 @@ function given(before: EditorState, text: string, keyed: boolean, emit: Emit): E
 function renamed(state: EditorState, id: string, name: string, emit: Emit): EditorState {
   const { drawn } = state.document;
   const follows = drawn?.handle.id === id ? { ...drawn, handle: { ...drawn.handle, id: name } } : drawn;
-  const label = `Rename ${nameOf({ id })} to ${name}`;
+  const label = say('steps.rename', nameWords({ id }), name);
   return step(
     withDocument(state, { drawn: follows }),
     label,

@@ -1,7 +1,9 @@
 /** The ends of requests: the asker is told, and the first content goes on. */
+
 import { codeOf, isAbort, isEngineFailure } from '../../error';
+import { say } from '../../texts/wording';
 import type { Emit, Origin } from '../effects';
-import { movesText, notOpenedText } from '../notice_texts';
+import { notOpenedWords } from '../notice_words';
 import type { OpenOutcome, OpenRequest, Purpose, Restoring } from '../opening_state';
 import { attributesPending } from '../opening_state';
 import type { NamedFile } from '../picture';
@@ -83,11 +85,11 @@ const isOfProject = (outcome: OpenOutcome): boolean =>
 
 /** Says that a file with several frames is opened as its first. */
 const withFirstFrame = (state: EditorState, emit: Emit): EditorState =>
-  state.picture?.moves ? inform(state, movesText(state.picture.name), emit) : state;
+  state.picture?.moves ? inform(state, say('notices.moves', state.picture.name), emit) : state;
 
 /** Names ignored files. */
 const filesOpened = (state: EditorState, ignored: readonly NamedFile[], emit: Emit): EditorState =>
-  ignored.length > 0 ? inform(state, notOpenedText(ignored.map(({ name }) => name)), emit) : state;
+  ignored.length > 0 ? inform(state, notOpenedWords(ignored.map(({ name }) => name)), emit) : state;
 
 /** Drops the input for a picture that is refused, unless a newer one is being opened. */
 function withoutInput(state: EditorState, outcome: OpenOutcome): EditorState {

@@ -1,8 +1,10 @@
 /** Requests to open something: by files, by the page, by the attributes, and by earlier work. */
+
 import type { ProjectFile } from '../../document/project';
+import { say } from '../../texts/wording';
 import { addressIn, nameIn, namesProject } from '../address';
 import type { Emit, ProjectSource } from '../effects';
-import { noAddressText } from '../notice_texts';
+import { noAddressWords } from '../notice_words';
 import type { OpeningState, ProjectRead, Purpose, Restoring } from '../opening_state';
 import type { NamedFile } from '../picture';
 import type { EditorState } from '../state';
@@ -112,7 +114,7 @@ function readProject(
 
 function openAddress(state: EditorState, text: string, emit: Emit): EditorState {
   const address = addressIn(text);
-  if (!address) return notify(state, { kind: 'error', text: noAddressText(text) }, emit);
+  if (!address) return notify(state, { kind: 'error', text: noAddressWords(text) }, emit);
   if (namesProject(address))
     return readProject(state, { name: nameIn(address), received: [] }, { address }, emit);
   return requestPicture(state, { by: 'person', received: [] }, { pictures: [address] }, emit);
@@ -122,7 +124,7 @@ function openAddress(state: EditorState, text: string, emit: Emit): EditorState 
 export function cancelReading(before: EditorState, emit: Emit): EditorState {
   const state = abandonReading(before, emit);
   for (const { id } of state.opening.readingProjects) emit({ type: 'abandon-read', id });
-  return announce(withOpening(state, { readingProjects: [] }), 'Cancelled');
+  return announce(withOpening(state, { readingProjects: [] }), say('spoken.cancelled'));
 }
 
 const projectSource = (project: string | ProjectFile | null): ProjectSource | null =>

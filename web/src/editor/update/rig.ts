@@ -1,10 +1,12 @@
 /** The rig of one picture on another: offered when a picture or a project is opened, and one step of the history. */
+
 import { openDocument } from '../../document/document';
+import { nameWords } from '../../document/names';
 import type { Project } from '../../document/project';
+import { say, type Words } from '../../texts/wording';
 import type { Emit } from '../effects';
 import type { NoticeAction } from '../notice';
 import type { Picture } from '../picture';
-import { movedInsideText, rigStepText, USE_RIG } from '../rig_texts';
 import type { EditorState } from '../state';
 import type { Work } from '../work';
 import type { Handlers } from './handlers';
@@ -20,15 +22,15 @@ export function rigOfWork(picture: Picture, { record }: Work): NoticeAction | nu
   const { name, file, alphaThreshold } = picture;
   // Without transparency there is no outline to line up.
   const own = alphaThreshold === null ? null : { name, file };
-  return { label: USE_RIG, event: { type: 'rig-asked', rig: { name, project, own } } };
+  return { label: say('answers.useRig'), event: { type: 'rig-asked', rig: { name, project, own } } };
 }
 
 /** Offers the rig of a project whose picture is not there; null if it has no handles. */
-export const rigOfProject = (name: string, project: Project): NoticeAction | null =>
+export const rigOfProject = (name: Words, project: Project): NoticeAction | null =>
   project.handles.length === 0
     ? null
     : {
-        label: USE_RIG,
+        label: say('answers.useRig'),
         event: { type: 'rig-asked', rig: { name: project.image.src || name, project, own: null } },
       };
 
@@ -44,13 +46,27 @@ export const rigHandlers: Handlers<'rig-asked' | 'rig-fitted'> = {
 
 function useRig(
   before: EditorState,
-  name: string,
+  name: Words,
   fitted: Project,
   moved: readonly string[],
   emit: Emit,
 ): EditorState {
   const project = { ...fitted, image: { ...fitted.image, src: before.picture?.name ?? '' } };
-  const used = step(withOpening(before, { awaiting: null }), rigStepText(name), openDocument(project), emit);
+  const used = step(
+    withOpening(before, { awaiting: null }),
+    say('steps.useRig', name),
+    openDocument(project),
+    emit,
+  );
   const state = chooseByHandles(used, emit);
-  return moved.length > 0 ? informOfStep(state, movedInsideText(moved), emit) : state;
+  return moved.length > 0
+    ? informOfStep(
+        state,
+        say(
+          'notices.movedInside',
+          moved.map((id) => nameWords({ id })),
+        ),
+        emit,
+      )
+    : state;
 }

@@ -1,5 +1,7 @@
 /** Requests of solutions: immediate if a recent one serves, else by the solver. The newest request wins. */
+
 import { solveKey } from '../../document/solved';
+import { say } from '../../texts/wording';
 import { draftOf, isPressing } from '../../tools/machine';
 import type { Emit } from '../effects';
 import type { Solution, SolutionState, SolveStage } from '../solution';
@@ -12,14 +14,6 @@ import { checkSolution } from './pose_checks';
 
 /** From here on a wait is noticeable. */
 const PATIENCE_MS = 200;
-
-const LABELS: Readonly<Record<SolveStage | 'start', string>> = {
-  start: 'Finding the outline',
-  domain: 'Sampling',
-  sampling: 'Measuring distances',
-  regions: 'Weighting',
-  weights: 'Weighting',
-};
 
 export const withSolution = (state: EditorState, change: Partial<SolutionState>): EditorState => ({
   ...state,
@@ -58,7 +52,7 @@ function isInHand(state: EditorState): boolean {
 
 /** Begins a stage of a solve. It is shown once the solve has taken noticeably long. */
 export function beginStage(state: EditorState, stage: SolveStage | 'start', emit: Emit): EditorState {
-  const next = withSolution(state, { stage: LABELS[stage] });
+  const next = withSolution(state, { stage });
   if (state.solution.stage === null) emit({ type: 'start-timer', timer: 'solve-patience', ms: PATIENCE_MS });
   const isShown = state.notices.tasks.some(({ name }) => name === 'solve');
   return isShown ? showStage(next, emit) : next;
@@ -68,7 +62,7 @@ export function beginStage(state: EditorState, stage: SolveStage | 'start', emit
 export function showStage(state: EditorState, emit: Emit): EditorState {
   const { stage, shown } = state.solution;
   if (stage === null) return state;
-  return beginTask(state, { name: 'solve', label: stage, cancellable: shown !== null }, emit);
+  return beginTask(state, { name: 'solve', label: say(`tasks.${stage}`), cancellable: shown !== null }, emit);
 }
 
 export function endStages(state: EditorState, emit: Emit): EditorState {

@@ -4,7 +4,9 @@
  * Nothing that the solver refuses, or breaks at, stays. A handle that cannot be solved is reverted throughout the
  * history, even in a document that was just opened. Any other edit is reverted together with later ones.
  */
+
 import { handlesOf } from '../../error';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
 import { mayChange } from '../permissions';
 import { MAX_RECENT, pendingKey, type Solution } from '../solution';
@@ -57,7 +59,7 @@ function cancelSolve(state: EditorState, emit: Emit): EditorState {
   const { shown } = state.solution;
   const back = shown ? turnBack(state, shown.key, emit) : state;
   const reverted = back === state ? revertRejected(state, pending, [], null, emit).state : back;
-  return announce(reverted, 'Cancelled');
+  return announce(reverted, say('spoken.cancelled'));
 }
 
 export const solveHandlers: Handlers<

@@ -1,9 +1,11 @@
 /** Undo steps: edits, undo and redo, and changes by the page. */
+
 import { type ModeReturn, modeOf } from '../../document/bending';
 import { type Document, handleById, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
 import type { Handle, PoseMode } from '../../document/project';
+import { say, type Wording } from '../../texts/wording';
 import { cancelPress, forgetTakenCorners, isPressing, restoreDrawings } from '../../tools/machine';
 import type { Emit } from '../effects';
 import { documentOf, type EditorState, selectionOf } from '../state';
@@ -44,7 +46,7 @@ export function selectForPage(state: EditorState, ids: readonly string[], emit: 
 /** Commits a change and announces it, unless it changes nothing. Consecutive ones with the same key form one step. */
 export function step(
   state: EditorState,
-  label: string,
+  label: Wording,
   document: Document,
   emit: Emit,
   key: string | null = null,
@@ -56,7 +58,7 @@ export function step(
 /** Commits a change unless it changes nothing. Consecutive changes with the same key form one undo step. */
 export function commitStep(
   state: EditorState,
-  label: string,
+  label: Wording,
   document: Document,
   emit: Emit,
   key: string | null = null,
@@ -94,7 +96,10 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
   // The focused handle may have another name now: keys go on at the selected one.
   if (handle !== null && !handleById(documentOf(travelled), handle))
     emit({ type: 'focus', target: { handle: selectionOf(travelled)[0] ?? null, corner: null } });
-  return announce(edited(travelled, 'change', emit), `${way === 'undo' ? 'Undone' : 'Redone'}: ${label}`);
+  return announce(
+    edited(travelled, 'change', emit),
+    say(way === 'undo' ? 'spoken.undone' : 'spoken.redone', label),
+  );
 }
 
 /** The last project in a mode other than the present one, and the project after it; null if there is none. */

@@ -1,13 +1,14 @@
 /** The study card, and the settings that it shows. */
+
 import { type Document, isSameWork } from '../../document/document';
 import * as history from '../../document/history';
 import { presetMode, type Setting, withPreset, withSetting } from '../../document/settings';
+import { isSameWording, say, type Wording } from '../../texts/wording';
 import { cancelPress } from '../../tools/machine';
 import type { Emit } from '../effects';
-import { savedText } from '../notice_texts';
+import { savedWords } from '../notice_words';
 import { mayEdit } from '../permissions';
 import { stem } from '../picture';
-import { SETTING_NAMES } from '../setting_texts';
 import { documentOf, type EditorState, projectOf } from '../state';
 import type { StudyPage } from '../study_state';
 import { refitView } from '../view';
@@ -31,11 +32,13 @@ export function showStudy(before: EditorState, page: StudyPage | null, emit: Emi
   return choose(state, state.page.readonly ? 'hand' : 'select', emit);
 }
 
-const labelOf = ({ name }: Setting): string => `Set ${SETTING_NAMES[name]}`;
+const labelOf = ({ name }: Setting): Wording => say(`steps.settings.${name}`);
 
 /** Whether a drag of this setting's slider is an open undo step. */
-const isSliding = ({ document }: EditorState, setting: Setting): boolean =>
-  document.history.open?.label === labelOf(setting);
+const isSliding = ({ document }: EditorState, setting: Setting): boolean => {
+  const { open } = document.history;
+  return open !== null && isSameWording(open.label, labelOf(setting));
+};
 
 const withNew = (state: EditorState, setting: Setting): Document => ({
   ...documentOf(state),
@@ -57,7 +60,7 @@ function slide(before: EditorState, setting: Setting, emit: Emit): EditorState {
   return edited(withHistory(state, updated), 'input', emit);
 }
 
-function beginSliding(before: EditorState, label: string, emit: Emit): EditorState {
+function beginSliding(before: EditorState, label: Wording, emit: Emit): EditorState {
   const state = applyTools(before, cancelPress(before.tools), emit);
   const begun = history.begin(state.document.history, label, isSameWork);
   return withDocument(state, { history: begun, travelled: null, refused: [], posedByPage: [] });
@@ -80,13 +83,13 @@ export const studyHandlers: Handlers<
     emit({ type: 'save-figure', figure, name });
     return state;
   },
-  'figure-saved': (state, { name }, emit) => inform(state, savedText(name, false), emit),
+  'figure-saved': (state, { name }, emit) => inform(state, savedWords(name, false), emit),
   'setting-set': (state, { setting }, emit) => (mayEdit(state) ? set(state, setting, emit) : state),
   'setting-slid': (state, { setting }, emit) => (mayEdit(state) ? slide(state, setting, emit) : state),
   'preset-chosen': (state, { preset }, emit) => {
     if (!mayEdit(state)) return state;
     const project = withPreset(projectOf(state), preset);
-    const label = presetMode(preset) === 'rigid' ? 'Set all as in the editor' : 'Set all as in the paper';
+    const label = say(`steps.presets.${presetMode(preset) === 'rigid' ? 'editor' : 'paper'}`);
     return step(state, label, { ...documentOf(state), project }, emit);
   },
 };

@@ -1,15 +1,17 @@
 /** Suggested handles: asked of the solver, and added as one step. A newer command or a change of handles ends that. */
+
 import { isAtRest } from '../../document/handle';
 import type { PointHandle, Project } from '../../document/project';
 import { solveKey } from '../../document/solved';
 import { placedAtRest, type Suggestion, withSuggested } from '../../document/suggestion';
 import { distance, type Vec } from '../../geometry/vec';
+import { say } from '../../texts/wording';
 import { pointHandle } from '../../tools/placing';
 import type { Deformation } from '../deformation';
 import type { Emit } from '../effects';
+import { suggestedWords } from '../notice_words';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, projectOf } from '../state';
-import { countedSteps, NO_PLACE, NO_SUGGESTION, SUGGESTING, suggestedText } from '../suggestion_texts';
 import type { Handlers } from './handlers';
 import { announce, beginTask, endTask, inform, informOfStep, report } from './notices';
 import { step } from './steps';
@@ -29,12 +31,15 @@ export function askForHandles(state: EditorState, emit: Emit): EditorState {
 
 export const showSuggesting = (state: EditorState, emit: Emit): EditorState =>
   state.suggesting
-    ? announce(beginTask(state, { name: 'suggest', label: SUGGESTING, cancellable: true }, emit), SUGGESTING)
+    ? announce(
+        beginTask(state, { name: 'suggest', label: say('tasks.suggesting'), cancellable: true }, emit),
+        say('tasks.suggesting'),
+      )
     : state;
 
 /** A person cancels the suggestion. */
 export const stopSuggesting = (state: EditorState, emit: Emit): EditorState =>
-  state.suggesting ? announce(ended(state, emit), 'Cancelled') : state;
+  state.suggesting ? announce(ended(state, emit), say('spoken.cancelled')) : state;
 
 /** Drops a suggestion for another picture, or for handles that have changed meanwhile. */
 export const withoutStaleSuggestion = (state: EditorState, emit: Emit): EditorState =>
@@ -60,15 +65,16 @@ function settled(state: EditorState, emit: Emit): EditorState {
 function suggested(before: EditorState, suggestion: Suggestion, emit: Emit): EditorState {
   const there = projectOf(before).handles.length;
   const { handles, outlined } = suggestion;
-  if (handles.length === 0) return inform(before, there > 0 ? NO_SUGGESTION : NO_PLACE, emit);
+  if (handles.length === 0)
+    return inform(before, say(there > 0 ? 'notices.noSuggestion' : 'notices.noPlace'), emit);
   const deformation = before.solution.shown?.deformation ?? null;
   const document = withSuggested(documentOf(before), suggestion, (project, rest) =>
     handleAt(project, rest, deformation),
   );
-  const stepped = step(before, `Suggest ${countedSteps(handles.length)}`, document, emit);
+  const stepped = step(before, say('steps.suggest', handles.length), document, emit);
   // The next press drags one of them.
   const state = stepped.tools.tool === 'point' ? choose(stepped, 'select', emit) : stepped;
-  return informOfStep(state, suggestedText(handles.length, there, outlined), emit);
+  return informOfStep(state, suggestedWords(handles.length, there, outlined), emit);
 }
 
 /** A handle that is posed as the picture there, so that nothing jumps. */

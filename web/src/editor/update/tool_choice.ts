@@ -1,6 +1,6 @@
 /** Choosing a tool, by a person or the page. */
+import { say } from '../../texts/wording';
 import { chooseTool, draws, places, type ToolName } from '../../tools/machine';
-import { COMMANDS } from '../commands';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import { type EditorState, projectOf } from '../state';
@@ -31,7 +31,7 @@ export function takeTool(state: EditorState, tool: ToolName, emit: Emit): Editor
   if (next.tools.tool !== tool) return next;
   // Arrows and Enter place with it.
   if (places(tool) || tool === 'lens') focusStage(emit);
-  return announce(next, COMMANDS[tool].label);
+  return announce(next, say(`commands.${tool}`));
 }
 
 /** Chooses the point tool for an opened picture without handles, and the select tool for one with handles. */
@@ -42,7 +42,7 @@ export function chooseByHandles(state: EditorState, emit: Emit): EditorState {
   const next = tool === tools.tool ? state : takeTool(state, tool, emit);
   return next.tools.tool === tools.tool
     ? state
-    : announce(next, `${COMMANDS[tool].label}, ${picture.name} is open`);
+    : announce(next, say('spoken.toolAndPicture', say(`commands.${tool}`), picture.name));
 }
 
 const isOnHandles = ({ focus }: EditorState): boolean => focus.on === 'handle' || focus.on === 'corner';

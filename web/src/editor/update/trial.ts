@@ -1,15 +1,16 @@
 /** Trials: a picture on the stage until its first solution, with the way back to the picture before it. */
+
 import { openDocument } from '../../document/document';
 import type { Project } from '../../document/project';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
-import { inEditorWords } from '../error_texts';
+import { errorWords, ofFreshPicture } from '../error_words';
 import type { EventOf } from '../events';
 import type { NoticeAction } from '../notice';
-import { notCarriedText, twoVersionsText } from '../notice_texts';
+import { awaitingWords } from '../notice_words';
 import type { OpeningState, OpenRequest, ProjectRead, Purpose, Trial } from '../opening_state';
 import { belongs, fits, misfit, type Picture, type SourceFile } from '../picture';
 import { otherVersion, withReplaced } from '../recent';
-import { awaitingText } from '../rig_texts';
 import { type EditorState, projectOf } from '../state';
 import type { Work, WorkSnapshot } from '../work';
 import { saveOpened, snapshotOf, workOf } from './autosave';
@@ -47,7 +48,8 @@ function tryRequested(
   const isTakable = error && request.purpose.by === 'person' && asked.handles.length > 0;
   const waiting = isTakable ? asked : null;
   const project = waiting ? null : asked;
-  if (waiting) state = withOpening(state, { awaiting: { name: 'The project', project: waiting } });
+  if (waiting)
+    state = withOpening(state, { awaiting: { name: say('notices.theProject'), project: waiting } });
   else if (error) {
     emit({ type: 'follow-up', event: { type: 'request-ended', request, outcome: error } });
     return state;
@@ -136,7 +138,7 @@ export function endTrialOpened(before: EditorState, trial: Trial, emit: Emit): E
   const rig = isBrought && trial.before ? rigOfWork(trial.before.picture, trial.before.work) : null;
   state = offerNext(saveOpened(applyPageSettings(state, trial.withProject, emit), emit), emit, rig);
   if (trial.carried instanceof Error && state.picture) {
-    state = inform(state, notCarriedText(state.picture.name, trial.carried.message), emit);
+    state = inform(state, say('notices.notCarried', state.picture.name, errorWords(trial.carried)), emit);
   }
   emit({ type: 'prepare-export' });
   if (trial.request) {
@@ -177,7 +179,7 @@ export function endTrialRejected(
   }
   if (restoring) state = restore(state, restoring.work, 'refusal', emit);
   const inWords = error !== 'superseded' && trial.fresh && refused && picture;
-  const outcome = inWords ? inEditorWords(error, picture.name) : error;
+  const outcome = inWords ? ofFreshPicture(error, picture.name) : error;
   emit({ type: 'follow-up', event: { type: 'request-ended', request: trial.request, outcome } });
   return state;
 }
@@ -203,17 +205,24 @@ function offerNext(state: EditorState, emit: Emit, rig: NoticeAction | null = nu
   if (!picture) return state;
   const version = otherVersion(opening.recent, picture);
   if (version) {
-    const action = { label: 'Show the other version', event: { type: 'back-asked', work: version } } as const;
-    const other = { label: 'Keep this one', event: { type: 'version-kept' } } as const;
-    return notify(state, { kind: 'info', text: twoVersionsText(picture.name), action, other }, emit);
+    const action = {
+      label: say('answers.showOtherVersion'),
+      event: { type: 'back-asked', work: version },
+    } as const;
+    const other = { label: say('answers.keepThis'), event: { type: 'version-kept' } } as const;
+    return notify(
+      state,
+      { kind: 'info', text: say('notices.twoVersions', picture.name), action, other },
+      emit,
+    );
   }
   const last = opening.recent.at(-1);
   if (page.posable || !(last || rig)) return state;
   const back: NoticeAction | null = last
-    ? { label: `Back to ${last.name}`, event: { type: 'back-asked', work: last } }
+    ? { label: say('answers.backTo', last.name), event: { type: 'back-asked', work: last } }
     : null;
   const [action, other] = rig ? [rig, back] : [back, null];
-  const text = `${picture.name} is open.`;
+  const text = say('notices.isOpen', picture.name);
   const actions = { ...(action && { action }), ...(other && { other }) };
   return notify(state, { kind: 'info', text, ...actions, ofStep: true, passes: true }, emit);
 }
@@ -223,8 +232,8 @@ function askForPicture(state: EditorState, emit: Emit): EditorState {
   const { awaiting } = state.opening;
   if (!awaiting) return state;
   const rig = state.picture ? rigOfProject(awaiting.name, awaiting.project) : null;
-  const text = awaitingText(awaiting.name, awaiting.project.image, rig && (state.picture?.name ?? null));
-  const action = { label: 'Open picture', event: { type: 'picture-asked' } } as const;
+  const text = awaitingWords(awaiting.name, awaiting.project.image, rig && (state.picture?.name ?? null));
+  const action = { label: say('answers.openPicture'), event: { type: 'picture-asked' } } as const;
   return notify(state, { kind: 'info', text, action, ...(rig && { other: rig }) }, emit);
 }
 
@@ -232,7 +241,7 @@ function askForPicture(state: EditorState, emit: Emit): EditorState {
 function openProject(state: EditorState, name: string, project: Project, emit: Emit): EditorState {
   if (state.picture && fits(state.picture, project)) {
     const next = withDocument(withOpening(state, { awaiting: null }), { saved: project });
-    return step(next, `Open ${name}`, openDocument(project), emit);
+    return step(next, say('steps.open', name), openDocument(project), emit);
   }
   return askForPicture(withOpening(state, { awaiting: { name, project } }), emit);
 }

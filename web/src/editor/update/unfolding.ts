@@ -1,13 +1,14 @@
 /** Out of folds: moves the handles that force them to the nearest pose without. */
+
 import { isSameWork } from '../../document/document';
-import { nameOf } from '../../document/handle';
 import { timeline } from '../../document/history';
+import { nameWords } from '../../document/names';
 import type { Handle, Project } from '../../document/project';
 import { hasSameForm } from '../../document/solved';
+import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
-import { leftFoldsText, NO_WAY_OUT } from '../fold_texts';
+import { handleWords } from '../selection_words';
 import { documentOf, type EditorState, projectOf } from '../state';
-import { handleWords } from '../wording';
 import { inform, informOfStep } from './notices';
 import { step } from './steps';
 
@@ -20,12 +21,12 @@ export function leaveFolds(before: EditorState, emit: Emit): EditorState {
   const project = projectOf(before);
   if (!deformation) return before;
   const found = deformation.unfolded(project, lastWithoutFolds(before));
-  if (!found) return inform(before, NO_WAY_OUT, emit);
+  if (!found) return inform(before, say('notices.noWayOut'), emit);
   const changed = found.handles.filter((handle, k) => handle !== project.handles[k]);
   const document = { ...documentOf(before), project: found };
   if (isSameWork(documentOf(before), document)) return before;
-  const state = step(before, `Leave the folds by ${handleWords(changed)}`, document, emit);
-  return informOfStep(state, leftFoldsText(changed.map(nameOf)), emit);
+  const state = step(before, say('steps.leaveFolds', handleWords(changed)), document, emit);
+  return informOfStep(state, say('notices.leftFolds', changed.map(nameWords)), emit);
 }
 
 /** The last step of the history with the same handles and no folds. */

@@ -1,11 +1,12 @@
 /** A JPEG or WebP file, by the browser's own encoders. They need the whole picture on a canvas. */
+import { say } from '../../texts/wording';
 import type { FileSettings } from '../encoding';
 import { opaqueOver } from './opaque_over';
 import { Refused } from './refused';
 import type { WrittenFile } from './written_file';
 
-const TOO_LARGE = 'this browser has no canvas of this size. Choose a smaller scale, or PNG.';
-const UNSUPPORTED = 'this browser cannot write this format. Choose PNG.';
+const TOO_LARGE = say('errors.writing.reasons.canvasTooLarge');
+const UNSUPPORTED = say('errors.writing.reasons.formatUnsupported');
 
 export class CanvasFile implements WrittenFile<Blob> {
   readonly #settings: FileSettings;

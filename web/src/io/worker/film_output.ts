@@ -1,4 +1,5 @@
 /** Where the bytes of a film go. */
+import { say, type Wording } from '../../texts/wording';
 import { Refused } from './refused';
 
 type Bytes = Uint8Array<ArrayBuffer>;
@@ -20,10 +21,8 @@ export class StorageRefused extends Refused {
 const full = (error: unknown): boolean =>
   error instanceof DOMException && error.name === 'QuotaExceededError';
 
-const reasonOf = (error: unknown): string =>
-  full(error)
-    ? 'the disk is full.'
-    : 'the disk does not take it. Is it still there, and may this page write to it?';
+const reasonOf = (error: unknown): Wording =>
+  say(full(error) ? 'errors.writing.reasons.diskFull' : 'errors.writing.reasons.diskRefuses');
 
 /** Bytes that are gathered before they become a blob, which the browser keeps out of the worker's memory. */
 const FOLDED = 8 * 2 ** 20;

@@ -1,4 +1,5 @@
 /** GIF, APNG, WebP and sprite sheets, by the WebAssembly module of the film encoders. It is loaded at first use. */
+import { say } from '../../texts/wording';
 import type { FilmFormat, FilmSettings } from '../filming';
 import init, { Container, FilmWriter } from '../generated/film';
 import { colourOf } from './colours';
@@ -23,7 +24,7 @@ async function load(address: string): Promise<void> {
     await loading;
   } catch {
     loading = undefined;
-    throw new Refused(`its encoder could not be loaded: is ${address} there, and the network?`);
+    throw new Refused(say('errors.writing.reasons.encoderNotLoaded', String(address)));
   }
 }
 
@@ -110,8 +111,10 @@ function attempt<T>(call: () => T): T {
     return call();
   } catch (error) {
     if (error instanceof WebAssembly.RuntimeError) throw new Broken(TOO_LARGE);
-    throw new Refused(`${error instanceof Error ? error.message : String(error)}.`);
+    throw new Refused(
+      say('errors.writing.reasons.other', error instanceof Error ? error.message : String(error)),
+    );
   }
 }
 
-const TOO_LARGE = 'it needs more memory than this browser gives. Choose a smaller size, or another format.';
+const TOO_LARGE = say('errors.writing.reasons.filmTooLarge');

@@ -74,6 +74,6 @@ function sendCopy(pixels: Uint8Array<ArrayBuffer> | null, to: MessagePort): void
 
 function failure(error: unknown): ReadReply {
   if (error instanceof LackingError) return { kind: 'lacking' };
-  const { code, message } = asC2WarpError(error);
-  return { kind: 'refused', code, message };
+  const { code, message, wording } = asC2WarpError(error);
+  return { kind: 'refused', code, message, wording };
 }

@@ -1,8 +1,16 @@
+import type { Wording } from '../../texts/wording';
 import type { WriteFault } from '../writing';
 
-/** A file that the browser cannot make; the message is for people. */
+/** A file that the browser cannot make. */
 export class Refused extends Error {
   readonly fault: WriteFault = 'encoder';
+  /** Why, for people. */
+  readonly reason: Wording;
+
+  constructor(reason: Wording) {
+    super(reason.key);
+    this.reason = reason;
+  }
 }
 
 /** A refusal after which the worker cannot go on, such as a panic of its module. */

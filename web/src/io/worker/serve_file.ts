@@ -35,7 +35,7 @@ export function serveFile<File>(
     } catch (error) {
       if (!(error instanceof Refused)) throw error;
       refused = error;
-      if (!answered) reply({ refused: error.message, fault: error.fault });
+      if (!answered) reply({ refused: error.reason, fault: error.fault });
       if (error instanceof Broken) throw error;
     }
   }

@@ -4,6 +4,7 @@
  * WebM carries transparency as a second picture of each frame, which is encoded by itself. A key frame of the colours
  * is one of the transparency too, so that players can seek. Encoders get a few frames at a time: memory stays flat.
  */
+
 import {
   EncodedPacket,
   EncodedVideoPacketSource,
@@ -13,6 +14,7 @@ import {
   type StreamTargetChunk,
   WebMOutputFormat,
 } from 'mediabunny';
+import { say } from '../../texts/wording';
 import type { FilmSettings } from '../filming';
 import type { CodecChoice, VideoFormat } from '../video_codecs';
 import { bleed } from './bleed';
@@ -23,8 +25,8 @@ import { Refused } from './refused';
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
-const NO_CODEC = 'this browser does not encode this format at this size. Choose another format.';
-const FAILED = 'the browser’s encoder failed. Choose a smaller size, or another format.';
+const NO_CODEC = say('errors.writing.reasons.noCodec');
+const FAILED = say('errors.writing.reasons.codecFailed');
 
 /** Frames that wait for the encoder. */
 const MOST_WAITING = 2;

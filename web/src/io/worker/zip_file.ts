@@ -1,5 +1,7 @@
 /** A zip archive, written file by file. Pictures are compressed already, so they are stored as they are. */
+
 import { Zip, ZipPassThrough } from 'fflate';
+import { say } from '../../texts/wording';
 import { Refused } from './refused';
 
 type Bytes = Uint8Array<ArrayBuffer>;
@@ -7,7 +9,7 @@ type Take = (position: number, bytes: Bytes) => Promise<void>;
 
 /** Bytes of an archive without the extension for larger ones, which few programs read. */
 const MOST_BYTES = 2 ** 32 - 1;
-const TOO_LARGE = 'a zip holds at most 4 GB. Choose a smaller size, or fewer frames.';
+const TOO_LARGE = say('errors.writing.reasons.zipTooLarge');
 
 export class ZipFile {
   readonly #take: Take;

@@ -27,6 +27,8 @@ export const spoken = {
   /** The pose of handles. @param scale null where it is 1, or where they differ. */
   place: (handles: string, x: number, y: number, degrees: number, scale: number | null) =>
     `${handles}: x ${x}, y ${y}, ${rotation(degrees)}${scale === null ? '' : `, scale ${scale}`}`,
+  /** @param time such as 1.00 s. */
+  time: (time: string) => time,
   at: (x: number, y: number) => `x ${x}, y ${y}`,
   cornerAt: (corner: number, handle: string, x: number, y: number) =>
     `Corner ${corner} of ${handle}: x ${x}, y ${y}`,

@@ -125,6 +125,8 @@ export const status = {
   actual: 'Actual',
   stoppedAtFold: 'Stopped at a fold',
   creases: (count: number) => counted(count, 'crease'),
+  /** For screen readers. @param creases their number. @param effect of a press. */
+  creasesAnd: (creases: string, effect: string) => `${creases}. ${effect}`,
   hideCreases: 'Hide the creases',
   showCreases: 'Show the creases',
   zoomToCrease: 'Zoom to the crease',

@@ -1,23 +1,25 @@
 /** Controls that exports of all kinds have. */
+
 import { html, type TemplateResult } from 'lit-html';
 import type { Dispatch, NumberChange } from '../../editor/events';
 import { PERCENTS, QUALITIES } from '../../editor/export_choices';
 import type { EditorModel } from '../../editor/view_model';
 import type { Size } from '../../geometry/camera';
+import type { Texts } from '../../texts/texts';
 import { closePopover } from '../close_popover';
 import type { FieldLook } from '../number_field';
 import { segment } from '../segment';
 
-export const SIZE: FieldLook = {
+export const sizeLook = ({ exporting }: Texts): FieldLook => ({
   name: 'percent',
-  label: 'Size',
+  label: exporting.size,
   unit: '%',
   step: 5,
   digits: 1,
   ...PERCENTS,
   digitKeys: true,
   changesNothing: true,
-};
+});
 
 export function changed(value: number, change: NumberChange): number {
   return 'to' in change ? change.to : Math.min(change.most, Math.max(change.least, value + change.by));
@@ -44,13 +46,14 @@ export function keptValue(event: Event): string {
 
 export const qualityOption = (
   quality: number,
+  { exporting }: Texts,
   choose: (quality: number) => void,
 ): TemplateResult => html`<label class="option">
-  <span>Quality</span>
+  <span>${exporting.quality}</span>
   <input
     type="range"
     name="quality"
-    aria-label="Quality"
+    aria-label=${exporting.quality}
     min=${QUALITIES.least}
     max=${QUALITIES.most}
     .value=${String(quality)}
@@ -78,16 +81,16 @@ export const colourOption = (
 </label>`;
 
 /** @param about the size of the posed mesh, which soft edges change by a few pixels. */
-export function sizeText(size: Size | null, about: boolean): string {
+export function sizeText(size: Size | null, about: boolean, { exporting }: Texts): string {
   if (!size) return '';
-  const [width, height] = [size.width, size.height].map((side) => side.toLocaleString('en'));
-  return `${about ? '≈ ' : ''}${width} × ${height} px`;
+  const { width, height } = size;
+  return about ? exporting.aboutPixels(width, height) : exporting.pixels(width, height);
 }
 
-/** The last row: a text about the file, and the button. */
+/** The last row: a text about the file, and the button with its label. */
 export const exportRow = (
   told: string | TemplateResult,
-  word: string,
+  label: string,
   disabled: boolean,
   model: EditorModel,
   dispatch: Dispatch,
@@ -104,6 +107,6 @@ export const exportRow = (
       dispatch({ type: 'command-run', command: 'export' });
     }}
   >
-    Export ${word}
+    ${label}
   </button>
 </div>`;

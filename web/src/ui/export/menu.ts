@@ -1,6 +1,6 @@
 /** The export panel, with a page for each kind of export. On a phone it is a sheet. */
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { ariaKeys, COMMANDS, keyHint } from '../../editor/commands';
+import { ariaKeys, keyHint } from '../../editor/commands';
 import type { Dispatch } from '../../editor/events';
 import type { ExportKind } from '../../editor/export_choices';
 import type { EditorModel } from '../../editor/view_model';
@@ -11,21 +11,16 @@ import { icon } from '../icons';
 import { choice } from './controls';
 import { picturePage } from './picture';
 
-const KINDS: Readonly<Record<ExportKind, string>> = {
-  picture: 'Picture',
-  film: 'Film',
-  page: 'Web page',
-  engine: 'Engine',
-  maps: 'Maps',
-};
-
 /** @param pages those that are loaded later; null until then. */
 export function exportMenu(
   model: EditorModel,
   dispatch: Dispatch,
   pages: ExportPages | null,
 ): TemplateResult {
-  const label = COMMANDS['export-as'].label;
+  const { texts } = model;
+  const label = texts.commands['export-as'];
+  const word = texts.toolbar.export;
+  const { kind, kinds } = texts.exporting;
   return html`<div class="menu">
     <button
       type="button"
@@ -33,12 +28,12 @@ export function exportMenu(
       part="button"
       popovertarget="export"
       data-tip=${label}
-      data-keys=${keyHint('export-as', model.platform)}
+      data-keys=${keyHint('export-as', model.platform, texts)}
       aria-label=${label}
       aria-keyshortcuts=${ariaKeys('export-as', model.platform) || nothing}
       ?disabled=${!model.canRun('export')}
     >
-      ${icon('export')}<span class="word">Export</span>${captionOf('Export')}
+      ${icon('export')}<span class="word">${word}</span>${captionOf(word)}
     </button>
     <div
       id="export"
@@ -46,14 +41,14 @@ export function exportMenu(
       part="menu"
       popover
       role="dialog"
-      aria-label="Export"
+      aria-label=${word}
       tabindex="-1"
       @beforetoggle=${(event: ToggleEvent) => {
         placeBelowButton(event);
         dispatch({ type: 'popover-toggled', popover: 'export', open: event.newState === 'open' });
       }}
     >
-      ${choice('Kind', KINDS, model.exporting.kind, (kind) => dispatch({ type: 'export-kind-chosen', kind }))}
+      ${choice<ExportKind>(kind, kinds, model.exporting.kind, (kind) => dispatch({ type: 'export-kind-chosen', kind }))}
       ${page(model, dispatch, pages)}
     </div>
   </div>`;

@@ -1,4 +1,5 @@
 /** The cells with their radii r_d and r_h (figure 2), and the times of the stages. */
+
 import { html, nothing, svg, type TemplateResult } from 'lit-html';
 import type { Study } from '../../document/generated/study';
 import type { Dispatch } from '../../editor/events';
@@ -6,40 +7,35 @@ import type { EditorModel } from '../../editor/view_model';
 import { type Drawn, pathOf } from './figure';
 import { mapFrame, shape, siteDots } from './map_figure';
 import { saveButton } from './save_button';
+import { withSymbols } from './symbols';
 
 const WIDTH = 294;
 const HEIGHT = 380;
 
-const STAGES = {
-  domain: 'Finding the outline',
-  sampling: 'Sampling',
-  regions: 'Distances, cells and virtual handles',
-  weights: 'Weights',
-  pose: 'A pose',
-} as const;
+const STAGES = ['domain', 'sampling', 'regions', 'weights', 'pose'] as const;
 
 export function cellsPage(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const study = model.study.explained?.study;
-  if (!study || study.sites.length === 0)
-    return html`<p class="faint">There are no cells without a handle.</p>`;
+  const { cells: words } = model.texts;
+  if (!study || study.sites.length === 0) return html`<p class="faint">${words.none}</p>`;
   const map = cellsMap(study, model, WIDTH, HEIGHT);
   const virtual = study.sites.filter(({ handle }) => handle === -1).length;
   return html`
-    <h3>${study.sites.length - virtual} cells of handles, ${virtual} of virtual handles</h3>
-    <svg class="figure map" viewBox="0 0 ${map.width} ${map.height}" role="img" aria-label="The shape with its cells and their radii">
+    <h3>${words.counts(study.sites.length - virtual, virtual)}</h3>
+    <svg class="figure map" viewBox="0 0 ${map.width} ${map.height}" role="img" aria-label=${words.label}>
       ${map.content}
     </svg>
     <p class="faint key">
-      <span class="meaning"><span class="swatch of-farthest"></span>r<sub>d</sub>, to the farthest point of the cell</span>
-      <span class="meaning"><span class="swatch of-nearest"></span>r<sub>h</sub>, to the nearest other handle</span>
+      <span class="meaning"><span class="swatch of-farthest"></span>${withSymbols(words.farthest)}</span>
+      <span class="meaning"><span class="swatch of-nearest"></span>${withSymbols(words.nearest)}</span>
     </p>
-    <p class="faint">A support covers its cell, and ends before the next handle of yours. So r<sub>d</sub> must stay within the limit of r<sub>h</sub>.</p>
-    ${saveButton('cells', dispatch)}
-    <h3 class="times-title">Times of this solve</h3>
+    <p class="faint">${withSymbols(words.note)}</p>
+    ${saveButton('cells', model.texts, dispatch)}
+    <h3 class="times-title">${words.times}</h3>
     <dl class="times">
-      ${(Object.keys(STAGES) as (keyof typeof STAGES)[]).map(
+      ${STAGES.map(
         (stage) =>
-          html`<div><dt>${STAGES[stage]}</dt><dd>${milliseconds(model.solved?.times[stage] ?? 0)}</dd></div>`,
+          html`<div><dt>${words.stages[stage]}</dt><dd>${milliseconds(model.solved?.times[stage] ?? 0)}</dd></div>`,
       )}
     </dl>`;
 }

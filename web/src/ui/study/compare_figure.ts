@@ -1,8 +1,9 @@
 /** The comparison as a figure to be saved: three pictures with their names. */
+
 import { nothing, svg } from 'lit-html';
 import { VARIANTS } from '../../document/variants';
+import type { Texts } from '../../texts/texts';
 import type { VariantPictures } from '../study_view';
-import { VARIANT_TEXTS } from './compare_page';
 import { type Drawn, linesOf } from './figure';
 
 /** Each picture has the form of its canvas: 3 to 4. */
@@ -12,15 +13,14 @@ const LINE = 17;
 /** Characters that fit below a picture. */
 const LINE_LENGTH = 42;
 
-export function compareFigure(pictures: VariantPictures): Drawn {
+export function compareFigure(pictures: VariantPictures, { compare }: Texts): Drawn {
   const { width, height } = PICTURE;
   const columns = VARIANTS.map((variant, at) => {
-    const [title, note] = VARIANT_TEXTS[variant];
     const url = pictures[variant];
     return svg`<g transform="translate(${GAP + at * (width + GAP)} ${GAP})">
       ${url === null ? nothing : svg`<image width=${width} height=${height} href=${url}/>`}
-      <text class="strong" y=${height + LINE}>${title}</text>
-      ${linesOf(note, LINE_LENGTH).map(
+      <text class="strong" y=${height + LINE}>${compare.names[variant]}</text>
+      ${linesOf(compare.notes[variant], LINE_LENGTH).map(
         (line, below) => svg`<text class="tick" y=${height + (below + 2) * LINE}>${line}</text>`,
       )}
     </g>`;

@@ -1,14 +1,18 @@
 /** The falloff φ(d / r) of one site (eq. 5), with its radii. A drag of the end r changes α. */
+
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
 import type { Project } from '../../document/project';
 import { settingsOf } from '../../document/settings';
 import type { Dispatch } from '../../editor/events';
 import type { Falloff } from '../../editor/lens_model';
-import { siteName } from '../../editor/lens_texts';
+import { siteName } from '../../editor/lens_words';
 import type { EditorModel } from '../../editor/view_model';
 import type { Vec } from '../../geometry/vec';
+import type { Texts } from '../../texts/texts';
+import { worded } from '../../texts/wording';
 import { axes, numberAtX, type Plot, pathOf, pixels, plotX, plotY, ticks } from './figure';
 import { alphaSlider } from './slider';
+import { withSymbols } from './symbols';
 
 const SIZE = { width: 294, height: 190 } as const;
 
@@ -19,37 +23,48 @@ export function falloffPart(
   dispatch: Dispatch,
 ): TemplateResult {
   const alpha = settingsOf(model.document.project).shape_factor;
-  return html`<section class="falloff" aria-label="Falloff">
-    <h3>${falloffTitle(falloff, project)}</h3>
+  const { lens: words } = model.texts;
+  return html`<section class="falloff" aria-label=${words.falloff}>
+    <h3>${falloffTitle(falloff, project, model.texts)}</h3>
     ${
       falloff.site.support_radius === null
-        ? html`<p class="faint">There is no other handle on this part, so its support has no end.</p>`
+        ? html`<p class="faint">${words.noEnd}</p>`
         : html`<svg
             class="figure"
             viewBox="0 0 ${SIZE.width} ${SIZE.height}"
             role="img"
-            aria-label=${label(falloff, falloff.site.support_radius)}
+            aria-label=${label(falloff, falloff.site.support_radius, words)}
           >
-            ${falloffChart(falloff, falloff.site.support_radius)}
+            ${falloffChart(falloff, falloff.site.support_radius, words)}
             ${grip(falloff, falloff.site.support_radius, model, dispatch)}
           </svg>`
     }
     <div class="control">
       <span class="symbol">α</span>${alphaSlider(alpha, model, dispatch)}<span class="number">${alpha.toFixed(2)}</span>
     </div>
-    <p class="faint">${radii(falloff)}</p>
+    <p class="faint">${radii(falloff, words)}</p>
   </section>`;
 }
 
-export const falloffTitle = ({ site, index }: Falloff, project: Project): string =>
-  `Falloff of ${site.handle === -1 ? `virtual handle ${index + 1}` : siteName(project, site.handle)}`;
+export const falloffTitle = ({ site, index }: Falloff, project: Project, texts: Texts): string =>
+  texts.lens.falloffOf(
+    site.handle === -1 ? texts.names.virtualHandle(index + 1) : worded(texts, siteName(project, site.handle)),
+  );
 
-const label = ({ curve, distance }: Falloff, radius: number): string =>
-  `The falloff is ${valueAt(curve, distance / radius).toFixed(2)} at the distance of ${pixels(distance)}, and ends at ${pixels(radius)}.`;
+const label = ({ curve, distance }: Falloff, radius: number, words: Texts['lens']): string =>
+  words.falloffLabel(valueAt(curve, distance / radius).toFixed(2), pixels(distance), pixels(radius));
 
-const radii = ({ site: { cell_radius, separation, support_radius } }: Falloff): TemplateResult => html`
-  Cell r<sub>d</sub> ${pixels(cell_radius)}${separation === null ? nothing : html`, nearest other r<sub>h</sub> ${pixels(separation)}`}${support_radius === null ? nothing : html`, support r ${pixels(support_radius)}`}.
-  Drag r in the figure, or α.`;
+const radii = (
+  { site: { cell_radius, separation, support_radius } }: Falloff,
+  words: Texts['lens'],
+): readonly (string | TemplateResult)[] =>
+  withSymbols(
+    words.radii(
+      pixels(cell_radius),
+      separation === null ? null : pixels(separation),
+      support_radius === null ? null : pixels(support_radius),
+    ),
+  );
 
 /** The part of the figure that the curve is drawn in. */
 function plotOf({ site }: Falloff, radius: number): Plot {
@@ -59,7 +74,7 @@ function plotOf({ site }: Falloff, radius: number): Plot {
 }
 
 /** The figure without its grip. */
-export function falloffChart(falloff: Falloff, radius: number): SVGTemplateResult {
+export function falloffChart(falloff: Falloff, radius: number, words: Texts['lens']): SVGTemplateResult {
   const { site, distance, curve } = falloff;
   const plot = plotOf(falloff, radius);
   const places = curve.map(
@@ -67,14 +82,14 @@ export function falloffChart(falloff: Falloff, radius: number): SVGTemplateResul
   );
   const x = plotX(plot, radius);
   return svg`${axes(plot, ticks(plot.x, 4), [0, 0.5, 1])}
-    <text class="tick" text-anchor="end" x=${plot.right} y=${SIZE.height - 6}>distance d inside the shape, px</text>
+    <text class="tick" text-anchor="end" x=${plot.right} y=${SIZE.height - 6}>${words.distanceAxis}</text>
     <path class="area" d="${pathOf([...places, [plot.left, plot.bottom]], true)}"/>
     <path class="curve" d=${pathOf([...places, [plot.right, plot.bottom]])}/>
     ${mark(plot, site.cell_radius, 'd', 'cell-radius', 0)}
     ${site.separation === null ? nothing : mark(plot, site.separation, 'h', 'separation', 1)}
     <path class="radius support" d="M${x} ${plot.top}V${plot.bottom}"/>
     <text class="radius-name support" x=${x + 5} y=${plot.top + 46}>r</text>
-    ${distance > plot.x[1] ? beyond(plot, distance) : place(plot, distance, valueAt(curve, distance / radius))}`;
+    ${distance > plot.x[1] ? beyond(plot, distance, words) : place(plot, distance, valueAt(curve, distance / radius))}`;
 }
 
 /** The point under the lens on the curve. */
@@ -84,8 +99,8 @@ function place(plot: Plot, distance: number, value: number): SVGTemplateResult {
 }
 
 /** The point under the lens, farther away than the figure reaches. */
-const beyond = (plot: Plot, distance: number): SVGTemplateResult =>
-  svg`<text text-anchor="end" x=${plot.right} y=${plot.bottom - 10}>this point: ${pixels(distance)} →</text>`;
+const beyond = (plot: Plot, distance: number, words: Texts['lens']): SVGTemplateResult =>
+  svg`<text text-anchor="end" x=${plot.right} y=${plot.bottom - 10}>${words.thisPoint(pixels(distance))}</text>`;
 
 const mark = (plot: Plot, at: number, index: string, kind: string, line: number): SVGTemplateResult => {
   const x = plotX(plot, at);

@@ -23,17 +23,18 @@ export function figure(
   model: EditorModel,
   pictures: VariantPictures | null,
 ): TemplateResult | null {
+  const { texts } = model;
   switch (name) {
     case 'lens': {
       const shown = lensModel(model.study);
-      return shown && whole('The weights of a point', lensFigure(shown));
+      return shown && whole(texts.lens.title, lensFigure(shown, texts));
     }
     case 'cells':
       return cellsFigure(model);
     case 'rounds':
       return roundsFigure(model);
     case 'compare':
-      return pictures && whole('One picture by three methods', compareFigure(pictures));
+      return pictures && whole(texts.compare.title, compareFigure(pictures, texts));
   }
 }
 
@@ -53,23 +54,23 @@ function cellsFigure(model: EditorModel): TemplateResult | null {
   const content = svg`${map.content}
     <g transform="translate(16 ${map.height + LINE})">
       ${figureKey([
-        ['farthest', 'to the farthest point of the cell'],
-        ['nearest', 'to the nearest other site'],
+        ['farthest', model.texts.cells.toFarthest],
+        ['nearest', model.texts.cells.toNearest],
       ])}
     </g>`;
-  return whole('Cells with their radii', { content, width: map.width, height: map.height + 2 * LINE });
+  return whole(model.texts.cells.title, { content, width: map.width, height: map.height + 2 * LINE });
 }
 
 function roundsFigure(model: EditorModel): TemplateResult | null {
   const shown = roundModel(model.study);
   if (!shown) return null;
   const map = roundMap(shown, MAP.width, MAP.height);
-  const words = linesOf(shown.words, LINE_LENGTH);
+  const words = linesOf(model.worded(shown.words), LINE_LENGTH);
   const below = map.height + (words.length + 2) * LINE;
   const content = svg`${map.content}
     ${words.map((line, at) => svg`<text x="16" y=${map.height + (at + 1) * LINE}>${line}</text>`)}
-    <g transform="translate(0 ${below})">${scoreCurve(shown, MAP.width)}</g>`;
-  return whole(`Round ${shown.index + 1} of Algorithm 1`, {
+    <g transform="translate(0 ${below})">${scoreCurve(shown, MAP.width, model.texts.rounds)}</g>`;
+  return whole(model.texts.rounds.figure(shown.index + 1), {
     content,
     width: MAP.width,
     height: below + CURVE_HEIGHT + 8,

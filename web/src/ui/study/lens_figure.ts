@@ -1,7 +1,10 @@
 /** The lens as a figure to be saved: the shape with the paths to the handles, the weights, and the falloff. */
+
 import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import type { LensModel } from '../../editor/lens_model';
-import { percent, siteName, VIRTUAL } from '../../editor/lens_texts';
+import { percent, siteName } from '../../editor/lens_words';
+import type { Texts } from '../../texts/texts';
+import { worded } from '../../texts/wording';
 import { falloffChart, falloffTitle } from './falloff_figure';
 import { type Drawn, pathOf, pixels } from './figure';
 import { figureKey } from './figure_key';
@@ -14,11 +17,11 @@ const COLUMN = { width: 340, bar: 120, barWidth: 130, number: 258, top: 22 } as 
 const ROW = 26;
 const FALLOFF_HEIGHT = 216;
 
-export function lensFigure(shown: LensModel): Drawn {
+export function lensFigure(shown: LensModel, texts: Texts): Drawn {
   const { lens, study } = shown;
   const frame = mapFrame(study.outline.flat(), MAP.width, MAP.height);
   const [x, y] = frame.place(lens.at);
-  const column = weightsColumn(shown);
+  const column = weightsColumn(shown, texts);
   const content = svg`${shape(study.outline, frame)}
     ${lens.shares.map(({ path }) => svg`<path class="way" d=${pathOf(path.map(frame.place))}/>`)}
     ${siteDots(
@@ -32,29 +35,40 @@ export function lensFigure(shown: LensModel): Drawn {
 }
 
 /** The weights and the falloff, below each other. */
-function weightsColumn({ lens, project, falloff }: LensModel): Drawn {
+function weightsColumn({ lens, project, falloff }: LensModel, texts: Texts): Drawn {
   const { width } = COLUMN;
-  const [x, y] = lens.at.map(Math.round);
+  const { lens: words } = texts;
+  const [x = 0, y = 0] = lens.at.map(Math.round);
   const rows = [
-    ...lens.shares.map((share) => ({ ...share, name: siteName(project, share.handle), kind: 'own' })),
-    { name: VIRTUAL, weight: lens.virtual_weight, passed_on: 0, distance: null, kind: 'all-virtual' },
+    ...lens.shares.map((share) => ({
+      ...share,
+      name: worded(texts, siteName(project, share.handle)),
+      kind: 'own',
+    })),
+    {
+      name: words.virtualHandles,
+      weight: lens.virtual_weight,
+      passed_on: 0,
+      distance: null,
+      kind: 'all-virtual',
+    },
   ];
   const keyAt = (rows.length + 1) * ROW;
   const radius = falloff?.site.support_radius ?? null;
   const content = svg`
-    <text class="strong">The weights at x ${x}, y ${y}</text>
+    <text class="strong">${words.weightsAt(x, y)}</text>
     ${rows.map((row, at) => weightRow(row, (at + 1) * ROW))}
     <g transform="translate(0 ${keyAt})">
       ${figureKey([
-        ['own', 'own weight'],
-        ['passed', 'passed on by virtual handles'],
+        ['own', words.ownWeight],
+        ['passed', words.passedOn],
       ])}
     </g>
     ${
       falloff && radius !== null
         ? svg`<g transform="translate(0 ${keyAt + ROW + GAP})">
-            <text class="strong">${falloffTitle(falloff, project)}</text>
-            <g transform="translate(0 12)">${falloffChart(falloff, radius)}</g>
+            <text class="strong">${falloffTitle(falloff, project, texts)}</text>
+            <g transform="translate(0 12)">${falloffChart(falloff, radius, words)}</g>
           </g>`
         : nothing
     }`;

@@ -1,10 +1,12 @@
 /** Algorithm 1 round by round (section IV-A), with the score curve of figure 3. */
+
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import type { Dispatch } from '../../editor/events';
 import { type RoundModel, roundModel } from '../../editor/rounds_model';
 import type { EditorModel } from '../../editor/view_model';
 import type { Vec } from '../../geometry/vec';
+import type { Texts } from '../../texts/texts';
 import { icon } from '../icons';
 import { axes, type Drawn, least, most, type Plot, pathOf, plotX, plotY, ticks } from './figure';
 import { mapFrame, shape, siteDots } from './map_figure';
@@ -16,9 +18,11 @@ export const CURVE_HEIGHT = 150;
 
 export function roundsPage(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const shown = roundModel(model.study);
-  if (!shown) return html`<p class="faint">There is nothing to insert without a handle.</p>`;
+  const { rounds: texts } = model.texts;
+  if (!shown) return html`<p class="faint">${texts.none}</p>`;
   const { playing } = model.study.replay;
-  const { index, study, words } = shown;
+  const { index, study } = shown;
+  const words = model.worded(shown.words);
   const last = study.rounds.length - 1;
   const go = (round: number) => dispatch({ type: 'round-shown', round });
   const map = roundMap(shown, WIDTH, MAP_HEIGHT);
@@ -34,7 +38,7 @@ export function roundsPage(model: EditorModel, dispatch: Dispatch): TemplateResu
     ${symbol}
   </button>`;
   return html`
-    <h3>Algorithm 1</h3>
+    <h3>${texts.title}</h3>
     <svg class="figure map" viewBox="0 0 ${map.width} ${map.height}" role="img" aria-label=${words}>${map.content}</svg>
     <p class="round-words" role="status">${playing ? nothing : words}</p>
     <div class="player">
@@ -42,19 +46,19 @@ export function roundsPage(model: EditorModel, dispatch: Dispatch): TemplateResu
         type="button"
         class="button"
         part="button"
-        data-tip=${playing ? 'Pause' : 'Play'}
-        aria-label=${playing ? 'Pause' : 'Play'}
+        data-tip=${playing ? texts.pause : texts.play}
+        aria-label=${playing ? texts.pause : texts.play}
         ?disabled=${last < 1}
         @click=${() => dispatch({ type: 'replay-switched', on: !playing })}
       >
         ${icon(playing ? 'pause' : 'play')}
       </button>
-      ${step('Previous round', icon('back'), index - 1)} ${step('Next round', icon('next'), index + 1)}
+      ${step(texts.previous, icon('back'), index - 1)} ${step(texts.next, icon('next'), index + 1)}
       <input
         type="range"
         class="slider"
-        aria-label="Round"
-        aria-valuetext="Round ${index + 1} of ${last + 1}"
+        aria-label=${texts.round}
+        aria-valuetext=${texts.roundOf(index + 1, last + 1)}
         min="0"
         max=${last}
         .value=${live(String(index))}
@@ -66,18 +70,17 @@ export function roundsPage(model: EditorModel, dispatch: Dispatch): TemplateResu
       />
       <output class="number">${index + 1} / ${last + 1}</output>
     </div>
-    <svg class="figure" viewBox="0 0 ${WIDTH} ${CURVE_HEIGHT}" role="img" aria-label=${curveLabel(shown)}>
-      ${scoreCurve(shown, WIDTH)}
+    <svg class="figure" viewBox="0 0 ${WIDTH} ${CURVE_HEIGHT}" role="img" aria-label=${curveLabel(shown, texts)}>
+      ${scoreCurve(shown, WIDTH, texts)}
     </svg>
     <p class="faint">
-      The score of the worst cell before each round, as in figure 3 of the paper. Below the line every support covers its
-      cell and ends before the next handle. Rounds after that insert the virtual handles that the project asks for.
+      ${texts.note}
     </p>
-    ${saveButton('rounds', dispatch)}`;
+    ${saveButton('rounds', model.texts, dispatch)}`;
 }
 
-const curveLabel = ({ round, study }: RoundModel): string =>
-  `The score is ${round.score.toFixed(2)}. It may be at most ${study.allowed_score.toFixed(2)}.`;
+const curveLabel = ({ round, study }: RoundModel, { curve }: Texts['rounds']): string =>
+  curve(round.score.toFixed(2), study.allowed_score.toFixed(2));
 
 /** The shape with the sites before the round, and the points where it inserts. */
 export function roundMap({ study, sites, round }: RoundModel, width: number, height: number): Drawn {
@@ -103,7 +106,11 @@ export function roundMap({ study, sites, round }: RoundModel, width: number, hei
 }
 
 /** The scores of all rounds, the line that ends the algorithm, and the round on show. */
-export function scoreCurve({ study, index, round }: RoundModel, width: number): SVGTemplateResult {
+export function scoreCurve(
+  { study, index, round }: RoundModel,
+  width: number,
+  texts: Texts['rounds'],
+): SVGTemplateResult {
   const scores = study.rounds.map(({ score }) => Math.max(score, -1));
   const top = Math.max(most(scores), 0.2);
   const bottom = Math.min(least(scores), study.allowed_score) - 0.08;
@@ -120,9 +127,9 @@ export function scoreCurve({ study, index, round }: RoundModel, width: number): 
   const [x, y] = [plotX(plot, index + 1), plotY(plot, Math.max(round.score, -1))];
   const whole = ticks(plot.x, 5).filter((tick) => Number.isInteger(tick));
   return svg`${axes(plot, whole, ticks(plot.y, 4))}
-    <text class="tick" text-anchor="end" x=${plot.right} y=${CURVE_HEIGHT - 4}>round</text>
+    <text class="tick" text-anchor="end" x=${plot.right} y=${CURVE_HEIGHT - 4}>${texts.roundAxis}</text>
     <path class="limit" d="M${plot.left} ${allowed}H${plot.right}"/>
-    <text class="tick" text-anchor="end" x=${plot.right} y=${allowed - 5}>allowed</text>
+    <text class="tick" text-anchor="end" x=${plot.right} y=${allowed - 5}>${texts.allowed}</text>
     <path class="curve" d=${pathOf(line)}/>
     <path class="at" d="M${x} ${plot.bottom}V${y}"/><circle class="at-dot" cx=${x} cy=${y} r="4.5"/>`;
 }

@@ -1,10 +1,12 @@
 /** All settings of the project, each with a sentence on what it does to the picture. */
+
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { modeOf } from '../../document/bending';
 import { RANGES } from '../../document/generated/settings';
 import { type Setting, settingsOf } from '../../document/settings';
 import type { Dispatch, NumberChange } from '../../editor/events';
 import type { EditorModel } from '../../editor/view_model';
+import type { Texts } from '../../texts/texts';
 import { type FieldLook, numberField } from '../number_field';
 import { segment } from '../segment';
 import { alphaSlider, slider } from './slider';
@@ -12,12 +14,20 @@ import { alphaSlider, slider } from './slider';
 type NumberName = keyof typeof RANGES | 'threshold';
 
 const NUMBERS = {
-  shape_factor: { label: 'α', step: 0.05, digits: 2 },
-  degree: { label: 'n', step: 1, digits: 0 },
-  samples: { label: 'Points', step: 1000, digits: 0 },
-  density: { label: 'At least', step: 10, digits: 0 },
-  threshold: { label: 'Opacity', step: 0.05, digits: 2 },
-} as const satisfies Record<NumberName, Pick<FieldLook, 'label' | 'step' | 'digits'>>;
+  shape_factor: { step: 0.05, digits: 2 },
+  degree: { step: 1, digits: 0 },
+  samples: { step: 1000, digits: 0 },
+  density: { step: 10, digits: 0 },
+  threshold: { step: 0.05, digits: 2 },
+} as const satisfies Record<NumberName, Pick<FieldLook, 'step' | 'digits'>>;
+
+const labelsOf = ({ settings }: Texts): Readonly<Record<NumberName, string>> => ({
+  shape_factor: 'α',
+  degree: 'n',
+  samples: settings.points,
+  density: settings.atLeast,
+  threshold: settings.opacity,
+});
 
 const rangeOf = (name: NumberName): readonly [least: number, most: number] =>
   name === 'threshold' ? [0.01, 1] : RANGES[name];
@@ -25,6 +35,7 @@ const rangeOf = (name: NumberName): readonly [least: number, most: number] =>
 export function settingsPage(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { project } = model.document;
   const now = settingsOf(project);
+  const { settings: words } = model.texts;
   const set = (setting: Setting) => dispatch({ type: 'setting-set', setting });
   const number = (name: NumberName, value: number) => numberSetting(name, value, model, dispatch);
   const choice = <V extends string>(
@@ -37,117 +48,97 @@ export function settingsPage(model: EditorModel, dispatch: Dispatch): TemplateRe
   </div>`;
   return html`
     ${setting(
-      'Motion of virtual handles',
-      modeOf(project) === 'rigid'
-        ? 'They keep the form of the picture: limbs bend, and handles turn by themselves.'
-        : 'Harmonic fields mix the motions of your handles, as in the paper (eq. 4). You turn the handles.',
+      words.motion,
+      words.motionNotes[modeOf(project)],
       choice(
-        'Motion of virtual handles',
+        words.motion,
         [
-          ['rigid', 'Rigid'],
-          ['harmonic', 'By hand'],
+          ['rigid', words.rigid],
+          ['harmonic', words.byHand],
         ],
         modeOf(project),
         (mode) => dispatch({ type: 'pose-mode-chosen', mode }),
       ),
     )}
+    ${setting(words.density, words.densityNote, number('density', now.density))}
     ${setting(
-      'Virtual handles',
-      'More of them bend the picture more finely, and a drag reaches less far. With 0, the paper’s algorithm decides.',
-      number('density', now.density),
-    )}
-    ${setting(
-      'Support factor α',
-      'How far each handle reaches. At 0 it reaches little beyond its own cell, and bends are tight. At 1 it reaches as far as it may, and bends are soft.',
+      words.shapeFactor,
+      words.shapeFactorNote,
       html`${alphaSlider(now.shape_factor, model, dispatch)}
       ${number('shape_factor', now.shape_factor)}`,
     )}
     ${setting(
-      'Rule of supports',
-      now.support === 'smooth'
-        ? 'Supports of virtual handles overlap. The picture bends evenly.'
-        : 'Supports end at the next handle, virtual ones included (eq. 3). The picture bends in smaller steps.',
+      words.support,
+      words.supportNotes[now.support],
       choice(
-        'Rule of supports',
+        words.support,
         [
-          ['smooth', 'Smooth'],
-          ['paper', 'Paper'],
+          ['smooth', words.smooth],
+          ['paper', words.paper],
         ],
         now.support,
         (value) => set({ name: 'support', value }),
       ),
     )}
     ${setting(
-      'Continuity',
-      now.continuity === 'c2'
-        ? 'Bends are smooth behind corners and around holes too: two continuous derivatives. Holes get virtual handles.'
-        : 'The picture may show a fine crease behind a hole, where two ways around it are equally long.',
+      words.continuity,
+      words.continuityNotes[now.continuity],
       choice(
-        'Continuity',
+        words.continuity,
         [
-          ['exact', 'Exact'],
+          ['exact', words.exact],
           ['c2', 'C²'],
         ],
         now.continuity,
         (value) => set({ name: 'continuity', value }),
       ),
     )}
+    ${setting(words.degree, words.degreeNote, number('degree', now.degree))}
     ${setting(
-      'Degree n of the falloff',
-      'At 5 the bend between two handles is short, and parts near them move as one. A higher degree spreads it over the way.',
-      number('degree', now.degree),
-    )}
-    ${setting(
-      'Filling of the falloff',
-      'How the falloff goes on between its ends, from degree 7 on. “Line” falls evenly. “Half” keeps a step, where parts follow two handles by halves.',
+      words.filling,
+      words.fillingNote,
       choice(
-        'Filling of the falloff',
+        words.filling,
         [
-          ['line', 'Line'],
-          ['half', 'Half'],
+          ['line', words.line],
+          ['half', words.half],
         ],
         now.filling,
         (value) => set({ name: 'filling', value }),
       ),
     )}
     ${setting(
-      'Blend',
-      now.blend === 'rigid'
-        ? 'Turns blend to turns: a part between two opposite turns keeps its size.'
-        : 'Motions are averaged, as in the paper (eq. 1): a part between two opposite turns shrinks.',
+      words.blend,
+      words.blendNotes[now.blend],
       choice(
-        'Blend',
+        words.blend,
         [
-          ['linear', 'Linear'],
-          ['rigid', 'Rigid'],
+          ['linear', words.linear],
+          ['rigid', words.rigid],
         ],
         now.blend,
         (value) => set({ name: 'blend', value }),
       ),
     )}
-    ${setting(
-      'Samples',
-      'The points that carry the picture. More of them draw bends more finely, and solving takes longer.',
-      number('samples', now.samples),
-    )}
+    ${setting(words.samples, words.samplesNote, number('samples', now.samples))}
     ${
       now.threshold === null
         ? nothing
-        : setting(
-            'Least opacity',
-            'What is more transparent than this does not bend. A lower number takes soft edges and thin hair along.',
-            threshold(now.threshold, model, dispatch),
-          )
+        : setting(words.threshold, words.thresholdNote, threshold(now.threshold, model, dispatch))
     }
     <div class="presets">
-      ${preset('As in the paper', 'paper', model, dispatch)} ${preset('As in the editor', 'editor', model, dispatch)}
+      ${preset(words.asInPaper, 'paper', model, dispatch)} ${preset(words.asInEditor, 'editor', model, dispatch)}
     </div>`;
 }
 
 /** While it has the focus, the stage shows the outline of the bending part. */
 function threshold(value: number, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const show = (on: boolean) => () => dispatch({ type: 'outline-shown', on });
-  const look = { name: 'threshold', label: 'Least opacity', range: rangeOf('threshold') } as const;
+  const look = {
+    name: 'threshold',
+    label: model.texts.settings.threshold,
+    range: rangeOf('threshold'),
+  } as const;
   return html`<div class="outlining" @focusin=${show(true)} @focusout=${show(false)}>
     ${slider(look, value, model, dispatch)} ${numberSetting('threshold', value, model, dispatch)}
   </div>`;
@@ -167,7 +158,15 @@ function numberSetting(
   dispatch: Dispatch,
 ): TemplateResult {
   const [least, most] = rangeOf(name);
-  const look: FieldLook = { ...NUMBERS[name], name, unit: '', least, most, digitKeys: true };
+  const look: FieldLook = {
+    ...NUMBERS[name],
+    label: labelsOf(model.texts)[name],
+    name,
+    unit: '',
+    least,
+    most,
+    digitKeys: true,
+  };
   const set = (change: NumberChange) => {
     const to = 'to' in change ? change.to : Math.min(Math.max(value + change.by, least), most);
     dispatch({ type: 'setting-set', setting: { name, value: Number(to.toFixed(look.digits)) } });

@@ -41,7 +41,7 @@ export function slider(
 /** The slider of the support factor α. */
 export const alphaSlider = (value: number, model: EditorModel, dispatch: Dispatch): TemplateResult =>
   slider(
-    { name: 'shape_factor', label: 'Support factor α', range: RANGES.shape_factor },
+    { name: 'shape_factor', label: model.texts.settings.shapeFactor, range: RANGES.shape_factor },
     value,
     model,
     dispatch,

@@ -21,28 +21,29 @@ import { studyStyle } from './style';
 
 type Page = (model: EditorModel, dispatch: Dispatch, canvases: VariantCanvases) => TemplateResult;
 
-const PAGES: Readonly<Record<StudyPage, { readonly word: string; readonly page: Page }>> = {
-  lens: { word: 'Lens', page: lensPage },
-  cells: { word: 'Cells', page: cellsPage },
-  rounds: { word: 'Rounds', page: roundsPage },
-  compare: { word: 'Compare', page: comparePage },
-  settings: { word: 'Settings', page: settingsPage },
+const PAGES: Readonly<Record<StudyPage, Page>> = {
+  lens: lensPage,
+  cells: cellsPage,
+  rounds: roundsPage,
+  compare: comparePage,
+  settings: settingsPage,
 };
 
 function card(model: EditorModel, dispatch: Dispatch, canvases: VariantCanvases): TemplateResult {
   const { page } = model.study;
+  const { study: words } = model.texts;
   if (!page) return html``;
-  return html`<section class="study card" part="panel" aria-label="See the paper">
+  return html`<section class="study card" part="panel" aria-label=${words.title}>
     <header>
-      <div class="segments" role="group" aria-label="Page">
-        ${STUDY_PAGES.map((name) => tab(name, page, dispatch))}
+      <div class="segments" role="group" aria-label=${words.page}>
+        ${STUDY_PAGES.map((name) => tab(name, page, words.pages[name], dispatch))}
       </div>
       <button
         type="button"
         class="button"
         part="button"
-        data-tip="Close"
-        aria-label="Close"
+        data-tip=${words.close}
+        aria-label=${words.close}
         @click=${() => dispatch({ type: 'study-shown', page: null })}
       >
         ${icon('close')}
@@ -52,22 +53,27 @@ function card(model: EditorModel, dispatch: Dispatch, canvases: VariantCanvases)
       // A new page begins at its top.
       keyed(
         page,
-        html`<div class="page" tabindex="0" role="region" aria-label=${PAGES[page].word}>
-          ${PAGES[page].page(model, dispatch, canvases)}
+        html`<div class="page" tabindex="0" role="region" aria-label=${words.pages[page]}>
+          ${PAGES[page](model, dispatch, canvases)}
         </div>`,
       )
     }
   </section>`;
 }
 
-const tab = (name: StudyPage, shown: StudyPage, dispatch: Dispatch): TemplateResult => html`<button
+const tab = (
+  name: StudyPage,
+  shown: StudyPage,
+  word: string,
+  dispatch: Dispatch,
+): TemplateResult => html`<button
   type="button"
   class="button segment"
   part="button"
   aria-pressed=${String(name === shown)}
   @click=${() => dispatch({ type: 'study-shown', page: name })}
 >
-  ${PAGES[name].word}
+  ${word}
 </button>`;
 
 const marks = (model: EditorModel): SVGTemplateResult =>

@@ -1,4 +1,5 @@
 /** The bar of the timeline: playing, the clips, the settings of the open one, and its selected keys. */
+
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { CLIP_PRESETS } from '../../document/clip_presets';
@@ -7,8 +8,8 @@ import type { Clip, Ease, Loop } from '../../document/project';
 import type { Dispatch } from '../../editor/events';
 import type { TimelineModel } from '../../editor/timeline_model';
 import { RATES, type Rate } from '../../editor/timeline_state';
-import { EASE_NAMES, LOOP_NAMES, PRESET_NAMES } from '../../editor/timeline_texts';
 import type { EditorModel } from '../../editor/view_model';
+import type { Texts } from '../../texts/texts';
 import { commandButton } from '../command_button';
 import { type IconName, icon } from '../icons';
 import { nameInput } from '../name_input';
@@ -16,22 +17,23 @@ import { numberField } from '../number_field';
 
 export function clipBar(timeline: TimelineModel, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { clip } = timeline;
+  const { timeline: words } = model.texts;
   const small = button(dispatch);
-  return html`<div class="clip-bar" role="group" aria-label="Clips">
-    ${clip ? clipTools(clip, timeline, model, dispatch) : html`<strong>Timeline</strong>`}
+  return html`<div class="clip-bar" role="group" aria-label=${words.clips}>
+    ${clip ? clipTools(clip, timeline, model, dispatch) : html`<strong>${words.title}</strong>`}
     <span class="gap"></span>
     ${
       clip
         ? html`<span class="view-tools">
-            ${toggle('Onion skin: show the neighbouring keys faintly', 'onion', timeline.onion, (on) => dispatch({ type: 'onion-switched', on }))}
-            ${small('Zoom out', 'minus', { type: 'timeline-zoomed', notches: -1 })}
-            ${small('Fit the clip', 'fit', { type: 'timeline-zoomed', notches: 0 })}
-            ${small('Zoom in', 'plus', { type: 'timeline-zoomed', notches: 1 })}
+            ${toggle(words.onion, 'onion', timeline.onion, (on) => dispatch({ type: 'onion-switched', on }))}
+            ${small(words.zoomOut, 'minus', { type: 'timeline-zoomed', notches: -1 })}
+            ${small(words.fit, 'fit', { type: 'timeline-zoomed', notches: 0 })}
+            ${small(words.zoomIn, 'plus', { type: 'timeline-zoomed', notches: 1 })}
           </span>`
         : nothing
     }
     <span class="closer">
-      ${small('Close the timeline', 'close', { type: 'timeline-opened', open: false })}
+      ${small(words.close, 'close', { type: 'timeline-opened', open: false })}
     </span>
   </div>`;
 }
@@ -45,36 +47,37 @@ function clipTools(
   const small = button(dispatch);
   const { playing, recordHeld, recording, selectedKeys: count } = timeline;
   const none = count === 0;
+  const { timeline: words } = model.texts;
   return html`
-    ${commandButton('play', model, dispatch, { label: playing ? 'Stop' : 'Play', icon: playing ? 'pause' : 'play' })}
-    ${toggle('Record: hold R and drag a handle, or press this first', 'record', recordHeld || recording, (on) => dispatch({ type: 'record-held', held: on }), 'Record')}
+    ${commandButton('play', model, dispatch, { label: playing ? words.stop : words.play, icon: playing ? 'pause' : 'play' })}
+    ${toggle(words.recordTip, 'record', recordHeld || recording, (on) => dispatch({ type: 'record-held', held: on }), words.record)}
     <span class="clip-name">
-      ${timeline.renaming ? nameField(clip, dispatch) : clipChoice(timeline, clip, dispatch)}
-      ${small('Rename the clip', 'rename', { type: 'clip-renaming-switched', on: true })}
-      ${small('Duplicate the clip', 'copy', { type: 'clip-duplicated' })}
-      ${small('Delete the clip', 'remove', { type: 'clip-removed' })}
+      ${timeline.renaming ? nameField(clip, words, dispatch) : clipChoice(timeline, clip, words, dispatch)}
+      ${small(words.rename, 'rename', { type: 'clip-renaming-switched', on: true })}
+      ${small(words.duplicate, 'copy', { type: 'clip-duplicated' })}
+      ${small(words.delete, 'remove', { type: 'clip-removed' })}
     </span>
-    ${choice('Loop', clip.loop ?? 'repeat', LOOP_NAMES, (loop) => dispatch({ type: 'clip-loop-chosen', loop: loop as Loop }))}
+    ${choice(words.loop, clip.loop ?? 'repeat', words.loops, (loop) => dispatch({ type: 'clip-loop-chosen', loop: loop as Loop }))}
     ${durationField(clip, model, dispatch)}
     ${choice(
-      'Frames a second',
+      words.framesASecond,
       String(timeline.rate),
       Object.fromEntries(RATES.map((rate) => [String(rate), `${rate} fps`])),
       (rate) => dispatch({ type: 'frame-rate-chosen', rate: Number(rate) as Rate }),
     )}
-    <span class="of-keys" role="group" aria-label="Keys">
+    <span class="of-keys" role="group" aria-label=${words.keys}>
       ${commandButton('set-key', model, dispatch)}
       ${choice(
-        'Way to the next key',
+        words.easeTip,
         timeline.ease ?? '',
-        { ...(timeline.ease ? {} : { '': 'Ease' }), ...EASE_NAMES },
+        { ...(timeline.ease ? {} : { '': words.ease }), ...words.eases },
         (ease) => ease !== '' && dispatch({ type: 'keys-eased', ease: ease as Ease }),
         none,
       )}
-      ${small('Copy the keys', 'copy', { type: 'keys-copied' }, none)}
-      ${small('Paste keys at the playhead', 'paste', { type: 'keys-pasted' }, !timeline.canPaste)}
-      ${small('Mirror the keys to the other side', 'mirror', { type: 'keys-mirrored' }, none)}
-      ${small('Delete the keys', 'remove', { type: 'keys-removed' }, none)}
+      ${small(words.copyKeys, 'copy', { type: 'keys-copied' }, none)}
+      ${small(words.pasteKeys, 'paste', { type: 'keys-pasted' }, !timeline.canPaste)}
+      ${small(words.mirrorKeys, 'mirror', { type: 'keys-mirrored' }, none)}
+      ${small(words.deleteKeys, 'remove', { type: 'keys-removed' }, none)}
     </span>`;
 }
 
@@ -137,7 +140,12 @@ function choice(
 }
 
 /** The clips, and at the end of the list those that can be added. */
-function clipChoice({ clips }: TimelineModel, clip: Clip, dispatch: Dispatch): TemplateResult {
+function clipChoice(
+  { clips }: TimelineModel,
+  clip: Clip,
+  words: Texts['timeline'],
+  dispatch: Dispatch,
+): TemplateResult {
   const choose = (event: Event) => {
     event.stopPropagation();
     const select = event.target as HTMLSelectElement;
@@ -145,19 +153,19 @@ function clipChoice({ clips }: TimelineModel, clip: Clip, dispatch: Dispatch): T
     if (kind === '=') dispatch({ type: 'clip-chosen', name: value });
     else dispatch({ type: 'clip-added', preset: CLIP_PRESETS.find((preset) => preset === value) ?? null });
   };
-  return html`<select class="choice" aria-label="Clip" title="Clip" .value=${live(`=${clip.name}`)} @change=${choose}>
+  return html`<select class="choice" aria-label=${words.clip} title=${words.clip} .value=${live(`=${clip.name}`)} @change=${choose}>
     ${clips.map((name) => html`<option value="=${name}" ?selected=${name === clip.name}>${name}</option>`)}
-    <optgroup label="Add">
-      ${CLIP_PRESETS.map((preset) => html`<option value="+${preset}">${PRESET_NAMES[preset]}</option>`)}
-      <option value="+">New clip</option>
+    <optgroup label=${words.add}>
+      ${CLIP_PRESETS.map((preset) => html`<option value="+${preset}">${words.presets[preset]}</option>`)}
+      <option value="+">${words.newClip}</option>
     </optgroup>
   </select>`;
 }
 
-const nameField = (clip: Clip, dispatch: Dispatch): TemplateResult =>
+const nameField = (clip: Clip, words: Texts['timeline'], dispatch: Dispatch): TemplateResult =>
   nameInput({
     control: 'clip-name',
-    label: 'Name of the clip',
+    label: words.nameOfClip,
     name: clip.name,
     given: (name) => dispatch({ type: 'clip-named', name }),
     ended: () => dispatch({ type: 'clip-renaming-switched', on: false }),
@@ -167,7 +175,7 @@ const durationField = (clip: Clip, model: EditorModel, dispatch: Dispatch): Temp
   numberField(
     {
       name: 'duration',
-      label: 'Duration',
+      label: model.texts.timeline.duration,
       unit: 's',
       step: 0.1,
       digits: 2,

@@ -2,14 +2,13 @@
 import { html, type TemplateResult } from 'lit-html';
 import { CLIP_PRESETS, type ClipPreset } from '../../document/clip_presets';
 import type { Dispatch } from '../../editor/events';
-import { PRESET_NAMES, PRESET_TIPS } from '../../editor/timeline_texts';
 import type { EditorModel } from '../../editor/view_model';
 
 export const firstClip = (
   model: EditorModel,
   dispatch: Dispatch,
 ): TemplateResult => html`<div class="first-clip">
-  <p>Make it move. Start with a clip, then drag handles at other times.</p>
+  <p>${model.texts.timeline.first}</p>
   <div class="clip-presets">
     ${CLIP_PRESETS.map((preset) => presetButton(preset, model, dispatch))}
     <button
@@ -19,7 +18,7 @@ export const firstClip = (
       ?disabled=${model.readonly}
       @click=${() => dispatch({ type: 'clip-added', preset: null })}
     >
-      New clip
+      ${model.texts.timeline.newClip}
     </button>
   </div>
 </div>`;
@@ -33,9 +32,9 @@ const presetButton = (
   class="button worded preset"
   part="button"
   data-preset=${preset}
-  data-tip=${PRESET_TIPS[preset]}
+  data-tip=${model.texts.timeline.presetTips[preset]}
   ?disabled=${model.readonly || model.document.project.handles.length === 0}
   @click=${() => dispatch({ type: 'clip-added', preset })}
 >
-  ${PRESET_NAMES[preset]}
+  ${model.texts.timeline.presets[preset]}
 </button>`;

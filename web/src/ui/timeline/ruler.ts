@@ -1,13 +1,15 @@
 /** The ruler: seconds of the clip, and the playhead. */
+
 import { html, type TemplateResult } from 'lit-html';
 import type { Clip } from '../../document/project';
 import type { Dispatch } from '../../editor/events';
+import { secondsText } from '../../editor/seconds';
 import type { TimelineModel } from '../../editor/timeline_model';
-import { secondsText } from '../../editor/timeline_texts';
+import type { Texts } from '../../texts/texts';
 import { follow } from './gestures';
 import { at, labelStep, timeAt } from './scale';
 
-export function ruler(timeline: TimelineModel, dispatch: Dispatch): TemplateResult {
+export function ruler(timeline: TimelineModel, words: Texts['timeline'], dispatch: Dispatch): TemplateResult {
   const { clip, time } = timeline;
   if (!clip) return html``;
   const go = (event: PointerEvent) => {
@@ -15,13 +17,13 @@ export function ruler(timeline: TimelineModel, dispatch: Dispatch): TemplateResu
     if (lane) dispatch({ type: 'playhead-moved', time: timeAt(lane, clip, event.clientX) });
   };
   return html`<div class="ruler-row">
-    <output class="now" aria-label="Playhead">${secondsText(time)}</output>
+    <output class="now" aria-label=${words.playhead}>${secondsText(time)}</output>
     <div
       class="ruler"
       role="slider"
       tabindex="0"
       data-key-place="ruler"
-      aria-label="Playhead"
+      aria-label=${words.playhead}
       aria-valuemin="0"
       aria-valuemax=${clip.duration}
       aria-valuenow=${Number(time.toFixed(3))}

@@ -17,22 +17,22 @@ function bar(model: EditorModel, dispatch: Dispatch): TemplateResult {
   return html`<section
     class="timeline ${timeline.recording ? 'recording' : ''}"
     part="timeline"
-    aria-label="Timeline"
+    aria-label=${model.texts.timeline.title}
     data-control="timeline"
     tabindex="-1"
     @keydown=${(event: KeyboardEvent) => onKey(event, timeline, dispatch)}
   >
     ${clipBar(timeline, model, dispatch)}
-    ${timeline.clip ? lanes(timeline, dispatch) : firstClip(model, dispatch)}
+    ${timeline.clip ? lanes(timeline, model, dispatch) : firstClip(model, dispatch)}
   </section>`;
 }
 
 /** The rows with the ruler above them. All of them scroll together. */
-const lanes = (timeline: TimelineModel, dispatch: Dispatch): TemplateResult => {
+const lanes = (timeline: TimelineModel, model: EditorModel, dispatch: Dispatch): TemplateResult => {
   const { clip, zoom } = timeline;
   const width = zoom && clip ? `--_time-width: ${Math.round(clip.duration * zoom)}px` : '';
   return html`<div class="lanes" .style=${width}>
-    ${ruler(timeline, dispatch)} ${trackRows(timeline, dispatch)}
+    ${ruler(timeline, model.texts.timeline, dispatch)} ${trackRows(timeline, model, dispatch)}
   </div>`;
 };
 

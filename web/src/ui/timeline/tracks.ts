@@ -4,8 +4,9 @@ import { repeat } from 'lit-html/directives/repeat.js';
 import type { KeyRef } from '../../document/clip_keys';
 import type { Clip } from '../../document/project';
 import type { Dispatch } from '../../editor/events';
+import { secondsText } from '../../editor/seconds';
 import type { TimelineKey, TimelineModel, TimelineRow } from '../../editor/timeline_model';
-import { EASE_NAMES, secondsText } from '../../editor/timeline_texts';
+import type { EditorModel } from '../../editor/view_model';
 import { boxSelection } from './box';
 import { follow } from './gestures';
 import { at, secondsPerPixel } from './scale';
@@ -13,20 +14,20 @@ import { at, secondsPerPixel } from './scale';
 /** A press that moves less is a click, CSS pixels. */
 const SLIP = 3;
 
-export function trackRows(timeline: TimelineModel, dispatch: Dispatch): TemplateResult {
+export function trackRows(timeline: TimelineModel, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { clip, rows } = timeline;
   if (!clip) return html``;
   const entry = entryOf(rows);
   return html`<div
     class="tracks"
     role="group"
-    aria-label="Keys"
+    aria-label=${model.texts.timeline.keys}
     @pointerdown=${(event: PointerEvent) => boxSelection(event, timeline, dispatch)}
   >
     ${repeat(
       rows,
       ({ handle }) => handle,
-      (row) => trackRow(row, entry, clip, timeline, dispatch),
+      (row) => trackRow(row, entry, clip, timeline, model, dispatch),
     )}
   </div>`;
 }
@@ -36,9 +37,11 @@ function trackRow(
   entry: TimelineKey | undefined,
   clip: Clip,
   timeline: TimelineModel,
+  model: EditorModel,
   dispatch: Dispatch,
 ): TemplateResult {
-  return html`<div class="key-row ${row.selected ? 'selected' : ''}" role="group" aria-label=${row.name}>
+  const name = model.worded(row.name);
+  return html`<div class="key-row ${row.selected ? 'selected' : ''}" role="group" aria-label=${name}>
     <button
       type="button"
       class="track-name"
@@ -50,11 +53,11 @@ function trackRow(
             : { type: 'handles-selected', ids: [row.handle] },
         )}
     >
-      ${row.name}
+      ${name}
     </button>
     <div class="lane">
       <div class="time">
-        ${row.keys.map((key) => keyButton(key, key === entry, row, clip, timeline, dispatch))}
+        ${row.keys.map((key) => keyButton(key, key === entry, row, clip, timeline, model, dispatch))}
         <i class="playhead" .style=${at(clip, timeline.time)}></i>
       </div>
     </div>
@@ -68,10 +71,11 @@ function keyButton(
   row: TimelineRow,
   clip: Clip,
   timeline: TimelineModel,
+  { texts, worded }: EditorModel,
   dispatch: Dispatch,
 ): TemplateResult {
   const ref: KeyRef = { handle: row.handle, time: key.time };
-  const label = `${row.name}, key at ${secondsText(key.shown)}, ${EASE_NAMES[key.ease].toLowerCase()}`;
+  const label = texts.timeline.key[key.ease](worded(row.name), secondsText(key.shown));
   return html`<button
     type="button"
     class="clip-key ${key.ease}"
