@@ -2,10 +2,11 @@ import { describe, expect, it } from 'vitest';
 import { canRun, reasonAgainst } from './can_run';
 import type { CommandName } from './commands';
 import { FakeRuntime, PAGE } from './fake_runtime';
+import { inEnglish } from './told';
 
 describe('why a command cannot run', () => {
   const runtime = new FakeRuntime();
-  const reason = (command: CommandName) => reasonAgainst(runtime.state, command);
+  const reason = (command: CommandName) => inEnglish(reasonAgainst(runtime.state, command));
 
   it('is a picture, a handle or a selection that is missing', () => {
     expect([reason('save'), reason('undo')]).toEqual(['Open a picture first', 'Open a picture first']);

@@ -2,11 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { isSameWork } from '../document/document';
 import { timeline, undoLabel } from '../document/history';
 import { C2WarpError } from '../error';
+import { en } from '../texts/en';
 import { COMMANDS, type CommandName } from './commands';
 import type { EditorEvent } from './events';
 import { FakeRuntime, PAGE, testPicture } from './fake_runtime';
 import { among, randomOf } from './random';
 import { documentOf, projectOf } from './state';
+import { inEnglish } from './told';
 import { viewModel } from './view_model';
 
 type Step = (runtime: FakeRuntime, random: () => number) => void;
@@ -145,7 +147,7 @@ describe('10,000 random sequences of events', () => {
       const runtime = new FakeRuntime();
       runtime.open();
       for (let count = 0; count < 20; count++) among(STEPS, random)(runtime, random);
-      viewModel(runtime.state);
+      viewModel(runtime.state, en);
       settle(runtime);
       const { values } = timeline(runtime.state.document.history);
       for (const [k, value] of values.entries()) {
@@ -153,7 +155,7 @@ describe('10,000 random sequences of events', () => {
         if (next) expect(isSameWork(value, next), `seed ${seed}: a step that changes nothing`).toBe(false);
       }
       // A pose of the page is no step: redo does not bring it back.
-      if (undoLabel(runtime.state.document.history) === null || runtime.posedByPage) continue;
+      if (inEnglish(undoLabel(runtime.state.document.history)) === null || runtime.posedByPage) continue;
       const before = documentOf(runtime.state);
       runtime.dispatch({ type: 'undo-asked' });
       runtime.dispatch({ type: 'redo-asked' });

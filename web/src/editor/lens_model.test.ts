@@ -5,9 +5,10 @@ import type { Round, SiteStudy, Study } from '../document/generated/study';
 import type { PointHandle } from '../document/project';
 import { FakeRuntime, solutionOf } from './fake_runtime';
 import { lensModel } from './lens_model';
-import { lensWords, percent } from './lens_texts';
+import { lensWords, percent } from './lens_words';
 import { roundModel } from './rounds_model';
 import { NO_STUDY } from './study_state';
+import { inEnglish } from './told';
 
 const hand: PointHandle = { id: 'left hand', kind: 'point', rest: [2, 2], posed: [2, 2], rotation: 0 };
 const project = { ...newProject({ src: 'a.png', width: 8, height: 8 }, null), handles: [hand] };
@@ -68,7 +69,7 @@ describe('the lens', () => {
   });
 
   it('is told in words', () => {
-    expect(lensWords(lens, project)).toBe('x 3, y 2: left hand 25 %, virtual handles 75 %');
+    expect(inEnglish(lensWords(lens, project))).toBe('x 3, y 2: left hand 25 %, virtual handles 75 %');
     expect([0, 0.004, 0.099, 0.5].map(percent)).toEqual(['0 %', '0.4 %', '9.9 %', '50 %']);
   });
 
@@ -95,14 +96,16 @@ describe('a round', () => {
 
   it('is at first the last one, with nothing left to do', () => {
     expect(at(null)).toMatchObject({ index: 2, sites: study.sites });
-    expect(at(null)?.words).toMatch(/^Round 3: the end\./);
+    expect(inEnglish(at(null)?.words ?? null)).toMatch(/^Round 3: the end\./);
   });
 
   it('says which cell is divided and why', () => {
     expect(at(0)?.sites).toHaveLength(1);
-    expect(at(0)?.words).toMatch(
+    expect(inEnglish(at(0)?.words ?? null)).toMatch(
       /reaches 6 px far, and 3 px are allowed\. .* in the cell of left hand, 6 px away/,
     );
-    expect(at(1)?.words).toMatch(/asks for more virtual handles\. .* the cell of virtual handle 2/);
+    expect(inEnglish(at(1)?.words ?? null)).toMatch(
+      /asks for more virtual handles\. .* the cell of virtual handle 2/,
+    );
   });
 });

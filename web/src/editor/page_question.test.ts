@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { addHandle, removeHandles } from '../document/edits';
+import { say } from '../texts/wording';
 import type { EditorEvent } from './events';
 import { FakeRuntime } from './fake_runtime';
 import { featuresOf, unknownFeatures } from './features';
@@ -39,8 +40,13 @@ describe('questions of a page', () => {
   it('name the handles that a step adds and removes', () => {
     const { state } = solved();
     const [first] = projectOf(state).handles;
-    const added = step(state, 'Add', addHandle(documentOf(state), POINT), () => {});
-    const removed = step(state, 'Remove', removeHandles(documentOf(state), [first?.id ?? '']), () => {});
+    const added = step(state, say('steps.addHandle'), addHandle(documentOf(state), POINT), () => {});
+    const removed = step(
+      state,
+      say('steps.deleteHandle'),
+      removeHandles(documentOf(state), [first?.id ?? '']),
+      () => {},
+    );
     const event = { type: 'drawing-finished' } as const;
     expect(questionsOf(state, added, event)).toMatchObject([
       { type: 'beforeadd', handles: [{ id: 'belly' }] },

@@ -4,8 +4,9 @@ import { addHandle, changeHandles, selectHandles } from '../document/edits';
 import { transformGroup } from '../document/group';
 import { DEPTHS, scaledTo } from '../document/handle';
 import { C2WarpError } from '../error';
-import { refusalWords } from './error_texts';
-import { cornerWords, depthWords, draftWords, placeWords, selectionName } from './wording';
+import { errorWords } from './error_words';
+import { cornerWords, depthWords, draftWords, placeWords, selectionName } from './selection_words';
+import { inEnglish } from './told';
 
 const empty = openDocument(newProject({ src: '', width: 8, height: 8 }, null));
 const withPoint = (id: string, document: Document, depth = 0): Document =>
@@ -14,14 +15,16 @@ const withPoint = (id: string, document: Document, depth = 0): Document =>
 describe('words', () => {
   it('name what is selected', () => {
     const two = withPoint('b', withPoint('a', empty));
-    expect(selectionName(selectHandles(two, []))).toBe('nothing');
-    expect(selectionName(selectHandles(two, ['a']))).toContain('a');
-    expect(selectionName(selectHandles(two, ['a', 'b']))).toBe('2 handles');
+    expect(inEnglish(selectionName(selectHandles(two, [])))).toBe('nothing');
+    expect(inEnglish(selectionName(selectHandles(two, ['a'])))).toContain('a');
+    expect(inEnglish(selectionName(selectHandles(two, ['a', 'b'])))).toBe('2 handles');
   });
 
   it('say where the selected handle is', () => {
-    expect(placeWords(withPoint('a', empty), new Map())).toMatch(/: x 3, y 5, rotation 10 degrees$/);
-    expect(placeWords(empty, new Map())).toBe('');
+    expect(inEnglish(placeWords(withPoint('a', empty), new Map()))).toMatch(
+      /: x 3, y 5, rotation 10 degrees$/,
+    );
+    expect(placeWords(empty, new Map())).toBeNull();
   });
 
   it('say where several are, and how they are turned and scaled as one', () => {
@@ -30,17 +33,21 @@ describe('words', () => {
       empty,
     );
     const both = selectHandles(two, ['0', '40']);
-    expect(placeWords(transformGroup(both, 30), new Map())).toBe('2 handles: x 20, y 0, rotation 30 degrees');
-    expect(placeWords(transformGroup(both, 0, 1.234), new Map())).toMatch(/rotation 0 degrees, scale 1.23$/);
+    expect(inEnglish(placeWords(transformGroup(both, 30), new Map()))).toBe(
+      '2 handles: x 20, y 0, rotation 30 degrees',
+    );
+    expect(inEnglish(placeWords(transformGroup(both, 0, 1.234), new Map()))).toMatch(
+      /rotation 0 degrees, scale 1.23$/,
+    );
     const mixed = changeHandles(both, ['0'], (handle) => scaledTo(handle, 2));
-    expect(placeWords(mixed, new Map())).toMatch(/rotation 0 degrees$/);
+    expect(inEnglish(placeWords(mixed, new Map()))).toMatch(/rotation 0 degrees$/);
   });
 
   it('say its depth, and where that is an end', () => {
-    expect(depthWords(withPoint('a', empty))).toMatch(/: depth 0$/);
-    expect(depthWords(withPoint('a', empty, DEPTHS.most))).toMatch(/, in front$/);
-    expect(depthWords(withPoint('a', empty, DEPTHS.least))).toMatch(/, at the back$/);
-    expect(depthWords(empty)).toBeNull();
+    expect(inEnglish(depthWords(withPoint('a', empty)))).toMatch(/: depth 0$/);
+    expect(inEnglish(depthWords(withPoint('a', empty, DEPTHS.most)))).toMatch(/, in front$/);
+    expect(inEnglish(depthWords(withPoint('a', empty, DEPTHS.least)))).toMatch(/, at the back$/);
+    expect(inEnglish(depthWords(empty))).toBeNull();
   });
 
   it('say where a corner is', () => {
@@ -49,19 +56,21 @@ describe('words', () => {
       [7.6, 2],
     ] as const;
     const bar = { id: 'left-leg', kind: 'bar', rest: places, posed: places } as const;
-    expect(cornerWords(bar, 1)).toBe('Corner 2 of left leg: x 8, y 2');
+    expect(inEnglish(cornerWords(bar, 1))).toBe('Corner 2 of left leg: x 8, y 2');
   });
 
   it('put what the solver refuses in words of the editor, by its code', () => {
     const message = 'handle “left-hand” at (1, 2) lies outside the domain';
     const error = new C2WarpError('handle-outside', message, { handles: ['left-hand'] });
-    expect(refusalWords(error)).toMatch(/^“left hand” lies outside the shape/);
-    expect(refusalWords(new C2WarpError('bar-too-short', 'short', { handles: ['a'] }))).toBe('short');
+    expect(inEnglish(errorWords(error))).toMatch(/^“left hand” lies outside the shape/);
+    expect(inEnglish(errorWords(new C2WarpError('bar-too-short', 'short', { handles: ['a'] })))).toBe(
+      'short',
+    );
     const along = (...handles: string[]) =>
-      refusalWords(new C2WarpError('bars-overlap', 'along', { handles }));
+      inEnglish(errorWords(new C2WarpError('bars-overlap', 'along', { handles })));
     expect(along('bar-1', 'left-leg')).toMatch(/^“Bar 1” and “left leg” run along each other/i);
     expect(along('polygon-1', 'polygon-1')).toMatch(/^“Polygon 1” runs back along itself/i);
-    expect(refusalWords(new Error('no such file'))).toBe('no such file');
+    expect(inEnglish(errorWords(new Error('no such file')))).toBe('no such file');
   });
 
   it('say which corner a drawing has got', () => {
@@ -75,7 +84,7 @@ describe('words', () => {
       next: null,
       finishing: false,
     } as const;
-    expect(draftWords(draft)).toBe('bar, corner 2: x 2, y 2');
-    expect(draftWords(null)).toBe('Drawing given up');
+    expect(inEnglish(draftWords(draft))).toBe('bar, corner 2: x 2, y 2');
+    expect(inEnglish(draftWords(null))).toBe('Drawing given up');
   });
 });

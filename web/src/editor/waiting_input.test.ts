@@ -5,6 +5,7 @@ import type { Project } from '../document/project';
 import { C2WarpError } from '../error';
 import { toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
+import { en } from '../texts/en';
 import { drawingsOf } from '../tools/machine';
 import type { CommandName } from './commands';
 import type { EditorEvent } from './events';
@@ -12,8 +13,8 @@ import { FakeRuntime, PAGE, testPicture } from './fake_runtime';
 import { among, randomOf } from './random';
 import { pendingKey } from './solution';
 import { documentOf, projectOf, selectionOf } from './state';
+import { toldNotice } from './told';
 import { snapshotOf } from './update/autosave';
-import { shownNotice } from './update/notices';
 import { viewModel } from './view_model';
 
 type Random = () => number;
@@ -162,14 +163,14 @@ describe('input while a picture is being opened', () => {
     runtime.dispatch(run('lasso'));
     for (const event of press([50, 50])) send(runtime, event);
     const waitingPlaces = [toStage(camera, [50, 50])];
-    expect(viewModel(runtime.state)).toMatchObject({ tool: 'lasso', awaiting: true, waitingPlaces });
+    expect(viewModel(runtime.state, en)).toMatchObject({ tool: 'lasso', awaiting: true, waitingPlaces });
   });
 
   it('is dropped with a picture that cannot be read, and leaves the previous one alone', () => {
     const [runtime] = asked({ before: 'picture', project: null });
     for (const event of [run('point'), ...press([50, 50])]) send(runtime, event);
     runtime.failRead(new C2WarpError('picture', 'no picture'));
-    expect(shownNotice(runtime.state)?.text).toBe('no picture');
+    expect(toldNotice(runtime.state)?.text).toBe('no picture');
     expect(runtime.state.waiting).toEqual([]);
     expect(documentOf(runtime.state).project).toMatchObject({ image: { src: 'old.png' }, handles: [] });
   });

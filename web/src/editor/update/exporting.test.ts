@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { EditorEffect } from '../effects';
 import { FakeRuntime } from '../fake_runtime';
+import { spokenText, toldNotice, toldTask } from '../told';
 import { takesBail } from './command';
-import { currentTask, shownNotice } from './notices';
 
 function opened(): FakeRuntime {
   const runtime = new FakeRuntime();
@@ -35,8 +35,8 @@ describe('an export', () => {
     const [shown, spoken]: [unknown[], string[]] = [[], []];
     for (const fraction of [0.004, 0.104, 0.109, 0.26, 0.51, 0.5, 1]) {
       runtime.dispatch({ type: 'export-progressed', fraction });
-      shown.push(currentTask(runtime.state)?.fraction);
-      spoken.push(runtime.state.notices.announcement);
+      shown.push(toldTask(runtime.state)?.fraction);
+      spoken.push(spokenText(runtime.state));
     }
     expect(shown).toEqual([0, 0.1, 0.1, 0.26, 0.51, 0.51, 1]);
     expect([...new Set(spoken)].slice(1)).toEqual(['Exporting, 26 percent', 'Exporting, 51 percent']);
@@ -46,8 +46,8 @@ describe('an export', () => {
     const runtime = opened();
     run(runtime);
     runtime.dispatch({ type: 'export-ended', saved: 'wave.png', error: null });
-    expect(shownNotice(runtime.state)?.text).toBe('Saved as wave.png.');
-    expect(currentTask(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)?.text).toBe('Saved as wave.png.');
+    expect(toldTask(runtime.state)).toBeNull();
   });
 
   it('is cancelled by Escape and by its button, and leaves all else as it is', () => {
@@ -62,10 +62,10 @@ describe('an export', () => {
       runtime.dispatch(cancel);
       expect(runtime.effects.at(-1)).toEqual({ type: 'cancel-export' });
       runtime.dispatch({ type: 'export-ended', saved: null, error: null });
-      expect(runtime.state.notices.announcement).toBe('The export was cancelled');
+      expect(spokenText(runtime.state)).toBe('The export was cancelled');
       const { notices: _, ...after } = runtime.state;
       expect(after).toEqual({ ...before, notices: undefined, ...after, document: before.document });
-      expect(shownNotice(runtime.state)).toBeNull();
+      expect(toldNotice(runtime.state)).toBeNull();
       expect(takesBail(runtime.state)).toBe(false);
     }
   });
@@ -86,7 +86,7 @@ describe('an export', () => {
     runtime.solve();
     run(runtime);
     runtime.dispatch({ type: 'export-ended', saved: 'cat-warped.png', error: null });
-    expect(shownNotice(runtime.state)?.text).toContain('The part beyond the frame is cut off.');
+    expect(toldNotice(runtime.state)?.text).toContain('The part beyond the frame is cut off.');
     runtime.dispatch({ type: 'notice-answered' });
     expect(exported(runtime).at(-1)).toMatchObject({
       name: 'cat-warped-all.png',

@@ -4,6 +4,7 @@ import { undoLabel } from '../../document/history';
 import type { EditorEffect } from '../effects';
 import { type FakeRuntime, lassoed, RING } from '../fake_runtime';
 import { projectOf } from '../state';
+import { inEnglish } from '../told';
 
 const count = ({ effects }: FakeRuntime, type: EditorEffect['type']): number =>
   effects.filter((effect) => effect.type === type).length;
@@ -16,7 +17,7 @@ describe('the feather of a lasso', () => {
     runtime.dispatch({ type: 'feather-set', change: { to: 12 } });
     runtime.dispatch({ type: 'feather-set', change: { by: 1, least: 0, most: 64 } });
     expect(widthOf(runtime)).toBe(13);
-    expect(undoLabel(runtime.state.document.history)).toBe('Set the feather of the selection');
+    expect(inEnglish(undoLabel(runtime.state.document.history))).toBe('Set the feather of the selection');
     runtime.dispatch({ type: 'command-run', command: 'undo' });
     expect(widthOf(runtime)).toBe(0);
   });

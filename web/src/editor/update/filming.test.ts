@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import type { Clip } from '../../document/project';
+import { en } from '../../texts/en';
 import type { EditorEffect } from '../effects';
 import { FakeRuntime } from '../fake_runtime';
 import { filmedRange } from '../film_choices';
 import { filmModel } from '../film_model';
+import { toldNotice, toldTask } from '../told';
 import { viewModel } from '../view_model';
-import { currentTask, shownNotice } from './notices';
 
 const CODECS = {
   webm: { codec: 'vp9', width: 400, height: 300 },
@@ -47,12 +48,12 @@ describe('a film', () => {
       range: [0.5, 1],
       background: null,
     });
-    expect(currentTask(runtime.state)).toMatchObject({ name: 'export', fraction: 0 });
+    expect(toldTask(runtime.state)).toMatchObject({ name: 'export', fraction: 0 });
   });
 
   it('is a GIF, and lacks formats, where the browser encodes no video', () => {
     const runtime = opened({ webm: null, mp4: null });
-    const { film } = viewModel(runtime.state).exporting;
+    const { film } = viewModel(runtime.state, en).exporting;
     expect(film).toMatchObject({ format: 'gif', lacking: ['webm', 'mp4'] });
     run(runtime);
     expect(films(runtime)[0]?.film.format).toBe('gif');
@@ -94,7 +95,7 @@ describe('a film', () => {
     expect(filmModel(runtime.state)).toMatchObject({ size: { width: 200, height: 150 }, frames: 5 });
     run(runtime);
     runtime.dispatch({ type: 'export-progressed', fraction: 0.4, left: 31 });
-    expect(currentTask(runtime.state)).toMatchObject({ fraction: 0.4, left: 'about 30 s left' });
+    expect(toldTask(runtime.state)).toMatchObject({ fraction: 0.4, left: 'about 30 s left' });
   });
 
   it('needs a clip', () => {
@@ -103,7 +104,7 @@ describe('a film', () => {
     runtime.dispatch({ type: 'export-kind-chosen', kind: 'film' });
     run(runtime);
     expect(films(runtime)).toEqual([]);
-    expect(shownNotice(runtime.state)?.text).toContain('There is no clip yet');
+    expect(toldNotice(runtime.state)?.text).toContain('There is no clip yet');
   });
 
   it('stays within the clip', () => {

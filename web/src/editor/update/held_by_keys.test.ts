@@ -2,6 +2,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { undoLabel } from '../../document/history';
 import { FakeRuntime } from '../fake_runtime';
 import { projectOf } from '../state';
+import { inEnglish } from '../told';
 
 /** A picture that Enter and arrows have pushed, and that they still hold. */
 let runtime: FakeRuntime;
@@ -27,20 +28,20 @@ describe('a push that keys hold', () => {
     expect(history().open).not.toBeNull();
     runtime.dispatch({ type: 'place-pressed' });
     expect(history().open).toBeNull();
-    expect(undoLabel(history())).toBe('Push');
+    expect(inEnglish(undoLabel(history()))).toBe('Push');
   });
 
   it('is taken back by Escape', () => {
     runtime.dispatch({ type: 'command-run', command: 'bail' });
     expect(project()).toEqual(resting);
-    expect(undoLabel(history())).not.toBe('Push');
+    expect(inEnglish(undoLabel(history()))).not.toBe('Push');
   });
 
   it('is a step of its own before a press of the pointer', () => {
     const [pushed, before] = [project(), steps()];
     runtime.dispatch({ type: 'press-began', pointer, pans: false });
     expect(project()).toEqual(pushed);
-    expect(undoLabel(history())).toBe('Push');
+    expect(inEnglish(undoLabel(history()))).toBe('Push');
     runtime.dispatch({ type: 'press-moved', pointer: { ...pointer, stage: [120, 100] } });
     runtime.dispatch({ type: 'press-ended', pointer: { ...pointer, stage: [120, 100] } });
     expect(project()).not.toEqual(pushed);
@@ -65,7 +66,7 @@ describe('a push that keys hold', () => {
     const pushed = project();
     runtime.dispatch({ type: 'press-began', pointer, pans: true });
     runtime.dispatch({ type: 'press-ended', pointer });
-    expect([project(), undoLabel(history()), history().open]).toEqual([pushed, 'Push', null]);
+    expect([project(), inEnglish(undoLabel(history())), history().open]).toEqual([pushed, 'Push', null]);
     runtime.dispatch({ type: 'place-pressed' });
     for (let k = 0; k < 4; k++) runtime.dispatch({ type: 'arrow-pressed', by: [0, 1] });
     const again = project();
@@ -81,7 +82,7 @@ describe('a push that keys hold', () => {
       if (tool === 'hand') runtime.dispatch({ type: 'tool-set', tool });
       else runtime.dispatch({ type: 'command-run', command: tool });
       expect(runtime.state.tools.tool).toBe(tool);
-      expect([project(), undoLabel(history()), history().open]).toEqual([pushed, 'Push', null]);
+      expect([project(), inEnglish(undoLabel(history())), history().open]).toEqual([pushed, 'Push', null]);
       runtime.dispatch({ type: 'tool-set', tool: 'brush' });
       runtime.dispatch({ type: 'place-pressed' });
       runtime.dispatch({ type: 'arrow-pressed', by: [3, 2] });

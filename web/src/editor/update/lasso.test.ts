@@ -6,8 +6,8 @@ import { snapsToEdges, traceOf } from '../edge_snapping';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { toolContext } from '../hit_areas';
 import { projectOf, selectionOf } from '../state';
+import { inEnglish, spokenText, toldNotice } from '../told';
 import { snapshotOf } from './autosave';
-import { shownNotice } from './notices';
 
 const SQUARE: readonly Vec[] = [
   [100, 100],
@@ -35,13 +35,13 @@ describe('a place outside of the selection', () => {
   it('can be added, as one step', () => {
     const runtime = lassoed();
     runtime.dispatch({ type: 'placement-missed', at: [250, 150] });
-    expect(shownNotice(runtime.state)).toMatchObject({
+    expect(toldNotice(runtime.state)).toMatchObject({
       text: 'Outside of the selection, the picture stays still.',
       action: { label: 'Extend the selection' },
     });
     runtime.dispatch({ type: 'notice-answered' });
     expect(Math.max(...ring(runtime).map(([x]) => x))).toBeGreaterThan(250);
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
     run(runtime, 'undo');
     expect(ring(runtime)).toEqual(SQUARE);
   });
@@ -57,7 +57,7 @@ describe('a place outside of the selection', () => {
       [opened(), [900, 150]],
     ] as const) {
       runtime.dispatch({ type: 'placement-missed', at });
-      expect(shownNotice(runtime.state)?.action).toBeUndefined();
+      expect(toldNotice(runtime.state)?.action).toBeUndefined();
     }
   });
 });
@@ -65,7 +65,7 @@ describe('a place outside of the selection', () => {
 describe('the part in a lasso that shall turn', () => {
   it('gets a polygon by the notice, as one step', () => {
     const runtime = lassoed();
-    expect(shownNotice(runtime.state)?.other?.label).toBe('Turn this part, keep the rest');
+    expect(toldNotice(runtime.state)?.other?.label).toBe('Turn this part, keep the rest');
     runtime.dispatch({ type: 'notice-answered', other: true });
     const { handles, ...project } = projectOf(runtime.state);
     expect(handles.map(({ kind }) => kind)).toEqual(['polygon']);
@@ -77,12 +77,12 @@ describe('the part in a lasso that shall turn', () => {
     expect(projectOf(runtime.state).handles).toEqual([]);
   });
   it('needs a lasso, in a picture without transparency', () => {
-    expect(reasonAgainst(lassoed().state, 'turn-part')).toBeNull();
-    expect(reasonAgainst(opened().state, 'turn-part')).toBe('Draw a lasso around a part first');
+    expect(inEnglish(reasonAgainst(lassoed().state, 'turn-part'))).toBeNull();
+    expect(inEnglish(reasonAgainst(opened().state, 'turn-part'))).toBe('Draw a lasso around a part first');
     const clear = opened({ ...testPicture(), alphaThreshold: 0.5 });
     clear.dispatch({ type: 'lasso-drawn', ring: SQUARE, hole: false });
-    expect(reasonAgainst(clear.state, 'turn-part')).toContain('without transparency');
-    expect(shownNotice(clear.state)?.other).toBeUndefined();
+    expect(inEnglish(reasonAgainst(clear.state, 'turn-part'))).toContain('without transparency');
+    expect(toldNotice(clear.state)?.other).toBeUndefined();
   });
 });
 
@@ -92,7 +92,7 @@ describe('the first lasso of an opaque picture', () => {
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
     runtime.dispatch({ type: 'lasso-drawn', ring: SQUARE, hole: false });
     expect(projectOf(runtime.state)).toMatchObject({ fix_boundary: false, fill: { method: 'patches' } });
-    expect(shownNotice(runtime.state)?.action?.label).toBe('Hold its boundary');
+    expect(toldNotice(runtime.state)?.action?.label).toBe('Hold its boundary');
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
     // A second one leaves that as it is.
@@ -123,7 +123,7 @@ describe('a focused corner of the selection', () => {
     const runtime = focused();
     for (let k = 0; k < 3; k++) runtime.dispatch({ type: 'arrow-pressed', by: [10, 0] });
     expect(ring(runtime)[1]).toEqual([230, 100]);
-    expect(runtime.state.notices.announcement).toBe('Corner 2 of the selection: x 230, y 100');
+    expect(spokenText(runtime.state)).toBe('Corner 2 of the selection: x 230, y 100');
     run(runtime, 'undo');
     expect(ring(runtime)).toEqual(SQUARE);
   });
@@ -131,7 +131,7 @@ describe('a focused corner of the selection', () => {
     const runtime = focused();
     runtime.dispatch({ type: 'arrow-pressed', by: [0, 150] });
     expect(ring(runtime)).toEqual(SQUARE);
-    expect(runtime.state.notices.announcement).toMatch(/cross/);
+    expect(spokenText(runtime.state)).toMatch(/cross/);
   });
   it('is followed by a new one with C, and goes with Delete, unless it is needed', () => {
     const runtime = focused();

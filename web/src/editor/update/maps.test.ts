@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
+import { en } from '../../texts/en';
 import type { EditorEffect } from '../effects';
 import { FakeRuntime } from '../fake_runtime';
 import { DEFAULT_MAPS, type MapChoices, mapFile, mapFileName } from '../map_choices';
 import { mapModel } from '../map_model';
-import { SELECT_ONE } from '../notice_texts';
+import { toldNotice } from '../told';
 import { snapshotOf } from './autosave';
-import { shownNotice } from './notices';
 
 const TAIL = { id: 'tail: tip', kind: 'point', rest: [50, 50], posed: [90, 50] } as const;
 
@@ -52,7 +52,7 @@ describe('a map', () => {
     });
     expect(order?.project.handles).toHaveLength(1);
     runtime.dispatch({ type: 'export-ended', saved: 'cat-forward.exr', error: null });
-    expect(shownNotice(runtime.state)?.text).toBe('Saved as cat-forward.exr.');
+    expect(toldNotice(runtime.state)?.text).toBe('Saved as cat-forward.exr.');
   });
 
   it('of one handle needs a selection', () => {
@@ -63,7 +63,7 @@ describe('a map', () => {
     expect(mapModel(runtime.state)).toMatchObject({ handle: null, file: null });
     runtime.dispatch({ type: 'command-run', command: 'export' });
     expect(orders(runtime)).toEqual([]);
-    expect(shownNotice(runtime.state)?.text).toBe(SELECT_ONE);
+    expect(toldNotice(runtime.state)?.text).toBe(en.notices.selectOne);
   });
 
   it('has the points of a table as its size, and the rectangle of the area', () => {

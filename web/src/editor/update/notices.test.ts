@@ -1,9 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { C2WarpError, ENGINE } from '../../error';
+import { en } from '../../texts/en';
+import { say, type Wording } from '../../texts/wording';
 import { FakeRuntime } from '../fake_runtime';
-import { BRUSHED_STILL } from '../notice_texts';
 import { projectOf } from '../state';
-import { beginTask, currentTask, endTask, informOfStep, notify, shownNotice } from './notices';
+import { inEnglish, toldNotice, toldTask } from '../told';
+import { beginTask, currentTask, endTask, informOfStep, notify } from './notices';
 
 const ignore = () => {};
 const fresh = () => new FakeRuntime().state;
@@ -18,7 +20,7 @@ describe('a notice without an action', () => {
     runtime.dispatch({ type: 'notice-hovered', on: false });
     expect(runtime.effects.at(-1)).toMatchObject({ type: 'start-timer', timer: 'notice' });
     elapsed(runtime);
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
   });
 });
 
@@ -26,19 +28,33 @@ describe('a notice about a step', () => {
   it('ends with the next step, unlike other notices', () => {
     const runtime = new FakeRuntime();
     runtime.open();
-    runtime.state = informOfStep(runtime.state, 'One is gone.', ignore);
+    runtime.state = informOfStep(runtime.state, say('errors.other', 'One is gone.'), ignore);
     runtime.dispatch({ type: 'boundary-switched', held: false });
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
     runtime.dispatch({ type: 'person-informed', text: 'a word' });
     runtime.dispatch({ type: 'boundary-switched', held: true });
-    expect(shownNotice(runtime.state)?.text).toBe('a word');
+    expect(toldNotice(runtime.state)?.text).toBe('a word');
   });
 
   it('joins others about the same step, each once', () => {
-    const action = { label: 'Hold', event: { type: 'boundary-switched', held: true } } as const;
-    const first = notify(fresh(), { kind: 'info', text: 'One.', ofStep: true, action, passes: true }, ignore);
-    const second = informOfStep(informOfStep(first, 'Two.', ignore), 'Two.', ignore);
-    expect(shownNotice(second)).toMatchObject({ text: 'One. Two.', action });
+    const action = {
+      label: say('answers.holdBoundary'),
+      event: { type: 'boundary-switched', held: true },
+    } as const;
+    const first = notify(
+      fresh(),
+      { kind: 'info', text: say('errors.other', 'One.'), ofStep: true, action, passes: true },
+      ignore,
+    );
+    const second = informOfStep(
+      informOfStep(first, say('errors.other', 'Two.'), ignore),
+      say('errors.other', 'Two.'),
+      ignore,
+    );
+    expect(toldNotice(second)).toMatchObject({
+      text: 'One. Two.',
+      action: { ...action, label: 'Hold its boundary' },
+    });
   });
 });
 
@@ -63,11 +79,11 @@ describe('the reset of all handles', () => {
     const { displacement } = projectOf(runtime.state);
     reset(runtime, 'reset-all');
     expect(projectOf(runtime.state)).toMatchObject({ displacement, handles: [{ posed: [200, 150] }] });
-    const notice = shownNotice(runtime.state);
-    expect(notice).toMatchObject({ text: BRUSHED_STILL, action: { label: 'Take it back' } });
+    const notice = toldNotice(runtime.state);
+    expect(notice).toMatchObject({ text: en.notices.brushedStill, action: { label: 'Take it back' } });
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).displacement).toBeUndefined();
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
     runtime.dispatch({ type: 'command-run', command: 'undo' });
     expect(projectOf(runtime.state).displacement).toEqual(displacement);
   });
@@ -77,10 +93,10 @@ describe('the reset of all handles', () => {
     runtime.dispatch({ type: 'selection-set', ids: ['nose'] });
     reset(runtime, 'reset');
     expect(projectOf(runtime.state).handles).toMatchObject([{ posed: [200, 150] }]);
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
     runtime.dispatch({ type: 'displacement-cleared' });
     reset(runtime, 'reset-all');
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
   });
 });
 
@@ -92,10 +108,10 @@ describe('an error', () => {
     runtime.open();
     runtime.dispatch({ type: 'boundary-switched', held: false });
     runtime.refuse(error, true);
-    expect(shownNotice(runtime.state)?.action?.label).toBe('Try again');
+    expect(toldNotice(runtime.state)?.action?.label).toBe('Try again');
     runtime.dispatch({ type: 'notice-answered' });
     runtime.solve();
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
   });
 
   it('of anything else stays, and the page hears of it', () => {
@@ -109,7 +125,7 @@ describe('an error', () => {
     const runtime = new FakeRuntime();
     const error = Object.assign(new Error('superseded'), { name: 'AbortError' });
     runtime.dispatch({ type: 'error-reported', error });
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
   });
 });
 
@@ -117,17 +133,17 @@ describe('progress', () => {
   it('shows the newest task, each until it ends', () => {
     const labels: (string | null)[] = [];
     const emit = (effect: { readonly type: string; readonly notification?: object }) => {
-      const { notification } = effect as { notification?: { type: string; label?: string | null } };
-      if (notification?.type === 'progress') labels.push(notification.label ?? null);
+      const { notification } = effect as { notification?: { type: string; label?: Wording | null } };
+      if (notification?.type === 'progress') labels.push(inEnglish(notification.label ?? null));
     };
-    const solve = { name: 'solve', label: 'Sampling', cancellable: true } as const;
-    const exporting = { name: 'export', label: 'Exporting', cancellable: false } as const;
+    const solve = { name: 'solve', label: say('tasks.domain'), cancellable: true } as const;
+    const exporting = { name: 'export', label: say('tasks.exporting'), cancellable: false } as const;
     let state = beginTask(beginTask(fresh(), solve, emit), exporting, emit);
     expect(currentTask(state)).toBe(exporting);
     state = endTask(state, 'solve', emit);
     expect(currentTask(state)).toBe(exporting);
     state = endTask(state, 'export', emit);
-    expect(currentTask(state)).toBeNull();
+    expect(toldTask(state)).toBeNull();
     expect(labels).toEqual(['Sampling', 'Exporting', null]);
   });
 });

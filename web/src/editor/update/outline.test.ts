@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { settingsOf } from '../../document/settings';
 import { C2WarpError } from '../../error';
+import { en } from '../../texts/en';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf } from '../state';
+import { toldNotice } from '../told';
 import { viewModel } from '../view_model';
-import { shownNotice } from './notices';
 
 const place = (runtime: FakeRuntime, id: string) =>
   runtime.dispatch({ type: 'handle-added', handle: { id, kind: 'point', rest: [50, 50], posed: [50, 50] } });
@@ -21,11 +22,11 @@ describe('the least opacity', () => {
 
   it('is set with the outline on the stage', () => {
     const runtime = opened();
-    expect(viewModel(runtime.state).outline).toBeNull();
+    expect(viewModel(runtime.state, en).outline).toBeNull();
     runtime.dispatch({ type: 'outline-shown', on: true });
-    expect(viewModel(runtime.state).outline).not.toBeNull();
+    expect(viewModel(runtime.state, en).outline).not.toBeNull();
     runtime.dispatch({ type: 'outline-shown', on: false });
-    expect(viewModel(runtime.state).outline).toBeNull();
+    expect(viewModel(runtime.state, en).outline).toBeNull();
   });
 
   it('that leaves a handle outside is taken back, also during a drag', () => {
@@ -52,26 +53,26 @@ describe('an outline too fine to be followed', () => {
   it('is told of once, and again when another way is taken', () => {
     const runtime = new FakeRuntime();
     runtime.open(testPicture(), bridged);
-    expect(shownNotice(runtime.state)?.text).toBe(text);
+    expect(toldNotice(runtime.state)?.text).toBe(text);
     runtime.dispatch({ type: 'notice-dismissed' });
     place(runtime, 'a');
     runtime.solve(bridged);
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
     place(runtime, 'b');
     runtime.solve({ outline: 'picture', bridgedGap: 0 });
-    expect(shownNotice(runtime.state)?.text).toContain('the whole picture bends');
+    expect(toldNotice(runtime.state)?.text).toContain('the whole picture bends');
   });
 
   it('is told of for the next picture as well', () => {
     const runtime = new FakeRuntime();
     runtime.open(testPicture('a.png'), bridged);
     runtime.open(testPicture('b.png'), bridged);
-    expect(shownNotice(runtime.state)?.text).toBe(text);
+    expect(toldNotice(runtime.state)?.text).toBe(text);
   });
 
   it('is not mentioned where it is followed', () => {
     const runtime = new FakeRuntime();
     runtime.open();
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
   });
 });

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { numbersOf } from '../../document/displacement';
 import { toStage } from '../../geometry/camera';
 import type { Vec } from '../../geometry/vec';
+import { en } from '../../texts/en';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf } from '../state';
 import { packed } from '../stored_displacements';
@@ -40,7 +41,7 @@ describe('a stroke that the guard against folds stops', () => {
   it('shows as a stopped handle does, until it goes on or ends', () => {
     const runtime = brushing(400, 300);
     runtime.dispatch({ type: 'fold-guard-switched', on: true });
-    const isStopped = () => viewModel(runtime.state).holding;
+    const isStopped = () => viewModel(runtime.state, en).holding;
     const move = (x: number) =>
       runtime.dispatch({ type: 'press-moved', pointer: pointer(runtime, [x, 150]) });
     begin(runtime, [120, 150], [132, 150]);
@@ -59,7 +60,7 @@ describe('a stroke that the guard against folds stops', () => {
   it('shows nothing without the guard', () => {
     const runtime = brushing(400, 300);
     begin(runtime, ...way);
-    expect(viewModel(runtime.state).holding).toBe(false);
+    expect(viewModel(runtime.state, en).holding).toBe(false);
   });
 });
 

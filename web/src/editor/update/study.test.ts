@@ -3,6 +3,7 @@ import { undoLabel } from '../../document/history';
 import { settingsOf } from '../../document/settings';
 import { FakeRuntime, PAGE } from '../fake_runtime';
 import { projectOf } from '../state';
+import { inEnglish } from '../told';
 import { takesBail } from './command';
 
 function opened(page = PAGE): FakeRuntime {
@@ -48,7 +49,7 @@ describe('a setting', () => {
     expect(runtime.pending.some(({ type }) => type === 'solve')).toBe(true);
     runtime.dispatch({ type: 'undo-asked' });
     expect(settingsOf(projectOf(runtime.state)).shape_factor).toBe(1);
-    expect(undoLabel(runtime.state.document.history)).toBeNull();
+    expect(inEnglish(undoLabel(runtime.state.document.history))).toBeNull();
   });
 
   it('is one undo step for consecutive values', () => {

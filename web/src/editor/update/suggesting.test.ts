@@ -4,7 +4,7 @@ import type { Suggestion } from '../../document/suggestion';
 import type { CommandName } from '../commands';
 import { FakeRuntime, PAGE, testPicture } from '../fake_runtime';
 import { projectOf, selectionOf } from '../state';
-import { currentTask, shownNotice } from './notices';
+import { spokenText, toldNotice, toldTask } from '../told';
 
 const SUGGESTION: Suggestion = {
   handles: [
@@ -29,7 +29,7 @@ function asked(): Project {
 const answer = (suggestion = SUGGESTION, project = asked()) =>
   runtime.dispatch({ type: 'handles-suggested', project, suggestion });
 const ids = () => projectOf(runtime.state).handles.map(({ id }) => id);
-const text = () => shownNotice(runtime.state)?.text;
+const text = () => toldNotice(runtime.state)?.text;
 
 beforeEach(() => {
   runtime = new FakeRuntime();
@@ -47,11 +47,11 @@ describe('suggested handles', () => {
       rotation: 'auto',
     });
     expect(text()).toBe('Placed 2 handles. Drag one to bend the picture.');
-    expect(runtime.state.notices.announcement).toBe('Suggest 2 handles');
+    expect(spokenText(runtime.state)).toBe('Suggest 2 handles');
     expect([runtime.state.tools.tool, runtime.state.suggesting]).toEqual(['select', null]);
     run('undo');
     expect(ids()).toEqual([]);
-    expect(runtime.state.notices.announcement).toBe('Undone: Suggest 2 handles');
+    expect(spokenText(runtime.state)).toBe('Undone: Suggest 2 handles');
     run('redo');
     expect(ids()).toHaveLength(2);
   });
@@ -107,9 +107,9 @@ describe('suggested handles', () => {
     for (const end of ends) {
       run('suggest');
       runtime.dispatch({ type: 'timer-elapsed', timer: 'suggest-patience' });
-      expect(currentTask(runtime.state)?.name).toBe('suggest');
+      expect(toldTask(runtime.state)?.name).toBe('suggest');
       end();
-      expect([runtime.state.suggesting, currentTask(runtime.state)?.name]).not.toContain('suggest');
+      expect([runtime.state.suggesting, toldTask(runtime.state)?.name]).not.toContain('suggest');
       expect(runtime.state.suggesting).toBeNull();
       const before = ids();
       answer();
@@ -159,13 +159,13 @@ describe('suggested handles', () => {
     none.dispatch({ type: 'command-run', command: 'suggest' });
     const effects = [...runtime.effects, ...none.effects];
     expect(effects.filter(({ type }) => type === 'suggest-handles')).toEqual([]);
-    expect(none.state.notices.announcement).toBe('');
+    expect(spokenText(none.state)).toBe('');
   });
 
   it('report a failure of the solver', () => {
     run('suggest');
     runtime.dispatch({ type: 'suggestion-failed', project: asked(), error: new Error('no memory') });
-    expect(shownNotice(runtime.state)).toMatchObject({ kind: 'error', text: 'no memory' });
+    expect(toldNotice(runtime.state)).toMatchObject({ kind: 'error', text: 'no memory' });
     expect(runtime.state.suggesting).toBeNull();
   });
 });

@@ -1,9 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { anchor } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
+import { en } from '../../texts/en';
 import type { EditorEvent } from '../events';
 import { FakeRuntime } from '../fake_runtime';
 import { documentOf, filedProject, isUnsaved, projectOf } from '../state';
+import { toldNotice } from '../told';
 import { viewModel } from '../view_model';
 import { projectForFile } from './exporting';
 
@@ -98,7 +100,7 @@ describe('the timeline', () => {
       [0, 100],
       [1.5, 160],
     ]);
-    expect(viewModel(runtime.state).undo).toBe('Move 1 key');
+    expect(viewModel(runtime.state, en).undo).toBe('Move 1 key');
     send(runtime, { type: 'undo-asked' });
     expect(keys(runtime, 'a')?.[1]).toEqual([1, 160]);
   });
@@ -159,7 +161,7 @@ describe('the timeline', () => {
     expect(recorded.length).toBeLessThan(12);
     expect(clip(runtime)?.duration).toBe(2.8);
     expect(runtime.state.timeline.time).toBe(0);
-    expect(viewModel(runtime.state).undo).toBe('Record a');
+    expect(viewModel(runtime.state, en).undo).toBe('Record a');
     send(runtime, { type: 'undo-asked' });
     expect(keys(runtime, 'a')).toBeUndefined();
   });
@@ -179,7 +181,7 @@ describe('the timeline', () => {
     expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.5]);
     send(runtime, move(1.2), { type: 'keys-pasted' });
     expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.2, 1.5]);
-    expect(runtime.state.notices.passing?.text).toContain('1 key was left out');
+    expect(toldNotice(runtime.state)?.text).toContain('1 key was left out');
   });
 
   it('eases and removes the selected keys', () => {
@@ -219,7 +221,7 @@ describe('the timeline', () => {
     send(runtime, { type: 'clip-named', name: ' big  sway ' });
     expect(names()).toEqual(['clip', 'sway', 'big sway']);
     send(runtime, { type: 'clip-renaming-switched', on: true }, { type: 'clip-named', name: 'sway' });
-    expect(runtime.state.notices.passing?.text).toContain('Another clip has the name "sway"');
+    expect(toldNotice(runtime.state)?.text).toContain('Another clip has the name "sway"');
     send(runtime, { type: 'clip-removed' });
     expect([names(), runtime.state.timeline.clip]).toEqual([['clip', 'sway'], 'clip']);
     send(runtime, { type: 'undo-asked' });

@@ -1,11 +1,12 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { Handle } from '../../document/project';
+import { en } from '../../texts/en';
 import { reasonAgainst } from '../can_run';
 import { FakeRuntime, PAGE } from '../fake_runtime';
-import { foldsText } from '../fold_texts';
+import { foldsWords } from '../notice_words';
 import { projectOf } from '../state';
+import { inEnglish, spokenText, toldNotice } from '../told';
 import { viewModel } from '../view_model';
-import { shownNotice } from './notices';
 
 const point = (id: string, x: number): Handle => ({ id, kind: 'point', rest: [100, 100], posed: [x, 100] });
 
@@ -32,56 +33,54 @@ beforeEach(() => {
 describe('handles that force folds', () => {
   it('are named once, with a way out', () => {
     pose('left-hand', 1200);
-    const notice = shownNotice(runtime.state);
+    const notice = toldNotice(runtime.state);
     expect(notice?.text).toBe('“left hand” folds the picture.');
     expect(notice?.action?.label).toBe('Nearest pose without folds');
-    expect(viewModel(runtime.state).forcing).toEqual(['left hand']);
+    expect(viewModel(runtime.state, en).forcing).toEqual(['left hand']);
     runtime.dispatch({ type: 'notice-dismissed' });
     // The same handle again is no news.
     pose('left-hand', 1300);
-    expect(shownNotice(runtime.state)).toBeNull();
+    expect(toldNotice(runtime.state)).toBeNull();
     pose('left-hand', 100);
-    expect(viewModel(runtime.state).forcing).toEqual([]);
+    expect(viewModel(runtime.state, en).forcing).toEqual([]);
     pose('left-hand', 1200);
-    expect(shownNotice(runtime.state)?.text).toBe('“left hand” folds the picture.');
+    expect(toldNotice(runtime.state)?.text).toBe('“left hand” folds the picture.');
   });
 
   it('are moved by one press, as one step', () => {
     pose('left-hand', 1200);
     runtime.dispatch({ type: 'notice-answered' });
     expect(places()).toEqual([1000, 150]);
-    expect(shownNotice(runtime.state)?.text).toBe(
-      '“left hand” moved back to the nearest pose without folds.',
-    );
+    expect(toldNotice(runtime.state)?.text).toBe('“left hand” moved back to the nearest pose without folds.');
     check();
-    expect(reasonAgainst(runtime.state, 'without-folds')).toBe('Nothing is folded');
+    expect(inEnglish(reasonAgainst(runtime.state, 'without-folds'))).toBe('Nothing is folded');
     runtime.dispatch({ type: 'undo-asked' });
     expect(places()).toEqual([1200, 150]);
-    expect(runtime.state.notices.announcement).toBe('Undone: Leave the folds by left hand');
+    expect(spokenText(runtime.state)).toBe('Undone: Leave the folds by left hand');
   });
 
   it('say that no pose without folds was found', () => {
     pose('left-hand', 9100);
     runtime.dispatch({ type: 'command-run', command: 'without-folds' });
     expect(places()).toEqual([9100, 150]);
-    expect(shownNotice(runtime.state)?.text).toMatch(/^No pose without folds was found/);
+    expect(toldNotice(runtime.state)?.text).toMatch(/^No pose without folds was found/);
   });
 
   it('are not told during a press, nor to people who may change nothing', () => {
     runtime.dispatch({ type: 'page-changed', page: { ...PAGE, readonly: true } });
     pose('left-hand', 1200);
-    expect(shownNotice(runtime.state)).toBeNull();
-    expect(viewModel(runtime.state).forcing).toEqual(['left hand']);
+    expect(toldNotice(runtime.state)).toBeNull();
+    expect(viewModel(runtime.state, en).forcing).toEqual(['left hand']);
   });
 });
 
 describe('the sentence about folds', () => {
   it('names one handle, several, or the first of many', () => {
-    expect(foldsText([])).toBe('The picture folds.');
-    expect(foldsText(['left hand', 'left elbow'])).toBe(
+    expect(inEnglish(foldsWords([]))).toBe('The picture folds.');
+    expect(inEnglish(foldsWords(['left hand', 'left elbow']))).toBe(
       '“left hand” and “left elbow” fold the picture between them.',
     );
-    expect(foldsText(['a', 'b', 'c', 'd', 'e', 'f', 'g'])).toBe(
+    expect(inEnglish(foldsWords(['a', 'b', 'c', 'd', 'e', 'f', 'g']))).toBe(
       '“a”, “b”, “c”, “d”, “e” and 2 more fold the picture between them.',
     );
   });

@@ -1,6 +1,5 @@
 /** The editor's own page. */
 export const page = {
-  description: 'Bend a picture by its handles, in your browser.',
   hint: 'Drag a hand',
   samples: {
     gingerbread: 'gingerbread',

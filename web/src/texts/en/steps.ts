@@ -105,6 +105,4 @@ export const steps = {
     hold: (count: number) => `Make ${keys(count)} hold`,
   },
   record: (who: string) => `Record ${who}`,
-  /** A step that an earlier version has stored. */
-  earlier: 'Earlier step',
 };
