@@ -4,6 +4,8 @@ import { type Download, expect, type Locator, type Page } from '@playwright/test
 import { decode } from 'fast-png';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
+import { en } from '../../web/src/texts/en';
+import { type Wording, worded } from '../../web/src/texts/wording';
 
 export interface Position {
   readonly x: number;
@@ -168,8 +170,8 @@ export class Editor {
   }
 
   /** Returns the work stored under a key, or `{}`. The page does not signal writes, so tests must poll. */
-  storedWork(key = 'editor'): Promise<Partial<StoredWork>> {
-    return this.page.evaluate(async (key): Promise<Partial<StoredWork>> => {
+  async storedWork(key = 'editor'): Promise<Partial<StoredWork>> {
+    const stored = await this.page.evaluate(async (key) => {
       const opening = indexedDB.open('c2warp');
       // The editor must create the database: an empty one would lack its store.
       opening.onupgradeneeded = () => opening.transaction?.abort();
@@ -188,7 +190,7 @@ export class Editor {
       if (!picture || picture.mark !== document?.mark) return {};
       const { past, present } = document.record;
       const { project, selection } = present;
-      const step = past.at(-1)?.label ?? null;
+      const step: Wording | null = past.at(-1)?.label ?? null;
       const { guarded, snapping, pixelated, exports, drawings } = document;
       return {
         picture: picture.name,
@@ -203,6 +205,7 @@ export class Editor {
         drawings,
       };
     }, key);
+    return 'step' in stored ? { ...stored, step: stored.step && worded(en, stored.step) } : {};
   }
 
   /** Returns the displayed zoom: CSS pixels per image pixel. */

@@ -52,7 +52,7 @@ import { coded } from './element/coded';
 import { emitter, TypedElement } from './element/events';
 import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
 import { FormControl } from './element/form_control';
-import { followLanguage, inheritedLanguage } from './element/inherited_language';
+import { followLanguage, inheritedLanguage, isFromRight } from './element/inherited_language';
 import {
   addLanguage,
   ENGLISH,
@@ -895,7 +895,8 @@ export class C2Warp extends TypedElement {
     const dark = theme === 'dark' || theme === 'light' ? theme === 'dark' : this.#darkScheme.matches;
     const [coarse, still] = [this.#coarsePointer.matches, this.#reducedMotion.matches];
     const folders = 'showDirectoryPicker' in globalThis;
-    return { dark, coarse, still, platform: navigator.platform, folders };
+    const rtl = isFromRight(this);
+    return { dark, coarse, still, platform: navigator.platform, rtl, folders };
   }
 
   /** Shows the language of this place, and follows its changes. */
@@ -908,6 +909,9 @@ export class C2Warp extends TypedElement {
   }
 
   #takeLanguage(): void {
+    const runtime = this.#runtime;
+    const media = this.#mediaNow;
+    if (runtime && media.rtl !== runtime.state.media.rtl) runtime.dispatch({ type: 'media-changed', media });
     const wanted = inheritedLanguage(this);
     if (wanted === this.#wantedLanguage) return;
     this.#wantedLanguage = wanted;

@@ -50,7 +50,14 @@ export const PAGE: PageAttributes = {
   defaults: {},
 };
 
-export const MEDIA: Media = { dark: false, coarse: false, still: false, platform: 'Linux', folders: false };
+export const MEDIA: Media = {
+  dark: false,
+  coarse: false,
+  still: false,
+  platform: 'Linux',
+  rtl: false,
+  folders: false,
+};
 
 const files = new Map<string, SourceFile>();
 

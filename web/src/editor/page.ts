@@ -57,6 +57,8 @@ export interface Media {
   readonly still: boolean;
   /** The browser's name of the platform, for the names of keys. */
   readonly platform: string;
+  /** The layout goes from the right to the left. */
+  readonly rtl: boolean;
   /** The browser can ask for a folder to write into. */
   readonly folders: boolean;
 }

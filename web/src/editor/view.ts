@@ -194,5 +194,8 @@ export function insets(state: EditorState, sheet = openSheet(state)): Insets {
   const bare = posable ? (readonly ? 'picture' : 'handles') : null;
   const study = state.study.page;
   const timeline = state.timeline.open && !posable;
-  return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, study, timeline, bare });
+  const { coarse, rtl } = state.media;
+  const { left, right, ...others } = insetsOf({ stage: state.stage, coarse, sheet, study, timeline, bare });
+  // The cards change sides.
+  return rtl ? { ...others, left: right, right: left } : { ...others, left, right };
 }

@@ -176,6 +176,8 @@ export interface EditorModel {
   readonly platform: string;
   readonly alt: string | null;
   readonly dark: boolean;
+  /** The layout goes from the right to the left. */
+  readonly rtl: boolean;
   readonly exporting: ExportModel;
   /** The posed course of lines at rest, at places no farther apart than `step` at rest. */
   posedLines(lines: readonly (readonly Vec[])[], step: number): readonly (readonly Vec[])[];
@@ -344,6 +346,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     platform: media.platform,
     alt: page.alt,
     dark: media.dark,
+    rtl: media.rtl,
     get exporting() {
       const { kind, running } = state.exporting;
       const isOfDrawing = state.picture !== null && isDrawing(state.picture);

@@ -1,12 +1,20 @@
-/** The language of an element as HTML has it: that of the nearest ancestor with an attribute `lang`. */
+/** The language and the direction of an element as HTML has them: those of the nearest ancestor that sets them. */
 
-/** The nearest element with a language, through shadow roots; empty without one. */
-export function inheritedLanguage(node: Element): string {
+/** The tag of the language; empty without one. */
+export const inheritedLanguage = (node: Element): string => inherited(node, 'lang') ?? '';
+
+export function isFromRight(node: Element): boolean {
+  const direction = inherited(node, 'dir')?.toLowerCase();
+  return direction === 'auto' ? getComputedStyle(node).direction === 'rtl' : direction === 'rtl';
+}
+
+/** The attribute of the nearest element that has it, through shadow roots. */
+function inherited(node: Element, attribute: 'lang' | 'dir'): string | null {
   for (let at: Element | null = node; at; at = parentOf(at)) {
-    const tag = at.getAttribute('lang');
-    if (tag !== null) return tag;
+    const value = at.getAttribute(attribute);
+    if (value !== null) return value;
   }
-  return '';
+  return null;
 }
 
 const parentOf = (node: Element): Element | null => {
@@ -14,13 +22,13 @@ const parentOf = (node: Element): Element | null => {
   return parentNode instanceof ShadowRoot ? parentNode.host : node.parentElement;
 };
 
-/** Calls `changed` whenever an attribute `lang` changes on the way to the root, until the signal is aborted. */
+/** Calls `changed` whenever an attribute `lang` or `dir` changes beside the way to the root, until the signal is aborted. */
 export function followLanguage(node: Element, changed: () => void, signal: AbortSignal): void {
   const observer = new MutationObserver(changed);
   let at: Node | null = node;
   while (at) {
     const root: Node = at.getRootNode();
-    observer.observe(root, { subtree: true, attributes: true, attributeFilter: ['lang'] });
+    observer.observe(root, { subtree: true, attributes: true, attributeFilter: ['lang', 'dir'] });
     at = root instanceof ShadowRoot ? root.host : null;
   }
   signal.addEventListener('abort', () => observer.disconnect());

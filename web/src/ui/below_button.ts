@@ -8,9 +8,10 @@ export function placeBelowButton(event: Event): void {
   const popover = event.currentTarget as HTMLElement;
   const button = popover.previousElementSibling;
   if (!button) return;
-  const { left, bottom } = button.getBoundingClientRect();
+  const { left, right, bottom } = button.getBoundingClientRect();
   // The width is known from the style sheet alone, since the menu is not shown yet.
   const width = Number.parseFloat(getComputedStyle(popover).getPropertyValue('--_width'));
-  popover.style.left = `${Math.max(GAP, Math.min(left, innerWidth - width - GAP))}px`;
+  const start = getComputedStyle(popover).direction === 'rtl' ? right - width : left;
+  popover.style.left = `${Math.max(GAP, Math.min(start, innerWidth - width - GAP))}px`;
   popover.style.top = `${bottom + GAP}px`;
 }

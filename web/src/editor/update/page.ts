@@ -8,7 +8,7 @@ import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import type { PageAttributes } from '../page';
 import { documentOf, type EditorState } from '../state';
-import { fitView, resize, zoomTo } from '../view';
+import { fitView, refitView, resize, zoomTo } from '../view';
 import { holdPreview } from './display';
 import { withDocument } from './document_slice';
 import { reset } from './edits';
@@ -76,7 +76,10 @@ export const pageHandlers: Handlers<
   | 'zoom-asked'
 > = {
   'page-changed': (state, { page }, emit) => changePage(state, page, emit),
-  'media-changed': (state, { media }) => ({ ...state, media }),
+  'media-changed': (state, { media }) => {
+    const next = { ...state, media };
+    return media.rtl === state.media.rtl ? next : refitView(next);
+  },
   'stage-resized': (before, { size, typing }, emit) => {
     // A hidden stage receives no more pointer moves.
     const isHidden = size.width === 0 || size.height === 0;

@@ -25,15 +25,15 @@ export const engineStyle = css`
   .export .engine-loss caption {
     margin: 0 2px 4px;
     color: var(--_faint);
-    text-align: left;
+    text-align: start;
   }
   .export .engine-loss :is(th, td) {
     padding: 3px 2px;
     font-weight: 400;
-    text-align: right;
+    text-align: end;
   }
   .export .engine-loss [scope='row'] {
-    text-align: left;
+    text-align: start;
     overflow-wrap: anywhere;
   }
   .export .engine-loss [scope='col'] {

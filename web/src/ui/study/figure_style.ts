@@ -117,13 +117,13 @@ export const figureStyle = css`
   }
   .player .number {
     min-width: 56px;
-    text-align: right;
+    text-align: end;
     white-space: nowrap;
   }
   .save-figure {
     gap: 6px;
     margin-top: 10px;
-    padding-left: 8px;
+    padding-inline-start: 8px;
   }
   .swatch.of-farthest {
     background: light-dark(#b3226b, #f07ab4);

@@ -9,9 +9,9 @@ export const studyStyle = css`
   .study {
     position: absolute;
     z-index: ${ORDER.panel};
-    right: var(--_edge);
+    inset-inline-end: var(--_edge);
     top: var(--_edge);
-    width: calc(var(--_right) - 2 * var(--_edge));
+    width: calc(var(--_end) - 2 * var(--_edge));
     max-height: calc(100% - 2 * var(--_edge));
     display: flex;
     flex-direction: column;
@@ -124,7 +124,7 @@ export const studyStyle = css`
     color: inherit;
     font: inherit;
     font-size: 12px;
-    text-align: left;
+    text-align: start;
     cursor: pointer;
   }
   .row-of-bar:hover {
@@ -143,7 +143,7 @@ export const studyStyle = css`
     text-transform: uppercase;
   }
   .row-of-bar .number {
-    text-align: right;
+    text-align: end;
   }
   .row-of-bar .way {
     grid-area: way;
@@ -173,12 +173,13 @@ export const studyStyle = css`
     display: inline-block;
     width: 10px;
     height: 10px;
-    margin: 0 5px 0 0;
+    margin-block: 0;
+    margin-inline: 0 5px;
     border-radius: 3px;
   }
   .key .meaning {
     display: inline-block;
-    margin-right: 10px;
+    margin-inline-end: 10px;
   }
   .virtual summary {
     margin: 0 -8px;
@@ -232,7 +233,7 @@ export const studyStyle = css`
   }
   @container ${phone} {
     .study {
-      left: var(--_edge);
+      inset-inline-start: var(--_edge);
       top: auto;
       bottom: ${FROM_BOTTOM.sheet}px;
       width: auto;
@@ -241,7 +242,7 @@ export const studyStyle = css`
   }
   @container ${lowPhone} {
     .study {
-      left: var(--_left);
+      inset-inline-start: var(--_start);
       bottom: var(--_edge);
       max-height: calc(100% - 2 * var(--_edge));
     }

@@ -18,7 +18,7 @@ export const baseStyle = css`
     font-variant-numeric: tabular-nums;
     /* Reset inherited text styles: the page means its own text, not the editor. */
     direction: ltr;
-    text-align: left;
+    text-align: start;
     text-indent: 0;
     text-transform: none;
     text-shadow: none;

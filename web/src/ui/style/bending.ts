@@ -23,7 +23,7 @@ export const bendingStyle = css`
   .bending summary .faint {
     flex: 1;
     font-size: 12px;
-    text-align: right;
+    text-align: end;
   }
   .bending summary .icon {
     width: 16px;

@@ -21,7 +21,8 @@ export const brushStyle = css`
     align-items: center;
     justify-content: center;
     gap: 2px 12px;
-    padding: 4px 6px 4px 8px;
+    padding-block: 4px;
+    padding-inline: 8px 6px;
     animation: appear var(--_speed);
   }
   .brush-bar .segments {

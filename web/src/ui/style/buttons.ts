@@ -28,7 +28,8 @@ export const buttonsStyle = css`
     display: none;
   }
   .button.worded {
-    padding: 0 10px 0 8px;
+    padding-block: 0;
+    padding-inline: 8px 10px;
   }
   .button:hover:not(:disabled, [aria-pressed='true'], .on) {
     background: var(--_raised);

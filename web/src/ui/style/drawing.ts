@@ -36,12 +36,13 @@ export const drawingStyle = css`
     display: flex;
     align-items: center;
     gap: 2px;
-    padding: 4px 4px 4px 14px;
+    padding-block: 4px;
+    padding-inline: 14px 4px;
     animation: appear var(--_speed);
   }
   .draft-bar .words {
     min-width: 0;
-    margin-right: 10px;
+    margin-inline-end: 10px;
     line-height: 1.25;
     color: var(--_faint);
   }
@@ -51,18 +52,19 @@ export const drawingStyle = css`
       flex-wrap: wrap;
       justify-content: flex-end;
       width: 340px;
-      padding-left: 14px;
+      padding-inline-start: 14px;
     }
     .draft-bar:has(.edge-switch) .words {
       flex: 1 0 140px;
       margin: 0;
     }
     .draft-bar .edge-switch {
-      padding-right: 4px;
+      padding-inline-end: 4px;
     }
   }
   .button.finish {
-    padding: 0 12px 0 8px;
+    padding-block: 0;
+    padding-inline: 8px 12px;
     background: var(--_accent);
     color: var(--_on-accent);
     font-weight: 600;
@@ -76,7 +78,8 @@ export const drawingStyle = css`
   }
   @container ${phone} {
     .button.finish {
-      padding: 0 14px 0 10px;
+      padding-block: 0;
+      padding-inline: 10px 14px;
     }
   }
 `;

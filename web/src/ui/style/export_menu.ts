@@ -52,7 +52,7 @@ export const exportMenuStyle = css`
   }
   .export output {
     min-width: 26px;
-    text-align: right;
+    text-align: end;
     font-variant-numeric: tabular-nums;
   }
   .export [type='color'] {

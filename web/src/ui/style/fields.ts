@@ -119,7 +119,8 @@ export const fieldsStyle = css`
       padding: 0 6px;
     }
     .field input {
-      padding: 0 0 0 3px;
+      padding-block: 0;
+      padding-inline: 3px 0;
     }
     .pair.turn {
       gap: 4px;

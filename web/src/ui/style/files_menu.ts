@@ -82,7 +82,7 @@ export const filesMenuStyle = css`
     flex: 1;
     min-width: 0;
     overflow: hidden;
-    text-align: left;
+    text-align: start;
     text-overflow: ellipsis;
     white-space: nowrap;
   }
@@ -104,7 +104,7 @@ export const filesMenuStyle = css`
   .button.slim {
     min-width: 22px;
     padding: 0 3px;
-    margin-left: -4px;
+    margin-inline-start: -4px;
   }
   @media (pointer: coarse) {
     .files .address input {
@@ -113,12 +113,12 @@ export const filesMenuStyle = css`
     }
     .button.slim {
       min-width: var(--_finger);
-      margin-left: 0;
+      margin-inline-start: 0;
     }
   }
   @container ${phone} {
     .button.slim {
-      margin-left: 0;
+      margin-inline-start: 0;
     }
     .button.slim .icon:first-child {
       display: none;

@@ -8,14 +8,14 @@ export const floatingStyle = css`
   .draft-bar,
   .brush-bar,
   .notice {
-    --_free: calc(100% - var(--_left) - var(--_right) - 16px);
+    --_free: calc(100% - var(--_start) - var(--_end) - 16px);
     position: absolute;
     z-index: ${ORDER.floating};
     bottom: 16px;
-    left: calc((100% + var(--_left) - var(--_right)) / 2);
+    inset-inline-start: calc((100% + var(--_start) - var(--_end)) / 2);
     width: max-content;
     max-width: var(--_free);
-    translate: -50% 0;
+    translate: calc(-50% * var(--_way)) 0;
   }
   .hint {
     bottom: 22px;

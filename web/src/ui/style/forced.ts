@@ -62,7 +62,8 @@ export const forcedStyle = css`
       border: 1px solid ButtonText;
     }
     .switch [role='switch']::before {
-      inset: 1px auto 1px 1px;
+      inset-block: 1px;
+      inset-inline: 1px auto;
       background: ButtonText;
       box-shadow: none;
     }

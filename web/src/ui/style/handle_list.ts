@@ -10,7 +10,8 @@ export const handleListStyle = css`
     display: flex;
     align-items: center;
     justify-content: space-between;
-    margin: -5px -7px -5px 0;
+    margin-block: -5px;
+    margin-inline: 0 -7px;
   }
   .list ul {
     margin: 6px -6px -4px;
@@ -38,7 +39,7 @@ export const handleListStyle = css`
     background: none;
     color: inherit;
     font: inherit;
-    text-align: left;
+    text-align: start;
     cursor: pointer;
   }
   .item:hover {
@@ -82,7 +83,7 @@ export const handleListStyle = css`
     background: var(--_accent);
   }
   .item .moved {
-    margin-left: auto;
+    margin-inline-start: auto;
     width: 5px;
     height: 5px;
     border-radius: 50%;

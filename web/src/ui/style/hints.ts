@@ -19,7 +19,8 @@ export const hintsStyle = css`
     display: flex;
     align-items: center;
     gap: 14px;
-    padding: 6px 6px 6px 18px;
+    padding-block: 6px;
+    padding-inline: 18px 6px;
     border-radius: 26px;
     /* It can be pressed at once. */
     animation-delay: 0ms;
@@ -29,7 +30,8 @@ export const hintsStyle = css`
     align-items: center;
     gap: 7px;
     height: 34px;
-    padding: 0 15px 0 11px;
+    padding-block: 0;
+    padding-inline: 11px 15px;
     white-space: nowrap;
     pointer-events: auto;
   }
@@ -46,7 +48,8 @@ export const hintsStyle = css`
     }
   }
   /* The bubble belongs to the picture, so it lies under the cards. */
-  .bubble {
+  .hint.bubble {
+    right: auto;
     bottom: auto;
     z-index: auto;
     white-space: nowrap;
@@ -61,7 +64,7 @@ export const hintsStyle = css`
     border-left: 0;
     border-right-color: var(--_veil);
   }
-  .bubble.above {
+  .hint.bubble.above {
     translate: -75% calc(-100% - 28px);
   }
   .bubble.above::before {

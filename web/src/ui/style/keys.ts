@@ -19,8 +19,9 @@ export const keysStyle = css`
     position: sticky;
     z-index: 1;
     top: -10px;
-    float: right;
-    margin: -8px -12px 0 0;
+    float: inline-end;
+    margin-block: -8px 0;
+    margin-inline: 0 -12px;
     background: var(--_surface);
   }
   .keys:focus {

@@ -22,7 +22,8 @@ export const menuStyle = css`
     align-items: center;
     gap: 6px;
     min-height: 28px;
-    padding: 0 2px 0 8px;
+    padding-block: 0;
+    padding-inline: 8px 2px;
     border-radius: var(--_radius-item);
     cursor: pointer;
   }
@@ -55,7 +56,8 @@ export const menuStyle = css`
     align-items: center;
     gap: 9px;
     min-height: 30px;
-    padding: 0 10px 0 8px;
+    padding-block: 0;
+    padding-inline: 8px 10px;
     border-radius: var(--_radius-item);
     cursor: default;
   }
@@ -68,7 +70,7 @@ export const menuStyle = css`
     background: none;
     color: inherit;
     font: inherit;
-    text-align: left;
+    text-align: start;
   }
   .more .entry:disabled {
     color: color-mix(in srgb, currentcolor 35%, transparent);
@@ -93,8 +95,8 @@ export const menuStyle = css`
     font-size: 12px;
   }
   .entry kbd {
-    margin-left: auto;
-    padding-left: 20px;
+    margin-inline-start: auto;
+    padding-inline-start: 20px;
     color: color-mix(in srgb, currentcolor 66%, transparent);
     font: inherit;
     font-size: 12px;

@@ -11,8 +11,9 @@ export const noticeStyle = css`
     align-items: center;
     gap: 8px;
     max-width: min(560px, var(--_free));
-    padding: 8px 8px 8px 14px;
-    border-left: 4px solid var(--_accent);
+    padding-block: 8px;
+    padding-inline: 14px 8px;
+    border-inline-start: 4px solid var(--_accent);
     overflow-wrap: anywhere;
     animation: appear var(--_speed);
     transition: opacity var(--_speed);
@@ -22,7 +23,7 @@ export const noticeStyle = css`
     pointer-events: none;
   }
   .notice.error {
-    border-left-color: var(--_danger);
+    border-inline-start-color: var(--_danger);
   }
   /* Keeps words whole beside a long action. Percentages do not count toward the width of the card, these units do. */
   .notice p {
@@ -32,7 +33,7 @@ export const noticeStyle = css`
   .notice .link {
     min-width: 0;
     white-space: normal;
-    text-align: left;
+    text-align: start;
   }
   /* Two answers have a row of their own where they do not fit. */
   .notice:has(.link ~ .link) {
@@ -48,7 +49,7 @@ export const noticeStyle = css`
     }
     .notice:has(.link ~ .link) .link {
       order: 1;
-      margin-right: 8px;
+      margin-inline-end: 8px;
     }
   }
 `;

@@ -1,4 +1,4 @@
-/** The panel: a card at the right, or a sheet above the tools on phones. */
+/** The panel: a card at the end of a line, or a sheet above the tools on phones. */
 
 import { FROM_BOTTOM, LOW, SHEET } from '../../editor/sizes';
 import { css } from './css';
@@ -12,7 +12,7 @@ export const panelStyle = css`
   .panel {
     position: absolute;
     z-index: ${ORDER.panel};
-    right: var(--_edge);
+    inset-inline-end: var(--_edge);
     top: var(--_edge);
     width: 224px;
     max-height: calc(100% - 2 * var(--_edge));
@@ -81,7 +81,7 @@ export const panelStyle = css`
   .naming .field input {
     font-size: 14px;
     font-weight: 650;
-    text-align: left;
+    text-align: start;
   }
   .naming .field:has([aria-invalid='true']) {
     border-color: var(--_danger);
@@ -101,7 +101,7 @@ export const panelStyle = css`
     justify-content: flex-end;
     gap: 2px;
     margin: 0 -4px;
-    padding-left: 4px;
+    padding-inline-start: 4px;
   }
   .row .faint {
     flex: 1;
@@ -137,7 +137,7 @@ export const panelStyle = css`
     .panel {
       display: none;
       top: auto;
-      left: var(--_edge);
+      inset-inline-start: var(--_edge);
       bottom: ${FROM_BOTTOM.sheet}px;
       width: auto;
       max-height: 46%;
@@ -191,14 +191,15 @@ export const panelStyle = css`
       min-width: 0;
     }
     .naming {
-      margin: 0 6px 0 0;
+      margin-block: 0;
+      margin-inline: 0 6px;
     }
     .fault {
       margin: 2px 6px;
     }
     .row {
       grid-area: row;
-      margin-left: 0;
+      margin-inline-start: 0;
       padding: 0;
     }
     .row .faint {
@@ -221,7 +222,7 @@ export const panelStyle = css`
   /* Low: beside the tools. */
   @container ${lowPhone} {
     .panel {
-      left: var(--_left);
+      inset-inline-start: var(--_start);
       bottom: var(--_edge);
       max-height: calc(100% - 2 * var(--_edge));
     }
@@ -229,7 +230,7 @@ export const panelStyle = css`
   @container shell (width < 400px) and (height < ${LOW.phone}px) {
     .panel {
       z-index: ${ORDER.panelOverTools};
-      left: var(--_edge);
+      inset-inline-start: var(--_edge);
     }
     .tools:has(:focus-visible) ~ .panel {
       z-index: ${ORDER.panel};

@@ -12,8 +12,8 @@ export const posableStyle = css`
     touch-action: auto;
   }
   :host([posable]) .middle {
-    --_left: 0px;
-    --_right: 0px;
+    --_start: 0px;
+    --_end: 0px;
   }
   :host([posable]) .hint:not(.bubble) {
     bottom: 16px;

@@ -11,15 +11,32 @@ export const shellStyle = css`
     isolation: isolate;
     position: absolute;
     inset: 0;
+    /* Signs of shifts along a line. */
+    --_way: 1;
     writing-mode: horizontal-tb;
     display: flex;
     flex-direction: column;
   }
-  /* The width of the cards at the left and right, and the space between a card and the edge. Floating parts are centred
+  .shell[dir='rtl'] {
+    --_way: -1;
+  }
+  /* Arrows along a line. */
+  .shell[dir='rtl'] :is([data-command='undo'], [data-command='redo'], .player .button:not(:first-child)) .icon {
+    scale: -1 1;
+  }
+  /* Places, numbers and times go from left to right in all languages. */
+  .stage,
+  .figure,
+  .field,
+  .time,
+  .code textarea {
+    direction: ltr;
+  }
+  /* The width of the cards at the start and end, and the space between a card and the edge. Floating parts are centred
      in the remaining width. */
   .middle {
-    --_left: ${TOOLS.wide}px;
-    --_right: ${PANEL.wide}px;
+    --_start: ${TOOLS.wide}px;
+    --_end: ${PANEL.wide}px;
     --_edge: 12px;
     position: relative;
     flex: 1;
@@ -35,40 +52,40 @@ export const shellStyle = css`
   }
   @container ${narrow} {
     .middle {
-      --_left: ${TOOLS.narrow}px;
-      --_right: ${PANEL.narrow}px;
+      --_start: ${TOOLS.narrow}px;
+      --_end: ${PANEL.narrow}px;
     }
   }
   /* Low: the tools have two or three columns. */
   @container ${low} {
     .middle {
-      --_left: ${TOOLS.low}px;
-      --_right: ${PANEL.narrow}px;
+      --_start: ${TOOLS.low}px;
+      --_end: ${PANEL.narrow}px;
     }
   }
   @container ${lowest} {
     .middle {
-      --_left: ${TOOLS.lowest}px;
+      --_start: ${TOOLS.lowest}px;
     }
   }
   .middle.studying {
-    --_right: ${STUDY.wide}px;
+    --_end: ${STUDY.wide}px;
   }
   .middle.on-compare {
-    --_right: max(${STUDY.wide}px, 50%);
+    --_end: max(${STUDY.wide}px, 50%);
   }
   /* Phones have no cards at the sides. Low phones have the tools there. */
   @container ${phone} {
     .middle,
     .middle.studying {
-      --_left: 0px;
-      --_right: 0px;
+      --_start: 0px;
+      --_end: 0px;
       --_edge: 8px;
     }
   }
   @container ${lowPhone} {
     .middle {
-      --_left: ${TOOLS.lowPhone.fine}px;
+      --_start: ${TOOLS.lowPhone.fine}px;
     }
   }
 `;

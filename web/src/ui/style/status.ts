@@ -10,7 +10,7 @@ export const statusStyle = css`
     z-index: ${ORDER.status};
     gap: 16px;
     height: ${BARS.fine.status}px;
-    padding-left: 14px;
+    padding-inline-start: 14px;
     border-top: 1px solid var(--_line);
     color: var(--_faint);
     font-size: 12px;

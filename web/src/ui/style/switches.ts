@@ -48,7 +48,8 @@ export const switchesStyle = css`
   .switch [role='switch']::before {
     content: '';
     position: absolute;
-    inset: 2px auto 2px 2px;
+    inset-block: 2px;
+    inset-inline: 2px auto;
     width: 16px;
     border-radius: 50%;
     background: #fff;
@@ -59,7 +60,7 @@ export const switchesStyle = css`
     background: var(--_accent);
   }
   .switch [role='switch']:checked::before {
-    translate: 14px 0;
+    translate: calc(14px * var(--_way)) 0;
   }
   .switch:has(:disabled) {
     opacity: 0.45;

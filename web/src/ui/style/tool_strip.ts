@@ -1,4 +1,4 @@
-/** The card of tools: at the left, or at the bottom on phones, within the thumb's reach. */
+/** The card of tools: at the start of a line, or at the bottom on phones, within the thumb's reach. */
 import { css } from './css';
 import { low, lowest, lowestPhone, lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
@@ -7,7 +7,7 @@ export const toolStripStyle = css`
   .tools {
     position: absolute;
     z-index: ${ORDER.tools};
-    left: var(--_edge);
+    inset-inline-start: var(--_edge);
     top: var(--_edge);
     display: flex;
     flex-direction: column;
@@ -37,24 +37,24 @@ export const toolStripStyle = css`
   @container ${phone} {
     .tools {
       top: auto;
-      left: 50%;
+      inset-inline-start: 50%;
       bottom: 10px;
-      translate: -50% 0;
+      translate: calc(-50% * var(--_way)) 0;
       flex-direction: row;
       gap: 4px;
       max-width: calc(100% - 2 * var(--_edge));
     }
     .sheet-switch {
       display: block;
-      margin-left: 2px;
-      padding-left: 4px;
-      border-left: 1px solid var(--_line);
+      margin-inline-start: 2px;
+      padding-inline-start: 4px;
+      border-inline-start: 1px solid var(--_line);
     }
   }
-  /* Low phones: the tools are at the left, in columns. */
+  /* Low phones: the tools are at the start, in columns. */
   @container ${lowPhone} {
     .tools {
-      left: var(--_edge);
+      inset-inline-start: var(--_edge);
       top: var(--_edge);
       bottom: auto;
       translate: none;

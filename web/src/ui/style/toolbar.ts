@@ -17,12 +17,13 @@ export const toolbarStyle = css`
     gap: 2px;
   }
   .group + .group {
-    padding-left: 6px;
-    margin-left: 2px;
-    border-left: 1px solid var(--_line);
+    padding-inline-start: 6px;
+    margin-inline-start: 2px;
+    border-inline-start: 1px solid var(--_line);
   }
   .brand {
-    padding: 0 12px 0 8px;
+    padding-block: 0;
+    padding-inline: 8px 12px;
     font-size: 16px;
     font-weight: 700;
     letter-spacing: -0.02em;
@@ -61,7 +62,7 @@ export const toolbarStyle = css`
     display: inline-block;
     width: 7px;
     height: 7px;
-    margin-right: 7px;
+    margin-inline-end: 7px;
     border-radius: 50%;
     background: var(--_accent);
     vertical-align: 1px;
@@ -99,7 +100,7 @@ export const toolbarStyle = css`
       content: '';
       position: absolute;
       top: 9px;
-      right: calc(50% - 14px);
+      inset-inline-end: calc(50% - 14px);
       width: 7px;
       height: 7px;
       border-radius: 50%;

@@ -24,7 +24,7 @@ export const tooltipsStyle = css`
       color: var(--_on-inverse);
       font-size: 12px;
       font-weight: 400;
-      text-align: left;
+      text-align: start;
       white-space: pre-wrap;
       cursor: default;
       /* Kept under reduced motion: without the delay, tooltips hinder a pointer that moves along the buttons. */
@@ -52,27 +52,30 @@ export const tooltipsStyle = css`
     }
     .tools [data-tip]:is(:hover, :focus-visible)::after {
       top: 50%;
-      left: calc(100% + 9px);
+      left: auto;
+      inset-inline-start: calc(100% + 9px);
       translate: 0 -50%;
     }
     .tools [data-tip]:hover::before {
-      inset: 0 -10px 0 100%;
+      inset-block: 0;
+      inset-inline: 100% -10px;
     }
     /* Near an edge, tooltips grow away from it. */
     .brand + .group [data-tip]:is(:hover, :focus-visible)::after {
-      left: 0;
+      left: auto;
+      inset-inline-start: 0;
       translate: none;
     }
     .top > .theme[data-tip]:is(:hover, :focus-visible)::after {
       left: auto;
-      right: 0;
+      inset-inline-end: 0;
       translate: none;
     }
     :is(.status, .panel, .draft-bar) [data-tip]:is(:hover, :focus-visible)::after {
       top: auto;
       bottom: calc(100% + 7px);
       left: auto;
-      right: 0;
+      inset-inline-end: 0;
       translate: none;
     }
     :is(.status, .panel, .draft-bar) [data-tip]:hover::before {
@@ -83,16 +86,16 @@ export const tooltipsStyle = css`
       max-width: 190px;
     }
     .panel [data-command='mirror']:is(:hover, :focus-visible)::after {
-      right: -72px;
+      inset-inline-end: -72px;
     }
     @container ${phone} {
       .group ~ .group ~ .group [data-tip]:is(:hover, :focus-visible)::after {
         left: auto;
-        right: 0;
+        inset-inline-end: 0;
         translate: none;
       }
       .top .group ~ .group [data-command='compare'][data-tip]:is(:hover, :focus-visible)::after {
-        right: -44px;
+        inset-inline-end: -44px;
       }
       /* Tooltips above this row would be hidden: the sheet scrolls, or the bar lies above it. */
       .panel:is(.numbers, .high) .row [data-tip]:is(:hover, :focus-visible)::after {

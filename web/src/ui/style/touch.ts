@@ -62,12 +62,12 @@ export const touchStyle = css`
     }
     @container ${lowPhone} {
       .middle {
-        --_left: ${TOOLS.lowPhone.coarse}px;
+        --_start: ${TOOLS.lowPhone.coarse}px;
       }
     }
     @container ${lowestPhone} {
       .middle {
-        --_left: ${TOOLS.lowestPhone.coarse}px;
+        --_start: ${TOOLS.lowestPhone.coarse}px;
       }
       .tools {
         grid-template-columns: auto auto auto;

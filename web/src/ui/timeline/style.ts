@@ -55,15 +55,15 @@ export const timelineStyle = css`
   .clip-bar .closer {
     position: sticky;
     z-index: 1;
-    right: -8px;
-    margin-right: -8px;
+    inset-inline-end: -8px;
+    margin-inline-end: -8px;
     padding: 4px 8px;
     background: var(--_surface);
   }
   .clip-bar .of-keys {
-    margin-left: 4px;
-    padding-left: 8px;
-    border-left: 1px solid var(--_line);
+    margin-inline-start: 4px;
+    padding-inline-start: 8px;
+    border-inline-start: 1px solid var(--_line);
   }
   .clip-bar .field {
     width: 118px;
@@ -134,12 +134,12 @@ export const timelineStyle = css`
   .track-name {
     position: sticky;
     z-index: 1;
-    left: 0;
+    inset-inline-start: 0;
     flex: none;
     width: var(--_names);
     background: var(--_surface);
     border: 0;
-    border-right: 1px solid var(--_line);
+    border-inline-end: 1px solid var(--_line);
   }
   .now {
     padding: 4px 12px;
@@ -155,7 +155,7 @@ export const timelineStyle = css`
     color: inherit;
     font: inherit;
     font-size: 12px;
-    text-align: left;
+    text-align: start;
     text-overflow: ellipsis;
     white-space: nowrap;
     cursor: pointer;
@@ -167,7 +167,7 @@ export const timelineStyle = css`
     background: var(--_raised);
   }
   .key-row.selected .track-name {
-    box-shadow: inset 3px 0 0 var(--_accent);
+    box-shadow: inset calc(3px * var(--_way)) 0 0 var(--_accent);
     font-weight: 600;
   }
   .key-row.selected .lane {
@@ -303,7 +303,7 @@ export const timelineStyle = css`
   /* The tools keep clear of it in two columns, or three. */
   @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.low}px) {
     .middle:has(~ .timeline) {
-      --_left: ${TOOLS.low}px;
+      --_start: ${TOOLS.low}px;
     }
     .middle:has(~ .timeline) .tools {
       display: grid;
@@ -312,7 +312,7 @@ export const timelineStyle = css`
   }
   @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.lowest}px) {
     .middle:has(~ .timeline) {
-      --_left: ${TOOLS.lowest}px;
+      --_start: ${TOOLS.lowest}px;
     }
     .middle:has(~ .timeline) .tools {
       grid-template-columns: auto auto auto;
