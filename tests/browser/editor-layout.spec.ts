@@ -192,7 +192,7 @@ for (const [width, height] of [
     const { left, right } = insetsOf({ stage, coarse: false, sheet: 'none', bare: null });
     const cards = await page.locator('c2-warp .middle').evaluate((middle) => {
       const style = getComputedStyle(middle);
-      return ['--_left', '--_right'].map((name) => Number.parseFloat(style.getPropertyValue(name)));
+      return ['--_start', '--_end'].map((name) => Number.parseFloat(style.getPropertyValue(name)));
     });
     expect(cards).toEqual([left, right]);
   });

@@ -23,6 +23,8 @@ const parts = {
   drawnPixels,
   drawnTwice,
   startedEngine,
+  /** With the whole editor, which other tests do without. */
+  pseudo: () => import('./pseudo'),
 };
 
 declare global {
