@@ -8,7 +8,7 @@ const ACCENTS: Readonly<Record<string, string>> = { a: 'á', e: 'é', i: 'í', o
 const marked = (text: string): string => {
   const own = text.replace(/⟦[^⟧]*⟧/g, '').length;
   const accented = text.replace(/⟦[^⟧]*⟧|[aeioucn]/g, (part) => ACCENTS[part] ?? part);
-  return text === '' ? '' : `⟦${accented}${'~'.repeat(Math.ceil(0.4 * own) - 1)}⟧`;
+  return text === '' ? '' : `⟦${accented}${'~'.repeat(Math.ceil(0.4 * own))}⟧`;
 };
 
 type Table = { readonly [key: string]: string | ((...values: never[]) => string) | Table };

@@ -22,7 +22,7 @@ const parentOf = (node: Element): Element | null => {
   return parentNode instanceof ShadowRoot ? parentNode.host : node.parentElement;
 };
 
-/** Calls `changed` whenever an attribute `lang` or `dir` changes beside the way to the root, until the signal is aborted. */
+/** Calls `changed` when an attribute `lang` or `dir` changes in a tree of the element, until the signal is aborted. */
 export function followLanguage(node: Element, changed: () => void, signal: AbortSignal): void {
   const observer = new MutationObserver(changed);
   let at: Node | null = node;

@@ -1,4 +1,4 @@
-/** Wordings: what is told, as data. They become sentences in the language of their reader. */
+/** Wordings: words to people, as data. They become sentences in the language of their reader. */
 import type { Entry, PartialTexts, Texts } from './texts';
 
 type KeysOf<T> = {

@@ -40,6 +40,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
       role="group"
       aria-label=${texts.toolbar.more}
       @beforetoggle=${placeBelowButton}
+      @toggle=${placeBelowButton}
     >
       ${model.offers('timeline') ? entry('timeline', texts.commands.timeline, timeline, model.canRun('timeline')) : nothing}
       ${model.offers('suggest') ? entry('suggest', texts.commands.suggest, suggest, model.canRun('suggest')) : nothing}

@@ -26,7 +26,7 @@ export const notices = {
   graphicsLostUnstored: `${GRAPHICS_LOST} Nothing is lost yet: save the project, then reload the page.`,
   clipNameTaken: (name: string) => `Another clip has the name "${name}". The old name stays.`,
 
-  /** Handles that lie partly outside of what bends. */
+  /** Handles that lie partly outside of the part that bends. */
   outsidePicture: (handles: readonly string[]) =>
     plural(handles.length, {
       one: `Part of ${handles[0]} lies outside the picture and moves nothing.`,

@@ -27,12 +27,14 @@ export const studyStyle = css`
   }
   .study header .segments {
     flex: 1;
+    flex-wrap: wrap;
+    min-width: 0;
     margin: 0;
   }
   .study header .segment {
     flex: 1 1 auto;
     min-width: 0;
-    /* Five words share the width of the card. */
+    /* Five words share the width of the card, in two rows if they are long. */
     padding: 0 3px;
     font-size: 12px;
   }

@@ -11,6 +11,7 @@ export const menuStyle = css`
   }
   .popover {
     --_width: 208;
+    max-width: calc(100vw - 12px);
     position: fixed;
     inset: auto;
     margin: 0;
