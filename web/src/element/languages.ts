@@ -3,7 +3,13 @@ import { en } from '../texts/en';
 import { changedBy, parentsOf } from '../texts/lookup';
 import type { PartialTexts, Texts } from '../texts/texts';
 
-const SHIPPED: Readonly<Record<string, () => Promise<Texts>>> = {};
+const SHIPPED: Readonly<Record<string, () => Promise<Texts>>> = {
+  de: async () => (await import('../texts/de')).de,
+  es: async () => (await import('../texts/es')).es,
+  fr: async () => (await import('../texts/fr')).fr,
+  ja: async () => (await import('../texts/ja')).ja,
+  zh: async () => (await import('../texts/zh')).zh,
+};
 
 /** Tables of the page, by tags in lower case. */
 const added = new Map<string, PartialTexts>();

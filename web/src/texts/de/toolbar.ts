@@ -1,0 +1,53 @@
+import type { Texts } from '../texts';
+import { counted } from './language';
+
+export const toolbar: Texts['toolbar'] = {
+  label: 'Dokument',
+  open: 'Öffnen',
+  save: 'Speichern',
+  export: 'Export',
+  undo: 'Rückgängig',
+  redo: 'Wiederholen',
+  undoStep: (step) => `Rückgängig: ${step}`,
+  redoStep: (step) => `Wiederholen: ${step}`,
+  compare: 'Original',
+  animate: 'Animieren',
+  more: 'Mehr',
+  lightColours: 'Helle Farben',
+  darkColours: 'Dunkle Farben',
+  unsaved: 'Ungespeichert',
+  unsavedKept: 'Ungespeichert, in diesem Browser aufbewahrt',
+  noFile: 'keine Datei enthält die letzten Änderungen',
+  kept: 'in diesem Browser aufbewahrt',
+};
+
+export const files: Texts['files'] = {
+  label: 'Letzte Arbeiten, Beispiele oder eine Adresse öffnen',
+  address: 'Adresse eines Bilds oder Projekts',
+  placeholder: 'https://…/bild.png',
+  open: 'Öffnen',
+  recent: 'Letzte Arbeiten',
+  removeAll: 'Alle entfernen',
+  noRecent: 'Bearbeitete Bilder stehen hier, sobald ein anderes geöffnet wird.',
+  remove: (name) => `${name} aus der Liste entfernen`,
+  drawing: 'eine Zeichnung',
+  steps: (count) => counted(count, 'Schritt', 'Schritte'),
+  samples: 'Beispiele',
+  openSample: (name) => `Beispiel öffnen: ${name}`,
+  whole: 'Eine Datei mit allem',
+  saveWhole: 'Mit dem Bild speichern',
+  exportWhole: 'PNG exportieren, das sich wieder öffnet',
+};
+
+export const tools: Texts['tools'] = {
+  label: 'Werkzeuge',
+  select: 'Bewegen',
+  point: 'Punkt',
+  bar: 'Stab',
+  polygon: 'Polygon',
+  lasso: 'Lasso',
+  brush: 'Pinsel',
+  hand: 'Hand',
+  lens: 'Lupe',
+  bend: 'Biegen',
+};

@@ -1,0 +1,18 @@
+/** Names that the editor gives, and names in sentences. */
+import type { Texts } from '../texts';
+import { counted, list, quoted } from './language';
+
+export const names: Texts['names'] = {
+  point: (number) => `poignée ${number}`,
+  bar: (number) => `barre ${number}`,
+  polygon: (number) => `polygone ${number}`,
+  handles: (count) => counted(count, 'poignée'),
+  nothing: 'rien',
+  aVirtualHandle: 'une poignée virtuelle',
+  virtualHandle: (number) => `poignée virtuelle ${number}`,
+  boundary: 'le bord',
+  all: (words) => list(words),
+  parts: (parts) => parts.join(', '),
+  sentences: (sentences) => sentences.join(' '),
+  quoted,
+};

@@ -1,0 +1,28 @@
+/** Errors that people see. */
+import type { Texts } from '../texts';
+import { quoted } from './language';
+import { addressErrors, carriedErrors, pictureErrors } from './picture_errors';
+import { engineErrors, refusals, tooMuchErrors } from './solver_errors';
+import { writingErrors } from './writing_errors';
+
+export const errors: Texts['errors'] = {
+  picture: pictureErrors,
+  address: addressErrors,
+  carried: carriedErrors,
+  tooMuch: tooMuchErrors,
+  engine: engineErrors,
+  refusals,
+  writing: writingErrors,
+  takenBack: '该步骤已撤回。',
+  inFile: (file, sentence) => `${file}：${sentence}`,
+  nothingOpaque: (picture) => `${picture}：此图片中没有足够不透明的内容可供变形。`,
+  pictureTooMuch: (picture) => `${picture}：在此浏览器中，求解器无法处理此图片。`,
+  imageSize: (width, height, picture, itsWidth, itsHeight) =>
+    `项目适用于 ${width} × ${height} px 的图片；${quoted(picture)}为 ${itsWidth} × ${itsHeight} px。`,
+  emptyProject: '文件是空的。',
+  exportRefused: (detail) => `无法导出此项目：${detail}`,
+  cardNotLoaded: '无法加载此卡片：网络是否正常？',
+  noWebgl: '此浏览器无法用 WebGL2 绘制。请开启硬件加速，或使用其他浏览器。',
+  noCanvas: '此浏览器无法在 2D 画布上显示图片。',
+  other: (detail) => `出错：${detail}`,
+};

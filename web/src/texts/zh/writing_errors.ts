@@ -1,0 +1,22 @@
+/** Errors of files that are written: exports of pictures and films. */
+import type { Texts } from '../texts';
+
+export const writingErrors: Texts['errors']['writing'] = {
+  picture: (format, why) => `无法写入 ${format}：${why}`,
+  film: (why) => `无法编码影片：${why}`,
+  filmStorage: (why) => `无法保存影片：${why}`,
+  reasons: {
+    encoderFailed: '编码器出错或未能加载。请重新加载页面。',
+    encoderStopped: '编码器已停止或未能加载。请重新加载页面。',
+    encoderNotLoaded: (address) => `无法加载编码器：${address} 是否存在，网络是否正常？`,
+    canvasTooLarge: '此浏览器不支持这么大的画布。请选择较小的比例，或 PNG。',
+    formatUnsupported: '此浏览器无法写入该格式。请选择 PNG。',
+    noCodec: '此浏览器无法以此尺寸编码该格式。请选择其他格式。',
+    codecFailed: '浏览器的编码器出错。请选择较小的尺寸，或其他格式。',
+    filmTooLarge: '所需内存超出此浏览器所能提供的内存。请选择较小的尺寸，或其他格式。',
+    zipTooLarge: 'zip 最多容纳 4 GB。请选择较小的尺寸，或减少帧数。',
+    diskFull: '磁盘已满。',
+    diskRefuses: '磁盘不接受写入。磁盘是否仍然连接，本页面是否有写入权限？',
+    other: (detail) => `${detail}。`,
+  },
+};
