@@ -70,8 +70,10 @@ export const unfitting = (page: Page): Promise<readonly string[]> =>
       [...node.childNodes].some((child) => child instanceof Text && child.data.trim() !== '');
     for (const node of root.querySelectorAll('.shell *')) {
       if (!(node instanceof HTMLElement) || !node.checkVisibility({ opacityProperty: true })) continue;
-      // Names by people may be cut; spoken texts are not seen; marks lie anywhere on the stage.
-      if (node.closest('.stage, .spoken, .title, .track-name, .name, option, svg, .bubble')) continue;
+      // Names by people may be cut, and so may words below icons, which have a label. Spoken texts are not seen. Marks
+      // lie anywhere on the stage.
+      if (node.closest('.stage, .spoken, .title, .track-name, .name, .caption, option, svg, .bubble'))
+        continue;
       const { left, right, top, bottom, width } = node.getBoundingClientRect();
       if (width === 0) continue;
       const label = `${node.localName}.${node.className}: ${node.textContent?.trim().slice(0, 40)}`;
@@ -79,7 +81,8 @@ export const unfitting = (page: Page): Promise<readonly string[]> =>
         left < frame.left - 1 || right > frame.right + 1 || top < frame.top - 1 || bottom > frame.bottom + 1;
       if (isOut && !scrolls(node.parentElement)) found.push(`out of the editor: ${label}`);
       const runs = node.scrollWidth > node.clientWidth + 1 && getComputedStyle(node).display !== 'inline';
-      if (own(node) && runs && !scrolls(node)) found.push(`too narrow: ${label}`);
+      const isScroller = /auto|scroll/.test(getComputedStyle(node).overflowX);
+      if (own(node) && runs && !isScroller) found.push(`too narrow: ${label}`);
       if (
         own(node) &&
         node.scrollHeight > node.clientHeight + 3 &&

@@ -8,7 +8,10 @@ const ACCENTS: Readonly<Record<string, string>> = { a: 'á', e: 'é', i: 'í', o
 const marked = (text: string): string => {
   const own = text.replace(/⟦[^⟧]*⟧/g, '').length;
   const accented = text.replace(/⟦[^⟧]*⟧|[aeioucn]/g, (part) => ACCENTS[part] ?? part);
-  return text === '' ? '' : `⟦${accented}${'~'.repeat(Math.ceil(0.4 * own))}⟧`;
+  const more = Math.ceil(0.4 * own);
+  // Sentences get words, which can be broken between lines.
+  const padding = own > 16 ? ' ~~~~~'.repeat(Math.ceil(more / 6)) : '~'.repeat(more);
+  return text === '' ? '' : `⟦${accented}${padding}⟧`;
 };
 
 type Table = { readonly [key: string]: string | ((...values: never[]) => string) | Table };

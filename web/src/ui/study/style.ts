@@ -33,7 +33,6 @@ export const studyStyle = css`
   }
   .study header .segment {
     flex: 1 1 auto;
-    min-width: 0;
     /* Five words share the width of the card, in two rows if they are long. */
     padding: 0 3px;
     font-size: 12px;

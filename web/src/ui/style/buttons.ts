@@ -90,6 +90,10 @@ export const buttonsStyle = css`
     }
     .caption {
       display: block;
+      max-width: 100%;
+      overflow: hidden;
+      text-overflow: ellipsis;
+      white-space: nowrap;
       font-size: 10px;
       line-height: 1.1;
       letter-spacing: -0.01em;

@@ -4,6 +4,8 @@ import { css } from './css';
 export const segmentsStyle = css`
   .segments {
     display: flex;
+    /* Long words get a second row. */
+    flex-wrap: wrap;
     gap: 2px;
     margin: 6px 0;
     padding: 2px;
