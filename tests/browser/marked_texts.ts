@@ -4,7 +4,7 @@ import type { Page } from '@playwright/test';
 /** Names by people, and texts that are the same in all languages: units, formats, keys and symbols. */
 const SAME: readonly RegExp[] = [
   /\b(left|right) (hand|foot)\b/gi,
-  /\b(head|arm|clip|sway|wave|walk in place)\b/gi,
+  /\b(head|arm|blob|clip|sway|wave|walk in place)\b/gi,
   /\bgingerbread(-[\w-]+)?(\.[\w.]+)?\b/g,
   /\b(px|ms|s|min|fps|kB|MB|GB)\b/g,
   /\b(PNG|JPEG|WebP|SVG|WebM|MP4|GIF|APNG|EXR|NPY|CSV|Spine|DragonBones|glTF|Godot)\b/g,

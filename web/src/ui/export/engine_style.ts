@@ -2,9 +2,8 @@
 import { css } from '../style/css';
 
 export const engineStyle = css`
-  .export .engine-formats .segments {
-    display: grid;
-    grid-template-columns: 1fr 1fr;
+  .export .engine-formats .segment {
+    flex-basis: 40%;
   }
   .export .engine-fields {
     display: grid;

@@ -2,9 +2,8 @@
 import { css } from '../style/css';
 
 export const filmStyle = css`
-  .export .formats .segments {
-    display: grid;
-    grid-template-columns: repeat(4, 1fr);
+  .export .formats .segment {
+    flex-basis: 22%;
   }
   .export .film-fields {
     display: grid;

@@ -2,9 +2,8 @@
 import { css } from '../style/css';
 
 export const mapStyle = css`
-  .export .map-kinds .segments {
-    display: grid;
-    grid-template-columns: repeat(3, 1fr);
+  .export .map-kinds .segment {
+    flex-basis: 30%;
   }
   .export .map-file {
     display: block;

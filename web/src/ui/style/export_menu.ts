@@ -42,7 +42,7 @@ export const exportMenuStyle = css`
   }
   .export .option span {
     flex: none;
-    width: 76px;
+    min-width: 76px;
   }
   .export [type='range'] {
     flex: 1;
@@ -71,10 +71,8 @@ export const exportMenuStyle = css`
   .export .row .faint {
     display: block;
     min-width: 0;
-    overflow: hidden;
-    text-overflow: ellipsis;
+    overflow-wrap: anywhere;
     font-variant-numeric: tabular-nums;
-    white-space: nowrap;
   }
   .export .primary {
     flex: none;

@@ -23,6 +23,7 @@ export const menuStyle = css`
     align-items: center;
     gap: 6px;
     min-height: 28px;
+    overflow-wrap: anywhere;
     padding-block: 0;
     padding-inline: 8px 2px;
     border-radius: var(--_radius-item);

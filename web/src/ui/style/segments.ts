@@ -14,6 +14,7 @@ export const segmentsStyle = css`
   }
   .segment {
     flex: 1;
+    min-width: min-content;
     height: 28px;
     border-radius: var(--_radius-item);
   }
