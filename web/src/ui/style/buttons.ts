@@ -83,6 +83,7 @@ export const buttonsStyle = css`
     .button:has(.caption) {
       flex-direction: column;
       gap: 1px;
+      padding-inline: 0;
     }
     .button:has(.caption) .icon {
       width: 18px;

@@ -118,7 +118,6 @@ export const panelStyle = css`
     grid-template-columns: auto auto;
     margin: 0 -8px;
     font-size: 12px;
-    white-space: nowrap;
   }
   .overlays + :is(.properties, .bending),
   .properties + :is(.bending, .list),

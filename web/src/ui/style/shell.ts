@@ -24,6 +24,10 @@ export const shellStyle = css`
   .shell[dir='rtl'] :is([data-command='undo'], [data-command='redo'], .player .button:not(:first-child)) .icon {
     scale: -1 1;
   }
+  /* Numbers with their units, and texts of another direction. */
+  .shell[dir='rtl'] :is(span, output, dd, td) {
+    unicode-bidi: plaintext;
+  }
   /* Places, numbers and times go from left to right in all languages. */
   .stage,
   .figure,
