@@ -69,12 +69,9 @@ export class C2WarpError extends Error {
   /** The message for people, in any language. @internal */
   readonly wording: Wording | undefined;
 
-  constructor(
-    code: C2WarpErrorCode,
-    message: string,
-    { handles = [], wording, ...options }: C2WarpErrorOptions = {},
-  ) {
-    super(message, options);
+  constructor(code: C2WarpErrorCode, message: string, options: C2WarpErrorOptions = {}) {
+    const { handles = [], wording, ...cause } = options;
+    super(message, cause);
     this.name = 'C2WarpError';
     this.code = code;
     this.handles = handles;

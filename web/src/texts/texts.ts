@@ -1,5 +1,5 @@
 /** The type of a language: a table with the entries of English. */
-import type { en } from './en';
+import type { en } from './en/index';
 
 /** A text, or a function that makes it of numbers and names. */
 export type Entry = string | ((...values: never[]) => string);
