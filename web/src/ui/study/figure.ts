@@ -42,9 +42,24 @@ export interface Drawn {
   readonly height: number;
 }
 
-/** A text in lines of at most `length` characters, broken between words. */
-export const linesOf = (text: string, length: number): readonly string[] =>
-  text.match(new RegExp(`.{1,${length}}(?:\\s|$)`, 'g'))?.map((line) => line.trim()) ?? [];
+/** Characters of East Asian scripts take the room of two. */
+const WIDE = /[\u3000-\u9fff\uff00-\uffef]/g;
+/** The width of a text in Latin characters, about. */
+export const widthOf = (text: string): number => text.length + (text.match(WIDE)?.length ?? 0);
+
+/** A text in lines as wide as `length` Latin characters at most, broken between words. */
+export function linesOf(text: string, length: number): readonly string[] {
+  const lines: string[] = [];
+  for (const { segment } of new Intl.Segmenter(undefined, { granularity: 'word' }).segment(text)) {
+    const last = lines.at(-1);
+    // Marks stay with the word before them.
+    const fits =
+      last !== undefined && (widthOf(last + segment) <= length || /^[^\p{L}\p{N}(]/u.test(segment));
+    if (fits) lines[lines.length - 1] = last + segment;
+    else lines.push(segment);
+  }
+  return lines.map((line) => line.trim());
+}
 
 /** A number of pixels. */
 export const pixels = (length: number): string => `${Math.round(length).toLocaleString('en')} px`;

@@ -1,5 +1,6 @@
 /** The key of a figure to be saved: colours with their meaning, in one line. */
 import { type SVGTemplateResult, svg } from 'lit-html';
+import { widthOf } from './figure';
 
 /** Width of a letter, about. */
 const LETTER = 6.6;
@@ -9,7 +10,7 @@ export function figureKey(entries: readonly (readonly [kind: string, meaning: st
   let at = 0;
   return svg`${entries.map(([kind, meaning]) => {
     const x = at;
-    at += 32 + LETTER * meaning.length;
+    at += 32 + LETTER * widthOf(meaning);
     return svg`<rect class="weight ${kind}" x=${x} y="-10" width="11" height="11" rx="3"/><text class="tick" x=${x + 17}>${meaning}</text>`;
   })}`;
 }
