@@ -1,4 +1,5 @@
 /** Languages: every text is in the table, fits when it is longer, and changes at run time without a loss. */
+import { readFileSync } from 'node:fs';
 import type { Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { de } from '../../web/src/texts/de';
@@ -219,6 +220,8 @@ for (const [width, height] of [
 
 const openLabel = (page: Page) => page.locator('c2-warp [data-command="open"]').first();
 
+const MANUAL = readFileSync(new URL('../../web/docs/languages.md', import.meta.url), 'utf8');
+
 const LANGUAGES = { de, es, fr, ja, zh } as const;
 
 test('each language loads by the address, and marks the page', async ({ page }) => {
@@ -260,6 +263,7 @@ test('a change of the language keeps the work, the tool, the selection and the f
     (warp as C2Warp).addEventListener('historychange', ({ detail }) => labels.push(detail.undo));
     return labels;
   });
+  expect(MANUAL).toContain('<html lang="de-AT">');
   for (const [tag, texts] of [
     ['de-AT', de],
     ['en', en],
@@ -279,17 +283,14 @@ test('a change of the language keeps the work, the tool, the selection and the f
   expect(await events.jsonValue()).toEqual([null]);
 });
 
-test('a page adds a language, and changes texts of one', async ({ page }) => {
+test('a page adds a language, and changes texts of one, as the manual does', async ({ page }) => {
   const element = await openPseudo(page);
   const label = element.locator('.top > .group .word').first();
-  // As in web/docs/languages.md.
-  await page.evaluate(async () => {
-    const { addTexts } = await harness.pseudo();
-    addTexts('nl', {
-      toolbar: { open: 'Openen', save: 'Opslaan' },
-      steps: { move: (who) => `Verplaats ${who}` },
-    });
-    addTexts('en', { toolbar: { animate: 'Move' } });
+  const [, code = ''] = /```js\n(import [^\n]*\n[\s\S]*?)```/.exec(MANUAL) ?? [];
+  await page.evaluate(
+    `{ const C2Warp = customElements.get('c2-warp'); ${code.replace(/^import .*$/m, '')} }`,
+  );
+  await page.evaluate(() => {
     document.documentElement.lang = 'nl-BE';
   });
   await expect(label).toHaveText('Openen');

@@ -55,6 +55,7 @@ const ELSEWHERE: readonly (readonly [test: string, page: string, covers: (block:
   ['tests/browser/core.spec.ts', 'docs/core', ({ language }) => language === 'html'],
   ['tests/browser/core.spec.ts', 'docs/core', ({ language, index }) => language === 'js' && index < 3],
   ['tests/browser/app.spec.ts', 'docs/hosting', ({ language }) => language === 'js'],
+  ['tests/browser/languages.spec.ts', 'docs/languages', () => true],
   [
     'web/scripts/declarations.test.mjs',
     'docs/element',

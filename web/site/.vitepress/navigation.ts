@@ -23,6 +23,7 @@ const EMBED: Link[] = [
   // No page of VitePress, so that its router leaves it alone.
   { text: 'Rust library', link: '/rustdoc/c2warp/index.html', target: '_self' },
   { text: 'Command line', link: '/docs/cli/' },
+  { text: 'Languages', link: '/docs/languages/' },
   { text: 'Hosting', link: '/docs/hosting/' },
   { text: 'Versions', link: '/docs/versions/' },
 ];
