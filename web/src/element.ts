@@ -16,7 +16,7 @@
  */
 import type { Drawing } from './compute/drawing';
 import { checkDefaults, type ProjectDefaults } from './document/defaults';
-import { handleById } from './document/document';
+import { type Document, handleById } from './document/document';
 import { freeId } from './document/edits';
 import { checkedHandle } from './document/handle';
 import { redoLabel, undoLabel } from './document/history';
@@ -29,9 +29,8 @@ import {
   posedHandle,
 } from './document/project';
 import type { PageNotification } from './editor/effects';
-import { featuresOf } from './editor/features';
 import { attributesPending, type Carried, isOpening, nothingCarried } from './editor/opening_state';
-import type { Media, PageAttributes, Sample } from './editor/page';
+import type { PageAttributes, Sample } from './editor/page';
 import type { PageQuestion } from './editor/page_question';
 import { mayReceive } from './editor/permissions';
 import { stem } from './editor/picture';
@@ -47,33 +46,28 @@ import type {
   WarpOptions,
 } from './element/api';
 import { attributeFaults } from './element/attribute_faults';
+import { changedHandle, namedHandle } from './element/changed_handle';
 import { checkedPairs } from './element/checked_pairs';
 import { coded } from './element/coded';
 import { emitter, TypedElement } from './element/events';
 import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
 import { FormControl } from './element/form_control';
-import { followLanguage, inheritedLanguage, isFromRight } from './element/inherited_language';
-import {
-  addLanguage,
-  ENGLISH,
-  followLanguages,
-  type Language,
-  languageFor,
-  languageTags,
-} from './element/languages';
+import { addLanguage, languageTags } from './element/languages';
 import { loadOf } from './element/load_of';
+import { mediaOf } from './element/media';
+import { emitNotification } from './element/notification';
+import { pageAttributes } from './element/page_attributes';
 import { namedSource } from './element/picture_source';
 import { type Properties, taken } from './element/properties';
 import { ask } from './element/questions';
+import { ShownLanguage } from './element/shown_language';
 import type { Changes } from './element/updating_element';
 import { asC2WarpError, C2WarpError } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
 import { notLoaded } from './runtime/lazy_view';
-import { en } from './texts/en';
 import type { PartialTexts } from './texts/texts';
-import { type Wording, worded } from './texts/wording';
 import { isToolName, type ToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
@@ -223,17 +217,16 @@ export class C2Warp extends TypedElement {
   #asked = 0;
   /** Runs while the element is connected. */
   #runtime: EditorRuntime | null = null;
-  #language: Language = ENGLISH;
-  /** The language that the page asks for; null before it was looked up. */
-  #wantedLanguage: string | null = null;
+  readonly #language = new ShownLanguage(this, {
+    asked: () => this.#takeDirection(),
+    changed: () => this.requestUpdate(),
+    failed: (cause) => this.#runtime?.dispatch({ type: 'error-reported', error: notLoaded(cause) }),
+  });
   /** While the element is connected. */
   #following = new AbortController();
   /** What a runtime starts with: what the page set before, and what the last runtime left. */
   #carried: Carried = nothingCarried;
-  /** One query, kept: every frame of an animation asks it. */
-  readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
-  readonly #coarsePointer = matchMedia('(pointer: coarse)');
-  readonly #reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
+  readonly #media = mediaOf(this);
 
   constructor() {
     super();
@@ -434,7 +427,7 @@ export class C2Warp extends TypedElement {
    * @throws RangeError if there is no such handle, the id or kind would change, or the result is invalid.
    */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
-    this.#present.dispatch({ type: 'handle-changed', handle: this.#changed(id, change) });
+    this.#present.dispatch({ type: 'handle-changed', handle: changedHandle(this.#document, id, change) });
   }
 
   /**
@@ -447,9 +440,10 @@ export class C2Warp extends TypedElement {
    * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
    */
   pose(handles: readonly HandlePose[]): void {
-    const { dispatch } = this.#present;
+    const { state, dispatch } = this.#present;
     if (!Array.isArray(handles)) throw new TypeError('pose: expected a list of handles');
-    const posed = handles.map(({ id, ...pose }) => this.#changed(id, pose, ['kind', 'rest']));
+    const document = documentOf(state);
+    const posed = handles.map(({ id, ...pose }) => changedHandle(document, id, pose, ['kind', 'rest']));
     dispatch({ type: 'handles-posed', handles: posed });
   }
 
@@ -460,7 +454,7 @@ export class C2Warp extends TypedElement {
    * @throws RangeError if there is no such handle.
    */
   removeHandle(id: string): void {
-    this.#present.dispatch({ type: 'handle-removed', id: this.#handle(id).id });
+    this.#present.dispatch({ type: 'handle-removed', id: namedHandle(this.#document, id).id });
   }
 
   /** Undoes the last step, if there is one. */
@@ -741,18 +735,19 @@ export class C2Warp extends TypedElement {
     const element = {
       node: this,
       root: this.shadowRoot as ShadowRoot,
-      texts: () => this.#language.texts,
+      texts: () => this.#language.current.texts,
       render: () => this.requestUpdate(),
       rendered: () => this.updateComplete,
-      notifyPage: (notification: PageNotification) => this.#notify(notification),
+      notifyPage: (notification: PageNotification) => emitNotification(this.#emit, notification),
       ask: (question: PageQuestion) => ask(question, this.#emit),
       setTheme: (theme: 'light' | 'dark') => {
         this.theme = theme;
       },
-      schemeChanged: () => this.#runtime?.dispatch({ type: 'media-changed', media: this.#mediaNow }),
+      schemeChanged: () => this.#runtime?.dispatch({ type: 'media-changed', media: this.#media() }),
     };
-    this.#runtime = new EditorRuntime(element, this.#attributes, this.#mediaNow, this.#carried);
-    this.#followLanguage();
+    this.#runtime = new EditorRuntime(element, this.#attributes, this.#media(), this.#carried);
+    this.#following = new AbortController();
+    this.#language.follow(this.#following.signal);
     void this.#checkDefaults();
     this.requestUpdate();
   }
@@ -771,7 +766,7 @@ export class C2Warp extends TypedElement {
   protected override render(): unknown {
     const runtime = this.#runtime;
     if (!runtime) return null;
-    const { tag, texts } = this.#language;
+    const { tag, texts } = this.#language.current;
     return shell(viewModel(runtime.state, texts), tag, runtime.dispatch, runtime.canvas, runtime.laterParts);
   }
 
@@ -792,7 +787,7 @@ export class C2Warp extends TypedElement {
     // A field that goes commits what is typed.
     if (changes.has('posable') || changes.has('readonly') || changes.has('disabled')) runtime.untype();
     runtime.dispatch({ type: 'page-changed', page: this.#attributes });
-    if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#mediaNow });
+    if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#media() });
   }
 
   /** @internal */
@@ -810,7 +805,7 @@ export class C2Warp extends TypedElement {
       this.#takeTool(this.toolSource);
     for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
     this.#control.validate(
-      this.required && this.naturalWidth === 0 ? this.#language.texts.stage.required : null,
+      this.required && this.naturalWidth === 0 ? this.#language.current.texts.stage.required : null,
     );
     const stage = this.shadowRoot?.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
@@ -838,23 +833,6 @@ export class C2Warp extends TypedElement {
     });
   }
 
-  #handle(id: string): Handle {
-    const handle = handleById(documentOf(this.#present.state), id);
-    if (!handle) throw new RangeError(`there is no handle "${id}"`);
-    return handle;
-  }
-
-  /** A handle with a page's changes. @throws RangeError if the result is invalid, or a `fixed` key would change. */
-  #changed(id: string, change: object, fixed: readonly ('id' | 'kind' | 'rest')[] = ['id', 'kind']): Handle {
-    const handle = this.#handle(id);
-    const changed = deepCopy(checkedHandle({ ...handle, ...change } as Handle));
-    for (const key of fixed) {
-      if (String(changed[key]) !== String(handle[key]))
-        throw new RangeError(`handle "${id}", ${key}: cannot be changed`);
-    }
-    return changed;
-  }
-
   #takeTool(tool: ToolName): void {
     this.#runtime?.dispatch({ type: 'tool-set', tool });
   }
@@ -865,68 +843,19 @@ export class C2Warp extends TypedElement {
     return this.#runtime;
   }
 
+  get #document(): Document {
+    return documentOf(this.#present.state);
+  }
+
   get #attributes(): PageAttributes {
-    const { readonly, disabled, posable, clip, autoplay, loop, alt, src, projectSource, samples } = this;
-    const tool = this.toolSource;
-    const features = featuresOf(this.features);
-    const credentials = this.crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
-    const hint = this.hint ? { text: this.hint, handle: this.hintFor } : null;
-    return {
-      readonly,
-      disabled,
-      posable,
-      clip,
-      autoplay,
-      loop,
-      tool,
-      alt,
-      hint,
-      src,
-      projectSource,
-      samples,
-      features,
-      credentials,
-      defaults: this.#defaults,
-    };
+    return pageAttributes(this, this.#defaults);
   }
 
-  get #mediaNow(): Media {
-    const { theme } = this;
-    const dark = theme === 'dark' || theme === 'light' ? theme === 'dark' : this.#darkScheme.matches;
-    const [coarse, still] = [this.#coarsePointer.matches, this.#reducedMotion.matches];
-    const folders = 'showDirectoryPicker' in globalThis;
-    const rtl = isFromRight(this);
-    return { dark, coarse, still, platform: navigator.platform, rtl, folders };
-  }
-
-  /** Shows the language of this place, and follows its changes. */
-  #followLanguage(): void {
-    this.#following = new AbortController();
-    const { signal } = this.#following;
-    followLanguage(this, () => this.#takeLanguage(), signal);
-    followLanguages(() => void this.#loadLanguage(), signal);
-    this.#takeLanguage();
-  }
-
-  #takeLanguage(): void {
+  /** The layout goes the other way where another direction is asked for. */
+  #takeDirection(): void {
     const runtime = this.#runtime;
-    const media = this.#mediaNow;
+    const media = this.#media();
     if (runtime && media.rtl !== runtime.state.media.rtl) runtime.dispatch({ type: 'media-changed', media });
-    const wanted = inheritedLanguage(this);
-    if (wanted === this.#wantedLanguage) return;
-    this.#wantedLanguage = wanted;
-    void this.#loadLanguage();
-  }
-
-  /** The editor goes on in its language until the other one is loaded. */
-  async #loadLanguage(): Promise<void> {
-    const wanted = this.#wantedLanguage ?? '';
-    const language = await languageFor(wanted, (cause) =>
-      this.#runtime?.dispatch({ type: 'error-reported', error: notLoaded(cause) }),
-    );
-    if (wanted !== this.#wantedLanguage) return;
-    this.#language = language;
-    this.requestUpdate();
   }
 
   #setDefaults(settings: ProjectDefaults): void {
@@ -950,58 +879,7 @@ export class C2Warp extends TypedElement {
     if (this.#runtime) this.#runtime.dispatch({ type: 'page-project-set', project });
     else this.#carried = { ...this.#carried, pageProject: project };
   }
-
-  #notify(notification: PageNotification): void {
-    const { type } = notification;
-    switch (type) {
-      case 'load':
-        this.#emit(type, { origin: notification.origin });
-        break;
-      case 'toolchange':
-        this.#emit(type, { tool: notification.tool });
-        break;
-      case 'ready':
-      case 'play':
-      case 'pause':
-      case 'timeupdate':
-      case 'ended':
-        this.#emit(type, null);
-        break;
-      case 'input':
-      case 'change': {
-        const { project } = notification;
-        // Copied only when read: a drag emits many events.
-        const detail = {
-          get project() {
-            return deepCopy(project);
-          },
-        };
-        this.#emit(type, detail);
-        break;
-      }
-      case 'selectionchange':
-        this.#emit(type, { selection: [...notification.selection] });
-        break;
-      case 'historychange':
-        this.#emit(type, { undo: inEnglish(notification.undo), redo: inEnglish(notification.redo) });
-        break;
-      case 'titlechange': {
-        const { name = null, unsaved = false } = notification.title ?? {};
-        this.#emit(type, { name, unsaved });
-        break;
-      }
-      case 'progress':
-        this.#emit(type, { label: inEnglish(notification.label), fraction: notification.fraction });
-        break;
-      case 'error':
-        this.#emit(type, asC2WarpError(notification.error));
-        break;
-    }
-  }
 }
-
-/** Events are for programs, in one language. */
-const inEnglish = (words: Wording | null): string | null => words && worded(en, words);
 
 if (typeof customElements !== 'undefined' && !customElements.get('c2-warp')) {
   customElements.define('c2-warp', C2Warp);
