@@ -1,6 +1,7 @@
 //! Tests of `c2warp warp`.
 
 use std::collections::HashSet;
+use std::fs;
 
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
@@ -54,6 +55,16 @@ fn ring_at_rest_keeps_its_pixels_and_edges() {
         }
         assert!(warped[3].abs_diff(a) <= 4, "at {x}, {y}: {} was {a}", warped[3]);
     }
+}
+
+#[test]
+fn any_number_of_threads_writes_the_same_bytes() {
+    let folder = SceneFolder::new("fold");
+    let written = |jobs: u32| {
+        succeed(folder.path(), &format!("{WARP} --scale 2 --stmap out.exr --jobs {jobs}"));
+        ["out.png", "out.exr"].map(|name| fs::read(folder.file(name)).unwrap())
+    };
+    assert!(written(1) == written(7));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use c2warp::clip::FrameTimes;
 use c2warp::project::Clip;
-use c2warp::{Extent, Filter, ResampleOptions, raster};
+use c2warp::{Extent, Filter, ResampleOptions, Warped, raster};
 use c2warp_film::{Apng, Encoder, Film, Gif, GifColours, MOST_GIF_RATE, Plays, Sheet, WebP};
 
 use self::drawing::Drawing;
@@ -259,7 +259,7 @@ fn encode(drawing: &mut Drawing<'_>, mut encoder: Box<dyn Encoder + '_>) -> Resu
 fn write_frames(drawing: &mut Drawing<'_>, sequence: &Sequence, loaded: &LoadedProject) -> Result<(), CliError> {
     let profile = loaded.profile();
     drawing.draw(
-        |warped| encode_png(&warped, profile).map_err(io::Error::other),
+        |Warped { width, height, rgba, .. }| encode_png([width, height], &rgba, profile).map_err(io::Error::other),
         |frame, png| {
             let output = loaded.output(&sequence.path(frame))?;
             output.write(|writer| writer.write_all(&png?))

@@ -8,6 +8,7 @@
 use std::collections::HashMap;
 use std::fs;
 use std::io::{self, Write};
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -67,7 +68,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
     for folder in [Some(&arguments.output), arguments.stmap.as_ref()].into_iter().flatten() {
         fs::create_dir_all(folder).map_err(CliError::write(folder))?;
     }
-    let threads = arguments.jobs.unwrap_or_else(workers::cores);
+    let threads = arguments.threads();
     let kept = threads.get();
     let batch = Batch {
         arguments,
@@ -158,7 +159,7 @@ impl Batch<'_> {
         let targets = Targets::open(&loaded, &job.output, job.stmap.as_deref())?;
         let key = SolveKey::new(&loaded.project, &loaded.picture()?).map_err(|reason| loaded.refused(reason))?;
         let solution = self.solutions.get(key, || loaded.solve_filled())?;
-        Ok(targets.write(&loaded, &solution, &self.arguments.drawing)?.origin)
+        Ok(targets.write(&loaded, &solution, &self.arguments.drawing, NonZero::<usize>::MIN)?.origin)
     }
 
     fn open(&self, job: &Job) -> Result<LoadedProject, CliError> {

@@ -1,13 +1,14 @@
 //! A warped picture and its ST map, and where they are written.
 
 use std::io::{self, Write};
+use std::num::NonZero;
 use std::path::Path;
 
 use c2warp::{Extent, Solution};
 use c2warp_maps::{Map, MapFormat, Maps};
 use image::ImageFormat;
 
-use super::encode_png;
+use super::{encode_png, parts};
 use crate::error::CliError;
 use crate::output::Output;
 use crate::posed_drawing::PosedDrawing;
@@ -35,20 +36,22 @@ impl Targets {
         Ok(Self { picture: output, stmap: stmap.transpose()? })
     }
 
-    /// Draws a solved picture and writes it. Returns the rectangle of the result.
+    /// Draws a solved picture with up to so many threads, and writes it. Returns the rectangle of the result.
     pub(super) fn write(
         self,
         loaded: &LoadedProject,
         solution: &Solution,
         posed: &PosedDrawing,
+        threads: NonZero<usize>,
     ) -> Result<Extent, CliError> {
         let picture = loaded.picture()?;
         let pose = posed.pose(loaded, solution)?;
         let drawing = solution.drawing(&picture, &pose, posed.options(loaded));
         let drawing = drawing.map_err(|reason| loaded.refused(reason))?;
-        let warped = drawing.warped(&picture);
+        let rgba = parts::rgba(&drawing, &picture, threads);
+        let size = [drawing.width(), drawing.height()];
         let png = |writer: &mut dyn Write| {
-            writer.write_all(&encode_png(&warped, loaded.profile()).map_err(io::Error::other)?)
+            writer.write_all(&encode_png(size, &rgba, loaded.profile()).map_err(io::Error::other)?)
         };
         self.picture.write(png)?;
         if let Some(stmap) = self.stmap {
