@@ -4,7 +4,7 @@ import { counted } from './language';
 export const toolbar: Texts['toolbar'] = {
   label: 'Dokument',
   open: 'Öffnen',
-  save: 'Speichern',
+  save: 'Sichern',
   export: 'Export',
   undo: 'Rückgängig',
   redo: 'Wiederholen',
@@ -41,7 +41,7 @@ export const files: Texts['files'] = {
 
 export const tools: Texts['tools'] = {
   label: 'Werkzeuge',
-  select: 'Bewegen',
+  select: 'Ziehen',
   point: 'Punkt',
   bar: 'Stab',
   polygon: 'Polygon',

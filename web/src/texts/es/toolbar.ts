@@ -12,7 +12,7 @@ export const toolbar: Texts['toolbar'] = {
   redo: 'Rehacer',
   undoStep: (step) => `Deshacer: ${lowered(step)}`,
   redoStep: (step) => `Rehacer: ${lowered(step)}`,
-  compare: 'Comparar',
+  compare: 'Original',
   animate: 'Animar',
   more: 'Más',
   lightColours: 'Colores claros',
@@ -52,5 +52,5 @@ export const tools: Texts['tools'] = {
   brush: 'Pincel',
   hand: 'Mano',
   lens: 'Lupa',
-  bend: 'Deformar',
+  bend: 'Doblar',
 };

@@ -97,8 +97,8 @@ export const bending: Texts['bending'] = {
 };
 
 export const overlays: Texts['overlays'] = {
-  title: 'Calques d’aide',
-  titleWith: (shown) => `Calques d’aide : ${shown.join(', ').toLowerCase()}`,
+  title: 'Repères',
+  titleWith: (shown) => `Repères : ${shown.join(', ').toLowerCase()}`,
   close: 'Fermer la liste',
   names: {
     mesh: 'Maillage',

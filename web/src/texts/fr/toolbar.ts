@@ -6,13 +6,13 @@ import { counted } from './language';
 export const toolbar: Texts['toolbar'] = {
   label: 'Document',
   open: 'Ouvrir',
-  save: 'Enregistrer',
+  save: 'Sauver',
   export: 'Exporter',
   undo: 'Annuler',
   redo: 'Rétablir',
   undoStep: (step) => `Annuler : ${lowered(step)}`,
   redoStep: (step) => `Rétablir : ${lowered(step)}`,
-  compare: 'Comparer',
+  compare: 'Original',
   animate: 'Animer',
   more: 'Plus',
   lightColours: 'Couleurs claires',
@@ -44,7 +44,7 @@ export const files: Texts['files'] = {
 /** Words below the icons on phones. */
 export const tools: Texts['tools'] = {
   label: 'Outils',
-  select: 'Déplacer',
+  select: 'Bouger',
   point: 'Point',
   bar: 'Barre',
   polygon: 'Polygone',
@@ -52,5 +52,5 @@ export const tools: Texts['tools'] = {
   brush: 'Pinceau',
   hand: 'Main',
   lens: 'Loupe',
-  bend: 'Déformer',
+  bend: 'Plier',
 };
