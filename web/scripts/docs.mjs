@@ -1,5 +1,5 @@
 /**
- * `npm run docs [-- --base /PATH/]`: writes the site to web/dist/site, as static files.
+ * `npm run docs [-- --base /PATH/]`: writes the site to web/dist-site, as static files.
  *
  * It holds the pages of web/docs and web/site, the element, the player and the core beside them, and the documentation
  * of the Rust library. Without `--base` it is for the root of a server.
@@ -12,7 +12,7 @@ import { prepare } from './prepare.mjs';
 import { buildPages } from './site.mjs';
 import { heading, main, ROOT, StepError, step } from './steps.mjs';
 
-const SITE = join(ROOT, 'web/dist/site');
+const SITE = join(ROOT, 'web/dist-site');
 
 /** Parts of the build that the pages load, and that their readers may try. */
 const PARTS = ['element', 'player', 'core'];
