@@ -28,7 +28,7 @@ export const LIMITS = { lines: 0, names: 0, long: 1, what: 1, which: 2.1 };
 
 /** Folders of other people's files, of generated files, and of files that tests read or write. */
 const SKIPPED =
-  /^(?:node_modules|target|dist|generated|output|golden|scenes|test-results|playwright-report|\..+)$/;
+  /^(?:node_modules|target|dist|dist-site|generated|output|golden|scenes|test-results|playwright-report|\..+)$/;
 
 /**
  * Splits a paragraph into sentences.
