@@ -3,14 +3,12 @@
 use std::io;
 use std::path::PathBuf;
 
-use c2warp::Picture;
 use c2warp_export::{EngineRig, Errors, ExportError, Format, KEY_TOLERANCE_PX, Options, texture};
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageError, ImageResult};
 use serde_json::{Value, json};
 
 use crate::error::CliError;
 use crate::output;
+use crate::png_file::encode_png;
 use crate::progress;
 use crate::project::{InputFiles, LoadedProject};
 
@@ -65,7 +63,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         |reason: ExportError| CliError::NotExported { path: loaded.path().to_owned(), reason: Box::new(reason) };
     let rig = EngineRig::new(stem, &loaded.project, &solution, &picture, options).map_err(refused)?;
     let profile = loaded.picture_file().profile.as_deref();
-    let png = encode_png(&picture, profile).map_err(|reason| CliError::write(path)(io::Error::other(reason)))?;
+    let size = [picture.width(), picture.height()];
+    let png = encode_png(size, &texture(&picture), profile)
+        .map_err(|reason| CliError::write(path)(io::Error::other(reason)))?;
     let files = rig.files(format, &png).map_err(refused)?;
     for (output, file) in outputs.into_iter().zip(files) {
         output.write(|writer| writer.write_all(&file.bytes))?;
@@ -84,17 +84,6 @@ fn whole(option: &'static str, number: f64) -> Result<usize, CliError> {
     } else {
         Err(CliError::Whole { option, found: number })
     }
-}
-
-/// The texture of a picture, with its colour profile.
-fn encode_png(picture: &Picture, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {
-    let mut png = Vec::new();
-    let mut encoder = PngEncoder::new(&mut png);
-    if let Some(profile) = profile {
-        encoder.set_icc_profile(profile.to_vec()).map_err(ImageError::Unsupported)?;
-    }
-    encoder.write_image(&texture(picture), picture.width(), picture.height(), ExtendedColorType::Rgba8)?;
-    Ok(png)
 }
 
 /// The loss of a rig for other programs.

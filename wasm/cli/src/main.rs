@@ -20,6 +20,7 @@ mod maps;
 mod new;
 mod output;
 mod picture;
+mod png_file;
 mod points;
 mod posed_drawing;
 mod progress;

@@ -16,8 +16,8 @@ use self::drawing::Drawing;
 use self::sequence::Sequence;
 use crate::error::CliError;
 use crate::output::{self, Output};
+use crate::png_file::encode_png;
 use crate::project::{InputFiles, LoadedProject};
-use crate::warp::encode_png;
 
 /// Draws a clip at full quality as a film, as single frames or as a sprite sheet
 #[derive(Debug, clap::Args)]

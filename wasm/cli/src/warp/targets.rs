@@ -8,9 +8,10 @@ use c2warp::{Extent, Solution};
 use c2warp_maps::{Map, MapFormat, Maps};
 use image::ImageFormat;
 
-use super::{encode_png, parts};
+use super::parts;
 use crate::error::CliError;
 use crate::output::Output;
+use crate::png_file::encode_png;
 use crate::posed_drawing::PosedDrawing;
 use crate::project::LoadedProject;
 
