@@ -21,6 +21,7 @@ export const TOOLS = { select, point, bar, polygon, lasso, brush, hand, lens } s
 
 export type ToolName = keyof typeof TOOLS;
 
+/** In the order of their buttons. */
 export const TOOL_NAMES = Object.keys(TOOLS) as ToolName[];
 
 /** Unfinished drawings, at most one of each tool. */

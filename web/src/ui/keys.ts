@@ -4,6 +4,7 @@ import { html, type TemplateResult } from 'lit-html';
 import { type CommandName, keyHint, modifier } from '../editor/commands';
 import type { EditorModel } from '../editor/view_model';
 import type { Texts } from '../texts/texts';
+import { TOOL_NAMES } from '../tools/machine';
 import { icon } from './icons';
 
 /** A command, or other keys and their effect. */
@@ -11,19 +12,7 @@ type Row = CommandName | readonly [keys: PressName, effect: keyof Texts['keys'][
 type PressName = keyof Texts['keys']['presses'];
 
 const GROUPS = {
-  tools: [
-    'select',
-    'point',
-    'bar',
-    'polygon',
-    'lasso',
-    'brush',
-    'hand',
-    'lens',
-    ['enter', 'finish'],
-    ['shift', 'straight'],
-    ['alt', 'lassoAlt'],
-  ],
+  tools: [...TOOL_NAMES, ['enter', 'finish'], ['shift', 'straight'], ['alt', 'lassoAlt']],
   selection: [['tab', 'next'], ['shiftClick', 'oneMore'], 'select-all', ['shiftF10', 'menu'], 'bail'],
   handles: [
     ['arrows', 'move'],
