@@ -1,5 +1,5 @@
 /**
- * The site: pages of `web/docs` and `web/site`, as static files in `web/dist-site`. `npm run docs` builds it.
+ * The site: pages of `web/docs` and `web/site`, as static files. `npm run docs` builds it.
  *
  * The pages work under a strict policy: see `policy.ts`. Each page is a folder with an `index.html`, so that any server
  * of files will do.
@@ -34,7 +34,6 @@ export default defineConfig({
   description: 'Bend pictures by handles, in the browser.',
   srcDir: '..',
   srcExclude: ['!(docs|site)/**', '*.md'],
-  outDir: '../dist-site',
   cacheDir: '../../node_modules/.cache/vitepress',
   rewrites: address,
   metaChunk: true,

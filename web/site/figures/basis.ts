@@ -1,7 +1,6 @@
 /** Figure 4: the basis φ by its degree n and the shape factor α (equations 3 and 5), and the weight from it. */
 import type { SiteStudy } from '../../src/core';
-import { Board } from './parts/board';
-import { Chart, ticks } from './parts/chart';
+import { ticks } from '../../src/geometry/ticks';
 import { mixed } from './parts/colours';
 import { Numbers, pixels, Slider } from './parts/controls';
 import { element, symbol } from './parts/elements';
@@ -15,16 +14,8 @@ const SHOWN = 0;
 
 export default figure((figure) => {
   const { warper, ground } = figure.scene;
-  const board = new Board(
-    ground,
-    'The gingerbread figure, with the weight of the handle in its head',
-    figure.draw,
-  );
-  const chart = new Chart(figure.draw);
-  figure.onRemoved(() => {
-    board.dispose();
-    chart.dispose();
-  });
+  const board = figure.board('The gingerbread figure, with the weight of the handle in its head');
+  const chart = figure.chart();
   const moved = figure.ask;
   const degree = new Slider({ label: 'Degree n', range: [5, 20], step: 1, value: 5, moved });
   const alpha = new Slider({
@@ -78,7 +69,7 @@ export default figure((figure) => {
     const axes = {
       x: [0, most] as const,
       y: [0, 1] as const,
-      xTicks: ticks(0, most, 4),
+      xTicks: ticks([0, most], 4),
       yTicks: [0, 0.5, 1],
       xName: 'distance d, px',
     };

@@ -1,6 +1,5 @@
 /** Figure 2: the cells of the handles, with the cell radius r_d and the separation r_h (section III-B). */
 import type { Point } from '../../src/core';
-import { Board } from './parts/board';
 import { cellColours } from './parts/cell_colours';
 import { cellImage, nearestFields } from './parts/cell_image';
 import { legend, Numbers, pixels, sentence } from './parts/controls';
@@ -34,12 +33,7 @@ interface Cell {
 export default figure((figure) => {
   const { ground } = figure.scene;
   const { solution, points } = ground;
-  const board = new Board(
-    ground,
-    'The gingerbread figure, divided into one cell for each handle',
-    figure.draw,
-  );
-  figure.onRemoved(() => board.dispose());
+  const board = figure.board('The gingerbread figure, divided into one cell for each handle');
   let chosen = 0;
   const handles: DragPoint[] = HANDLES.map(
     ({ id, at }, index) =>

@@ -1,5 +1,4 @@
 /** Figure 1: the intrinsic distance from a point, beside the straight one (section III-A). */
-import { Board } from './parts/board';
 import { mixed } from './parts/colours';
 import { checkbox, legend, Numbers, pixels } from './parts/controls';
 import { DragPoint } from './parts/drag_point';
@@ -16,12 +15,9 @@ const CIRCLES = Array.from({ length: 20 }, (_, index) => STEP * (index + 1));
 
 export default figure((figure) => {
   const { ground } = figure.scene;
-  const board = new Board(
-    ground,
+  const board = figure.board(
     'The gingerbread figure with lines of equal distance from a point in its left hand',
-    figure.draw,
   );
-  figure.onRemoved(() => board.dispose());
   const allowed = ground.nearest.bind(ground);
   const moved = figure.ask;
   const [from, to] = [

@@ -1,9 +1,8 @@
 /** Figure 3: Algorithm 1 step by step, with the curve of its score (section IV-A). */
 import type { Point, Round, Solution, Study } from '../../src/core';
-import { Board } from './parts/board';
+import { ticks } from '../../src/geometry/ticks';
 import { cellColours } from './parts/cell_colours';
 import { cellImage, nearestFields } from './parts/cell_image';
-import { Chart, ticks } from './parts/chart';
 import { legend, pixels, Slider, sentence } from './parts/controls';
 import { DragPoint } from './parts/drag_point';
 import { element } from './parts/elements';
@@ -19,16 +18,10 @@ const APART = 16;
 
 export default figure((figure) => {
   const { warper, ground } = figure.scene;
-  const board = new Board(
-    ground,
+  const board = figure.board(
     'The gingerbread figure with two handles, and virtual handles that Algorithm 1 has added',
-    figure.draw,
   );
-  const chart = new Chart(figure.draw);
-  figure.onRemoved(() => {
-    board.dispose();
-    chart.dispose();
-  });
+  const chart = figure.chart();
   const points: DragPoint[] = START.map(
     ({ id, at }, index) =>
       new DragPoint(board, {
@@ -126,8 +119,8 @@ export default figure((figure) => {
     const axes = {
       x,
       y,
-      xTicks: ticks(...x, 5).filter(Number.isInteger),
-      yTicks: ticks(...y, 4),
+      xTicks: ticks(x, 5).filter(Number.isInteger),
+      yTicks: ticks(y, 4),
       xName: 'step',
     };
     const label = `The score of each step. This one has ${score.toFixed(2)}.`;

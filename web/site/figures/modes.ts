@@ -1,6 +1,5 @@
 /** Figure 6: one drag, posed by the harmonic fields of the paper (equation 4) and by the rigid mode. */
 import type { Point, PosedMesh, PosedSolution, Solution, WarpedPicture, Warper } from '../../src/core';
-import { Board } from './parts/board';
 import { legend, Numbers } from './parts/controls';
 import { DragPoint } from './parts/drag_point';
 import { element } from './parts/elements';
@@ -27,10 +26,10 @@ interface Drawn {
 }
 
 export default figure((figure) => {
-  const { warper, ground } = figure.scene;
+  const { warper } = figure.scene;
   let at: Point = [300, 330];
   const sides = MODES.map(({ mode, title }) => {
-    const board = new Board(ground, `The gingerbread figure. ${title}`, figure.ask);
+    const board = figure.board(`The gingerbread figure. ${title}`, figure.ask);
     const point = new DragPoint(board, {
       name: `Right hand. ${title}`,
       kind: 'handle',
@@ -42,7 +41,6 @@ export default figure((figure) => {
         figure.ask();
       },
     });
-    figure.onRemoved(() => board.dispose());
     const view = element('div', {}, element('p', { className: 'title' }, title), board.element);
     return { board, mode, point, view };
   });

@@ -1,6 +1,5 @@
 /** Figure 5: the weight of a handle with its isolines, and all weights at a point (equation 2). */
 import type { PointWeights, Solution, Study } from '../../src/core';
-import { Board } from './parts/board';
 import { mixed } from './parts/colours';
 import { choice, legend, Numbers } from './parts/controls';
 import { DragPoint } from './parts/drag_point';
@@ -14,12 +13,7 @@ const HANDLES: readonly NamedPlace[] = [...COMMON, { id: 'left elbow', at: [140,
 
 export default figure((figure) => {
   const { warper, ground } = figure.scene;
-  const board = new Board(
-    ground,
-    'The gingerbread figure, with the weight of the chosen handle',
-    figure.draw,
-  );
-  figure.onRemoved(() => board.dispose());
+  const board = figure.board('The gingerbread figure, with the weight of the chosen handle');
   let chosen = HANDLES.length - 1;
   const probe = new DragPoint(board, {
     name: 'Point to weigh',

@@ -1,7 +1,14 @@
 /** The domain, the part of the picture that bends: all of it, its opaque part, or the inside of drawn rings. */
-import { isInside } from '../geometry/polyline';
-import { areaOf, clipped, isWithin, type Ring, ringsMeet, simpleRing, touches } from '../geometry/ring';
-import type { Vec } from '../geometry/vec';
+import {
+  areaOf,
+  clipped,
+  isInsideOf,
+  isWithin,
+  type Ring,
+  ringsMeet,
+  simpleRing,
+  touches,
+} from '../geometry/ring';
 import { corners, isClosed, isLine, roundedVec } from './handle';
 import type { Domain, Fill, Handle, Project } from './project';
 import { withoutLostTracks } from './tracks';
@@ -102,9 +109,6 @@ function elsewhere(rings: readonly Ring[], ring: Ring): readonly Ring[] {
   const kept = outer.filter((one) => !ringsMeet(one, ring));
   return rings.filter((one) => kept.some((other) => other === one || isWithin(one, other)));
 }
-
-export const isInsideOf = (rings: readonly Ring[], p: Vec): boolean =>
-  rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
 
 /** Whether a part of the handle rests inside the rings. */
 const isOn = (rings: readonly Ring[], handle: Handle): boolean => {

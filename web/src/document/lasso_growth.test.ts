@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { areaOf, type Ring, simpleRing } from '../geometry/ring';
+import { areaOf, isInsideOf, type Ring, simpleRing } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import { newProject } from './document';
-import { isInsideOf, ringsOf } from './domain';
+import { ringsOf } from './domain';
 import { withPlaceAdded } from './lasso_growth';
 import type { Project } from './project';
 

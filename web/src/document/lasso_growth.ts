@@ -1,9 +1,9 @@
 /** Growing a drawn domain, so that a place beside it bends too. */
 import { isInside, nearestPlace } from '../geometry/polyline';
-import { clipped, isWithin, type Ring, ringsMeet, simpleRing } from '../geometry/ring';
+import { clipped, isInsideOf, isWithin, type Ring, ringsMeet, simpleRing } from '../geometry/ring';
 import { capsule, unionOf } from '../geometry/ring_union';
 import { distance, lerp, type Vec } from '../geometry/vec';
-import { isInsideOf, ringDomain, ringsOf } from './domain';
+import { ringDomain, ringsOf } from './domain';
 import { roundedVec } from './handle';
 import type { Project } from './project';
 

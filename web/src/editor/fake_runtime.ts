@@ -4,7 +4,7 @@
  */
 
 import { keyCorners, trackOf } from '../document/clip_keys';
-import { isInsideOf, ringsOf } from '../document/domain';
+import { ringsOf } from '../document/domain';
 import { groupCentre } from '../document/group';
 import {
   anchor,
@@ -20,6 +20,7 @@ import type { HandlePose } from '../document/handle_poses';
 import type { Clip, Handle, Project } from '../document/project';
 import type { Crease } from '../geometry/crease';
 import { distanceToLine } from '../geometry/polyline';
+import { isInsideOf } from '../geometry/ring';
 import { add, lerp, subtract, type Vec } from '../geometry/vec';
 import type { Deformation, GroupWay, LimitedPose } from './deformation';
 import type { EditorEffect } from './effects';

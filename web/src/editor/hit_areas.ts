@@ -1,9 +1,10 @@
 /** The hit areas of a press, as large as the pointer in use needs, and the context in which tools find them. */
 
-import { isInsideOf, isSameDomain, ringsOf } from '../document/domain';
+import { isSameDomain, ringsOf } from '../document/domain';
 import type { HiddenCorners, Turns } from '../document/handle';
 import { toImage } from '../geometry/camera';
 import { distanceToLine } from '../geometry/polyline';
+import { isInsideOf } from '../geometry/ring';
 import type { ToolBrush } from '../tools/brush_kinds';
 import { type Hit, hit } from '../tools/hit';
 import type { Grips, Press, ToolContext } from '../tools/state';

@@ -111,3 +111,7 @@ const isNear = (a: Vec, b: Vec, p: Vec): boolean => distanceToLine([a, b], false
 const areSeparate = (a: Vec, b: Vec, c: Vec, d: Vec, axis: 0 | 1): boolean =>
   Math.max(a[axis], b[axis]) + TOUCH < Math.min(c[axis], d[axis]) ||
   Math.max(c[axis], d[axis]) + TOUCH < Math.min(a[axis], b[axis]);
+
+/** Whether a point lies inside the area of several rings, by the even-odd rule. */
+export const isInsideOf = (rings: readonly Ring[], p: Vec): boolean =>
+  rings.filter((ring) => isInside(ring, p)).length % 2 === 1;

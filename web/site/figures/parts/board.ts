@@ -26,7 +26,7 @@ export class Board {
     this.#context = context;
     this.#observer = new ResizeObserver(() => {
       const { width } = this.element.getBoundingClientRect();
-      const pixels = Math.round(width * Math.min(devicePixelRatio, MOST_PIXELS));
+      const pixels = Math.round(width * this.#density);
       if (pixels === 0 || pixels === this.#canvas.width) return;
       this.#canvas.width = pixels;
       this.#canvas.height = Math.round((pixels * SIZE.height) / SIZE.width);

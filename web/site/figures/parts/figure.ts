@@ -1,5 +1,7 @@
 /** The frame of a figure: it loads the solver, lays out boards and controls, and asks and draws as things move. */
 import './figure.css';
+import { Board } from './board';
+import { Chart } from './chart';
 import { type Colours, coloursOf, onTheme } from './colours';
 import { element } from './elements';
 import { Latest } from './latest';
@@ -17,8 +19,15 @@ export interface Figure {
   ask(): void;
   /** Draws the last answer. */
   draw(): void;
-  /** Runs when the figure is removed. */
-  onRemoved(work: () => void): void;
+  /**
+   * Makes a board.
+   *
+   * @param label Describes the drawing.
+   * @param resized Called when the board needs to be drawn: without it, the last answer is.
+   */
+  board(label: string, resized?: () => void): Board;
+  /** Makes a chart, which is drawn with the figure. */
+  chart(): Chart;
 }
 
 export interface Live {
@@ -58,6 +67,10 @@ export const figure =
         live.draw();
       }, failed);
       const draw = () => drawable && live.draw();
+      const removed = <Part extends { dispose(): void }>(part: Part): Part => {
+        removals.push(() => part.dispose());
+        return part;
+      };
       const live = build({
         scene: loaded,
         stage,
@@ -67,7 +80,8 @@ export const figure =
         },
         ask: () => latest.ask(),
         draw,
-        onRemoved: (work) => removals.push(work),
+        board: (label, resized = draw) => removed(new Board(loaded.ground, label, resized)),
+        chart: () => removed(new Chart(draw)),
       });
       removals.push(
         onTheme(() => {

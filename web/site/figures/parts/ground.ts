@@ -1,5 +1,6 @@
 /** The shape of the picture: the points that figures ask about, and the triangles between them. */
 import type { Point, Solution } from '../../../src/core';
+import { isInsideOf } from '../../../src/geometry/ring';
 import { PixelMap } from './pixel_map';
 
 /** The part of the way to the middle of the triangles around a point: a hundredth of a pixel. */
@@ -37,7 +38,7 @@ export class Ground {
 
   /** A point itself if it is inside the shape, otherwise the nearest of the points. */
   nearest([x, y]: Point): Point {
-    if (isInside(this.#rings, x, y)) return [x, y];
+    if (isInsideOf(this.#rings, [x, y])) return [x, y];
     let [best, least] = [0, Number.POSITIVE_INFINITY];
     for (let at = 0; at < this.points.length; at += 2) {
       const distance = Math.hypot((this.points[at] ?? 0) - x, (this.points[at + 1] ?? 0) - y);
@@ -88,17 +89,4 @@ function pathOf(rings: readonly (readonly Point[])[]): Path2D {
     path.closePath();
   }
   return path;
-}
-
-/** By the even-odd rule. */
-function isInside(rings: readonly (readonly Point[])[], x: number, y: number): boolean {
-  let inside = false;
-  for (const ring of rings) {
-    let [px, py] = ring.at(-1) ?? [0, 0];
-    for (const [qx, qy] of ring) {
-      if (py > y !== qy > y && x < ((qx - px) * (y - py)) / (qy - py) + px) inside = !inside;
-      [px, py] = [qx, qy];
-    }
-  }
-  return inside;
 }

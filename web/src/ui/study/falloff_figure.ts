@@ -7,10 +7,11 @@ import type { Dispatch } from '../../editor/events';
 import type { Falloff } from '../../editor/lens_model';
 import { siteName } from '../../editor/lens_words';
 import type { EditorModel } from '../../editor/view_model';
+import { ticks } from '../../geometry/ticks';
 import type { Vec } from '../../geometry/vec';
 import type { Texts } from '../../texts/texts';
 import { worded } from '../../texts/wording';
-import { axes, numberAtX, type Plot, pathOf, pixels, plotX, plotY, ticks } from './figure';
+import { axes, numberAtX, type Plot, pathOf, pixels, plotX, plotY } from './figure';
 import { alphaSlider } from './slider';
 import { withSymbols } from './symbols';
 

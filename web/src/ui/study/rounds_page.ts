@@ -5,10 +5,11 @@ import { live } from 'lit-html/directives/live.js';
 import type { Dispatch } from '../../editor/events';
 import { type RoundModel, roundModel } from '../../editor/rounds_model';
 import type { EditorModel } from '../../editor/view_model';
+import { ticks } from '../../geometry/ticks';
 import type { Vec } from '../../geometry/vec';
 import type { Texts } from '../../texts/texts';
 import { icon } from '../icons';
-import { axes, type Drawn, least, most, type Plot, pathOf, plotX, plotY, ticks } from './figure';
+import { axes, type Drawn, least, most, type Plot, pathOf, plotX, plotY } from './figure';
 import { mapFrame, shape, siteDots } from './map_figure';
 import { saveButton } from './save_button';
 
