@@ -67,6 +67,7 @@ await main(async () => {
   await step('Memory', 'cargo', cargo('c2warp-bench-memory', [join(output, 'memory.json')]), failed);
 
   await step('Tables', 'cargo', cargo('c2warp-bench', ['--tables', output]), failed);
+  await step('Growth', 'cargo', cargo('c2warp-bench-growth', []), failed);
   heading('Exports in Chromium');
   console.log(`\n${await exportTable()}`);
   heading('Films by the command');

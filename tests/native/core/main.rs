@@ -19,6 +19,7 @@ mod geodesic;
 mod handles;
 mod input_mesh;
 mod loose_parts;
+mod many_handles;
 mod noise;
 mod properties;
 mod quality;

@@ -19,8 +19,8 @@ pub const MAX_CORNERS: usize = 20_000;
 pub const MAX_HELD_CORNERS: usize = 1000;
 /// Greatest number of corners of an outline from a picture's alpha, if it is held. A solve then takes half a second.
 pub(crate) const MAX_HELD_OUTLINE: usize = 250;
-/// Greatest memory of distance fields in one solve, in bytes. A browser tab has 4 GB for everything.
-pub(crate) const MAX_FIELD_BYTES: usize = 1 << 30;
+/// Greatest memory of distance fields in one solve, in bytes. A solve then takes less than a gigabyte.
+pub(crate) const MAX_FIELD_BYTES: usize = 1 << 29;
 /// Greatest absolute number of a pose: a coordinate in pixels, a scale, or a depth.
 pub(crate) const MAX_POSED: f64 = 1e12;
 
@@ -33,6 +33,12 @@ pub const MAX_FRAMES: u32 = 36_000;
 pub const MIN_SEPARATION: f64 = 0.01;
 /// Greatest number of handles in one solve.
 pub const MAX_HANDLES: usize = 1000;
+/// Greatest number of point handles that stand close to another one, each with the distance that counts as close, over
+/// the diagonal of the domain. Their cells are strips, and each pair of strips is compared.
+pub const MAX_CLOSE_HANDLES: [(f64, usize); 2] = [(1.0 / 500.0, 200), (1.0 / 5000.0, 50)];
+/// Greatest length of an outline, over its diagonal. In a longer one most of the domain lies in slits and spikes, and
+/// each needs sites of its own.
+pub const MAX_OUTLINE_LENGTH: f64 = 200.0;
 /// Greatest number of sites, real and virtual, in one solve.
 pub const MAX_SITES: usize = 8192;
 

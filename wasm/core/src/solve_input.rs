@@ -9,7 +9,11 @@ use glam::DVec2;
 use crate::{
     bone::{OutsidePart, Polyline, Skeleton},
     error::Error,
-    limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_HELD_CORNERS, MAX_POSED, MAX_SITES, MIN_SEPARATION},
+    grid::Grid,
+    limits::{
+        HELD_CLEARANCE, MAX_CLOSE_HANDLES, MAX_HANDLES, MAX_HELD_CORNERS, MAX_OUTLINE_LENGTH, MAX_POSED, MAX_SITES,
+        MIN_SEPARATION,
+    },
     picture::Picture,
     pose::{DisplacementField, SolvedHandle, StiffnessField, picture_size},
     prepared_domain::PreparedDomain,
@@ -131,10 +135,12 @@ impl SolveInput {
     /// Locates the handles in a domain and cuts bars and polygons into bones.
     ///
     /// # Errors
-    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::HeldTooFine`],
-    /// [`Error::BarTooShort`], [`Error::BarsOverlap`].
+    /// [`Error::OutlineTooLong`], [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::HandlesCrowded`],
+    /// [`Error::OnHeldBoundary`], [`Error::HeldTooFine`], [`Error::BarTooShort`], [`Error::BarsOverlap`].
     pub(crate) fn locate(&self, prepared: &PreparedDomain) -> Result<LocatedHandles, Error> {
         let PreparedDomain { domain, navigation, .. } = prepared;
+        let diagonal = diagonal(domain.rings());
+        check_length(domain.rings(), MAX_OUTLINE_LENGTH * diagonal)?;
         let site = |point: &PointHandle| {
             let (triangle, rest) = navigation.locate(point.rest).ok_or_else(|| point.outside())?;
             Ok(PointSite { rest, triangle, handle: point.handle })
@@ -142,6 +148,7 @@ impl SolveInput {
         let mut points = self.points.iter().map(site).collect::<Result<Vec<_>, Error>>()?;
         points.sort_by(|a, b| from_top(a.rest, b.rest));
         self.check_distances(&points.iter().map(|point| (point.rest, point.handle)).collect::<Vec<_>>())?;
+        self.check_crowding(&points, diagonal)?;
         if self.fix_boundary {
             let corners = domain.rings().iter().map(|ring| sharp_corners(ring).count()).sum();
             if corners > MAX_HELD_CORNERS {
@@ -189,6 +196,24 @@ impl SolveInput {
         Ok(())
     }
 
+    /// Refuses more point handles close to another than [`MAX_CLOSE_HANDLES`].
+    fn check_crowding(&self, points: &[PointSite], diagonal: f64) -> Result<(), Error> {
+        for (share, max) in MAX_CLOSE_HANDLES {
+            let within = share * diagonal;
+            let grid = Grid::new(within, points.iter().enumerate().map(|(at, point)| (point.rest, at)));
+            let is_close = |(at, point): &(usize, &PointSite)| {
+                grid.around(point.rest, within)
+                    .any(|other| other != *at && points[other].rest.distance(point.rest) < within)
+            };
+            let close: Vec<u32> = points.iter().enumerate().filter(is_close).map(|(_, point)| point.handle).collect();
+            if let Some(&first) = close.iter().min().filter(|_| close.len() > max) {
+                let id = self.handles[first as usize].id.clone();
+                return Err(Error::HandlesCrowded { count: close.len(), within, max, id });
+            }
+        }
+        Ok(())
+    }
+
     /// Refuses point handles that are too close to a bone.
     fn check_distances_to_bones(&self, skeleton: &Skeleton) -> Result<(), Error> {
         for point in &self.points {
@@ -225,6 +250,21 @@ fn is_posed_in_bounds(handle: &Handle) -> bool {
 /// Orders positions from top to bottom, then from left to right.
 fn from_top(a: DVec2, b: DVec2) -> Ordering {
     a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x))
+}
+
+/// The diagonal of the box around rings.
+fn diagonal(rings: &[Vec<DVec2>]) -> f64 {
+    let bound = |of: fn(DVec2, DVec2) -> DVec2| rings.iter().flatten().copied().reduce(of).unwrap_or_default();
+    bound(DVec2::min).distance(bound(DVec2::max))
+}
+
+/// Refuses rings that are longer than `max` pixels in all.
+fn check_length(rings: &[Vec<DVec2>], max: f64) -> Result<(), Error> {
+    let of_ring = |ring: &Vec<DVec2>| -> f64 {
+        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(one, next)| one.distance(*next)).sum()
+    };
+    let length = rings.iter().map(of_ring).sum();
+    if length > max { Err(Error::OutlineTooLong { length, max }) } else { Ok(()) }
 }
 
 /// Refuses bars and polygons with more segments than the limit of sites. Names the one with the most.

@@ -135,9 +135,9 @@ impl Solver {
     /// displacement has changed since the last solution, the last stage alone is left.
     ///
     /// # Errors
-    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
-    /// [`Error::BarsOverlap`], [`Error::HeldTooFine`], [`Error::TooManySites`], [`Error::TooMuchMemory`]. An error
-    /// ends the solve; the last solution stays.
+    /// [`Error::OutlineTooLong`], [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::HandlesCrowded`],
+    /// [`Error::OnHeldBoundary`], [`Error::BarTooShort`], [`Error::BarsOverlap`], [`Error::HeldTooFine`],
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`]. An error ends the solve; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
         let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, pending, finished, .. } = self
         else {

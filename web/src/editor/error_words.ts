@@ -14,6 +14,8 @@ const ENDS_STEP: readonly string[] = [
   'too-many-sites',
   'nothing-to-fill-from',
   'held-too-fine',
+  'handles-crowded',
+  'outline-too-long',
 ];
 
 const isRefusal = (code: string): code is SolverErrorCode => code in en.errors.refusals;

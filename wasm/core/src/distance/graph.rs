@@ -65,10 +65,25 @@ impl Graph {
     /// If there are fewer points than nodes, or if `source` is out of bounds.
     #[must_use]
     pub fn distances(&self, points: &[DVec2], source: usize) -> Vec<f64> {
+        self.distances_from_any(points, [(source as u32, 0.0)])
+    }
+
+    /// Lengths of the shortest paths along edges to every node from any of `starts`: nodes, with the length of the way
+    /// to each.
+    pub(crate) fn distances_from_any(
+        &self,
+        points: &[DVec2],
+        starts: impl IntoIterator<Item = (u32, f64)>,
+    ) -> Vec<f64> {
         let mut distance = vec![f64::INFINITY; points.len()];
-        distance[source] = 0.0;
         // Non-negative floats order like their bits.
-        let mut queue = BinaryHeap::from([Reverse((0_u64, source as u32))]);
+        let mut queue = BinaryHeap::new();
+        for (node, length) in starts {
+            if length < distance[node as usize] {
+                distance[node as usize] = length;
+                queue.push(Reverse((length.to_bits(), node)));
+            }
+        }
         while let Some(Reverse((bits, node))) = queue.pop() {
             let node = node as usize;
             if f64::from_bits(bits) > distance[node] {

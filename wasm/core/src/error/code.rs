@@ -4,7 +4,7 @@ use super::Error;
 
 impl Error {
     /// All codes that [`code`](Self::code) returns.
-    pub const CODES: [&'static str; 28] = [
+    pub const CODES: [&'static str; 30] = [
         "project",
         "picture",
         "picture-mismatch",
@@ -22,6 +22,8 @@ impl Error {
         "bars-overlap",
         "on-held-boundary",
         "too-many-handles",
+        "handles-crowded",
+        "outline-too-long",
         "too-many-corners",
         "too-many-sites",
         "too-much-memory",
@@ -56,6 +58,8 @@ impl Error {
     /// | `bars-overlap` | bars or polygons that run along each other |
     /// | `on-held-boundary` | a handle on a fixed boundary |
     /// | `too-many-handles` | more handles than supported |
+    /// | `handles-crowded` | more handles close to another than supported |
+    /// | `outline-too-long` | an outline with too many slits and spikes |
     /// | `too-many-corners` | more corners of bars and polygons than supported |
     /// | `too-many-sites` | a scene that needs more sites than supported |
     /// | `too-much-memory` | a scene that needs more memory than a browser has |
@@ -92,6 +96,8 @@ impl Error {
             Self::BarsOverlap { .. } => "bars-overlap",
             Self::OnHeldBoundary { .. } => "on-held-boundary",
             Self::TooManyHandles { .. } => "too-many-handles",
+            Self::HandlesCrowded { .. } => "handles-crowded",
+            Self::OutlineTooLong { .. } => "outline-too-long",
             Self::TooManyCorners { .. } => "too-many-corners",
             Self::Unsupported { .. } => "unsupported",
             Self::PoseMismatch { .. }
@@ -128,6 +134,7 @@ impl Error {
             | Self::BarTooShort { id, .. }
             | Self::OnHeldBoundary { id }
             | Self::TooManyHandles { id, .. }
+            | Self::HandlesCrowded { id, .. }
             | Self::TooManyCorners { id, .. }
             | Self::PoseMissing { id }
             | Self::PoseShape { id, .. }

@@ -268,6 +268,32 @@ pub enum Error {
         /// Id of the first handle beyond the limit.
         id: String,
     },
+    /// Too many point handles stand close to another one.
+    #[error(
+        "{count} point handles stand less than {within:.3} px from another, but at most {max} are supported: “{id}” is \
+         one, move some apart"
+    )]
+    HandlesCrowded {
+        /// Number of such handles.
+        count: usize,
+        /// The distance that counts as close, in pixels.
+        within: f64,
+        /// Greatest number of such handles.
+        max: usize,
+        /// Id of the first of them.
+        id: String,
+    },
+    /// An outline is too long for its size.
+    #[error(
+        "the outline is {length:.0} px long, but at most {max:.0} px are supported for its size: draw it with fewer slits \
+         and spikes"
+    )]
+    OutlineTooLong {
+        /// Its length, in pixels.
+        length: f64,
+        /// Greatest length, in pixels.
+        max: f64,
+    },
     /// Bars and polygons have too many segments.
     #[error(
         "the bars and polygons have {segments} segments, but at most {max} are supported: handle “{id}” has {corners} \

@@ -3,12 +3,17 @@
 //! Inserting a site updates the cells. The new site takes the coarse samples that are nearer to it from other cells.
 //!
 //! Cost of an insertion: the samples of the new cell, a margin of one sample around it, and the cells that lose
-//! samples.
+//! samples. Before that, `reach_of` looks at the samples that a cell without obstacles would have.
 
 use glam::DVec2;
 
 use super::visit_stamps::VisitStamps;
-use crate::{distance::PathEnd, sample::CoarseSamples, triangulation::NONE};
+use crate::{
+    distance::PathEnd,
+    min_max::{fast_max, fast_min},
+    sample::CoarseSamples,
+    triangulation::NONE,
+};
 
 /// The cells of all sites, over the coarse samples.
 #[derive(Debug, Clone)]
@@ -42,6 +47,35 @@ impl Cells {
             visited: VisitStamps::new(samples),
             stack: Vec::new(),
         }
+    }
+
+    /// An upper bound for the distances from a new site to the corners of all triangles that its cell will enter.
+    /// Infinite for the first site of an island.
+    ///
+    /// `expected` has upper bounds for the distances of the samples once a set of sites has been inserted, one of them
+    /// the new one.
+    pub(super) fn reach_of(
+        &mut self,
+        coarse: &CoarseSamples,
+        (rest, start): (DVec2, [u32; 3]),
+        expected: &[f64],
+    ) -> f64 {
+        self.visited.clear();
+        self.stack.extend(start);
+        let mut reach = 0.0;
+        while let Some(sample) = self.stack.pop() {
+            let at = sample as usize;
+            if !self.visited.mark(sample) {
+                continue;
+            }
+            let margin = fast_min(self.distance[at], expected[at]) + 2.0 * coarse.reach[at];
+            // No path is shorter than the straight line.
+            if rest.distance_squared(coarse.mesh.vertices[at]) <= margin * margin {
+                reach = fast_max(reach, margin);
+                self.stack.extend(coarse.graph.neighbours(at));
+            }
+        }
+        reach
     }
 
     /// Inserts a site at `rest`. Its cell takes the samples that are nearer to it than to all earlier sites.
@@ -79,7 +113,9 @@ impl Cells {
             }
             if d < known {
                 let loser = self.nearest[at];
-                if loser != NONE && !losers.contains(&loser) {
+                if loser == NONE {
+                    (self.next[at], first) = (first, sample);
+                } else if !losers.contains(&loser) {
                     losers.push(loser);
                 }
                 (self.nearest[at], self.distance[at], self.pseudo_source[at]) = (site, d, pseudo_source);
@@ -90,10 +126,6 @@ impl Cells {
         }
         for &loser in &losers {
             first = self.split_list(loser, site, first);
-        }
-        if losers.is_empty() && farthest != NONE {
-            // The first site of an island: no list has its samples yet.
-            first = self.collect_list(site);
         }
         (self.first[site as usize], self.farthest[site as usize]) = (first, farthest);
     }
@@ -115,16 +147,6 @@ impl Cells {
             sample = next;
         }
         (self.first[loser as usize], self.farthest[loser as usize]) = (kept, farthest);
-        first
-    }
-
-    /// Links all samples of a site. Returns the first.
-    fn collect_list(&mut self, site: u32) -> u32 {
-        let mut first = NONE;
-        for at in (0..self.nearest.len()).filter(|&at| self.nearest[at] == site) {
-            self.next[at] = first;
-            first = at as u32;
-        }
         first
     }
 

@@ -6,9 +6,9 @@
 //!
 //! Each contact is found between two coarse samples, and lies exactly on the border of the cells.
 //!
-//! Cost: each time that real sites are new, a look at every triangle of the coarse mesh. For each sample on the border
-//! of a cell, a look at the real sites about as near as its own. For each pair of such samples of two handles, a look
-//! at all sites. Later rounds look at the contacts left and at the new sites.
+//! Cost: each time that real sites are new, a look at every triangle of the coarse mesh. For each sample near a new site
+//! and on the border of a cell, a look at the real sites about as near as its own. For each pair of such samples of two
+//! handles, a look at all sites. Later rounds look at the contacts left and at the new sites.
 //!
 //! Limits: the coarse samples decide where along the border a contact lies: where the edge between two of them crosses
 //! it. So these sites change with the lattice, for example if the picture is rotated or its outline has one more
@@ -29,35 +29,88 @@ const ALONG: f64 = 1e-3;
 /// All contacts that are not known to be closed.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
-    list: Vec<FarPoint>,
-    /// Number of real sites when the contacts were found.
+    /// Ascending by their samples.
+    borders: Vec<Border>,
+    /// Number of real sites when the borders were found.
     real_sites: usize,
-    /// The first so many sites do not close any contact of the list.
+    /// Number of sites when the borders were found.
+    found_at: usize,
+    /// The first so many sites do not close any contact.
     sites: usize,
+}
+
+/// Two neighbouring coarse samples in different cells, and the open contacts between them.
+#[derive(Debug)]
+struct Border {
+    samples: [u32; 2],
+    contacts: Vec<FarPoint>,
+    /// Whether a site has closed a contact since.
+    has_closed: bool,
 }
 
 impl Contacts {
     /// The open contacts whose sites are farthest apart, with all ties. Empty if none is open.
     pub(super) fn widest(&mut self, inserter: &SiteInserter) -> Vec<FarPoint> {
         let (voronoi, sites) = (&inserter.voronoi, inserter.sites());
+        self.close(voronoi);
         let real_sites = sites.iter().filter(|site| site.kind.is_real()).count();
         if self.real_sites != real_sites {
-            *self = Self { list: find_contacts(voronoi, inserter.obstacles), real_sites, sites: sites.len() };
+            self.find(voronoi, inserter.obstacles);
+            self.real_sites = real_sites;
         }
-        let new = || sites[self.sites..].iter().zip(&voronoi.fields[self.sites..]);
+        let open = || self.borders.iter().flat_map(|border| &border.contacts);
+        let widest = open().map(|contact| contact.distance).fold(0.0, f64::max);
+        open().filter(|contact| contact.distance >= (1.0 - TIE) * widest).copied().collect()
+    }
+
+    /// Drops the contacts that new sites close.
+    fn close(&mut self, voronoi: &Voronoi) {
+        let new = || voronoi.sites[self.sites..].iter().zip(&voronoi.fields[self.sites..]);
         let closes = |(site, field): (&Site, &SiteField), contact: &FarPoint| {
             site.rest.distance(contact.at) < contact.distance
                 && field.distance(contact.triangle, contact.at) < contact.distance
         };
-        self.list.retain(|contact| !new().any(|site| closes(site, contact)));
-        self.sites = sites.len();
-        let widest = self.list.iter().map(|contact| contact.distance).fold(0.0, f64::max);
-        self.list.iter().filter(|contact| contact.distance >= (1.0 - TIE) * widest).copied().collect()
+        for Border { contacts, has_closed, .. } in &mut self.borders {
+            let known = contacts.len();
+            contacts.retain(|contact| !new().any(|site| closes(site, contact)));
+            *has_closed |= contacts.len() < known;
+        }
+        self.sites = voronoi.sites.len();
+    }
+
+    /// Finds all contacts between the sites inserted so far. Those far from new sites are known.
+    fn find(&mut self, voronoi: &Voronoi, obstacles: &Obstacles) {
+        let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
+        let new = &voronoi.sites[self.found_at..];
+        let is_near_new = |&sample: &u32| {
+            let (p, within) = (coarse.mesh.vertices[sample as usize], cells.distance[sample as usize] * (1.0 + TIE));
+            new.iter().any(|site| site.rest.distance_squared(p) <= within * within)
+        };
+        let pairs = pairs_on_borders(voronoi);
+        let mut near_new: HashMap<u32, bool> = HashMap::new();
+        for &sample in pairs.as_flattened() {
+            near_new.entry(sample).or_insert_with(|| is_near_new(&sample));
+        }
+        let mut known = std::mem::take(&mut self.borders).into_iter().peekable();
+        let mut kept = |samples: [u32; 2]| {
+            while known.next_if(|border| border.samples < samples).is_some() {}
+            let is_kept = |border: &Border| {
+                border.samples == samples && !border.has_closed && !samples.iter().any(|at| near_new[at])
+            };
+            known.next_if(is_kept)
+        };
+        let kept: Vec<Result<Border, [u32; 2]>> = pairs.into_iter().map(|pair| kept(pair).ok_or(pair)).collect();
+        let open: Vec<[u32; 2]> = kept.iter().filter_map(|border| border.as_ref().err().copied()).collect();
+        let nearest = nearest_real_sites(voronoi, open.as_flattened());
+        let found =
+            |samples| Border { samples, contacts: contacts(voronoi, obstacles, &nearest, samples), has_closed: false };
+        self.borders = kept.into_iter().map(|border| border.unwrap_or_else(found)).collect();
+        self.found_at = voronoi.sites.len();
     }
 }
 
-/// All contacts between the sites inserted so far.
-fn find_contacts(voronoi: &Voronoi, obstacles: &Obstacles) -> Vec<FarPoint> {
+/// The pairs of neighbouring coarse samples in different cells, ascending.
+fn pairs_on_borders(voronoi: &Voronoi) -> Vec<[u32; 2]> {
     let cells = &voronoi.cells;
     let mut pairs: Vec<[u32; 2]> = Vec::new();
     let are_apart = |[a, b]: [u32; 2]| cells.nearest[a as usize] != cells.nearest[b as usize];
@@ -69,20 +122,27 @@ fn find_contacts(voronoi: &Voronoi, obstacles: &Obstacles) -> Vec<FarPoint> {
     // Most pairs are found from both sides.
     pairs.sort_unstable();
     pairs.dedup();
-    let nearest = nearest_real_sites(voronoi, pairs.as_flattened());
-    let mut contacts = Vec::new();
-    for pair in pairs {
-        let [of_a, of_b] = pair.map(|sample| &nearest[&sample][..]);
-        for [s, t] in of_a.iter().flat_map(|&s| of_b.iter().map(move |&t| [s, t])) {
-            let body = obstacles.body(voronoi.sites[s].kind);
-            let are_apart = s != t && room::limits(voronoi, obstacles, t, voronoi.fields[s].island, body);
-            if are_apart {
-                let start = border_estimate(voronoi, pair.map(|sample| sample as usize), [s, t]);
-                contacts.extend(point_on_border(voronoi, start, [s, t]));
-            }
-        }
-    }
-    contacts
+    pairs
+}
+
+/// The contacts between two coarse samples, with the nearest real sites of each.
+fn contacts(
+    voronoi: &Voronoi,
+    obstacles: &Obstacles,
+    nearest: &HashMap<u32, Vec<usize>>,
+    samples: [u32; 2],
+) -> Vec<FarPoint> {
+    let [of_a, of_b] = samples.map(|sample| &nearest[&sample][..]);
+    let of_both = of_a.iter().flat_map(|&s| of_b.iter().map(move |&t| [s, t]));
+    let apart = of_both.filter(|&[s, t]| {
+        let body = obstacles.body(voronoi.sites[s].kind);
+        s != t && room::limits(voronoi, obstacles, t, voronoi.fields[s].island, body)
+    });
+    let point = |sites| {
+        let start = border_estimate(voronoi, samples.map(|sample| sample as usize), sites);
+        point_on_border(voronoi, start, sites)
+    };
+    apart.filter_map(point).collect()
 }
 
 /// For each of some coarse samples, the nearest real sites, ascending. A sample on a border has several, as on an axis

@@ -20,8 +20,8 @@ use crate::{
     sample::CoarseSamples,
 };
 
-/// Bound of the fields of real sites, over the greatest cell radius. If there are bones, the bound of all fields.
-/// Nearly all supports end within it, so the fields find their obstacles.
+/// Bound of the fields of real sites, over the greatest distance in their cells. If there are bones, the bound of all
+/// fields. Nearly all supports end within it, so the fields find their obstacles.
 const FIELD_REACH: f64 = 1.75;
 
 /// The domain, partitioned into the cells of its sites.
@@ -44,6 +44,8 @@ pub(crate) struct SiteInserter<'a> {
     is_unique: bool,
     /// Memory of the fields of all sites, in bytes, when they were inserted.
     field_bytes: usize,
+    /// Coarse samples: an upper bound for the distance of each to its nearest site, once those announced are inserted.
+    expected: Vec<f64>,
 }
 
 impl<'a> SiteInserter<'a> {
@@ -62,6 +64,7 @@ impl<'a> SiteInserter<'a> {
             propagation,
             is_unique: continuity == Continuity::C2,
             field_bytes: 0,
+            expected: vec![f64::INFINITY; coarse.len()],
         }
     }
 
@@ -80,6 +83,20 @@ impl<'a> SiteInserter<'a> {
         mesh.triangles.iter().map(twice).sum::<f64>() / 2.0
     }
 
+    /// Announces sites that are to be inserted, by their positions. Their fields then reach no farther than the cells
+    /// that all of them will have.
+    pub(super) fn expect(&mut self, sites: impl Iterator<Item = DVec2>) {
+        if self.obstacles.has_lines() {
+            return;
+        }
+        let CoarseSamples { mesh, graph, .. } = self.voronoi.coarse;
+        let corners = |rest: DVec2| {
+            let corners = mesh.triangles[self.voronoi.coarse.triangle_at(rest)];
+            corners.map(|at| (at, rest.distance(mesh.vertices[at as usize])))
+        };
+        self.expected = graph.distances_from_any(&mesh.vertices, sites.flat_map(corners));
+    }
+
     /// Inserts a site at a point of the domain.
     ///
     /// # Errors
@@ -87,12 +104,11 @@ impl<'a> SiteInserter<'a> {
     pub(super) fn insert(&mut self, rest: DVec2, triangle: NavTriangle, kind: SiteKind) -> Result<(), Error> {
         let (navigation, coarse) = (self.voronoi.navigation, self.voronoi.coarse);
         let island = navigation.island_of(triangle);
-        // No coarse sample of the island is farther from its nearest site, so the new cell reaches no farther either.
-        let radius = self.voronoi.sampled_radius_of_island(island);
+        let coarse_triangle = coarse.triangle_at(rest);
+        let reach = self.reach_of_new(rest, island, coarse_triangle);
         let reaches_beyond_cell = kind.is_real() || !self.obstacles.skeleton().bones.is_empty();
         let factor = if reaches_beyond_cell { FIELD_REACH } else { 1.0 };
-        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * coarse.longest_edge));
-        let field = SiteField { island, triangle, distances: self.field(rest, triangle, bound) };
+        let field = SiteField { island, triangle, distances: self.field(rest, triangle, factor * reach) };
         self.field_bytes += field.distances.bytes();
         if self.field_bytes > MAX_FIELD_BYTES {
             return Err(Error::TooMuchMemory);
@@ -114,11 +130,21 @@ impl<'a> SiteInserter<'a> {
             precedence_radius,
             in_acute_joint,
         };
-        let coarse_triangle = coarse.triangle_at(rest);
         self.voronoi.insert(site, field, coarse_triangle);
-        let bound = radius.map_or(f64::INFINITY, |radius| radius + coarse.longest_edge);
-        self.farthest.insert(&self.voronoi, coarse_triangle, bound);
+        self.farthest.insert(&self.voronoi, coarse_triangle, reach);
         Ok(())
+    }
+
+    /// An upper bound for the distances in the cell of a new site, and in the triangles that it enters.
+    fn reach_of_new(&mut self, rest: DVec2, island: usize, coarse_triangle: usize) -> f64 {
+        let coarse = self.voronoi.coarse;
+        if self.obstacles.has_lines() {
+            // Gaps on a line depend on sites beyond the cells at their ends. One bound for all keeps symmetry.
+            let radius = self.voronoi.sampled_radius_of_island(island);
+            return radius.map_or(f64::INFINITY, |radius| radius + 2.0 * coarse.longest_edge);
+        }
+        let start = (rest, coarse.mesh.triangles[coarse_triangle]);
+        self.voronoi.cells.reach_of(coarse, start, &self.expected)
     }
 
     /// See [`Site::unique_reach`].

@@ -42,6 +42,11 @@ impl<'a> Obstacles<'a> {
         self.skeleton
     }
 
+    /// Whether there are bones, or a held outline.
+    pub(super) fn has_lines(&self) -> bool {
+        !self.segments.is_empty() || self.held.is_some()
+    }
+
     /// The domain, if its outline is held.
     pub(super) fn held(&self) -> Option<&'a Domain> {
         self.held

@@ -79,7 +79,8 @@ impl Tessellation {
             let lengths = chain.1.initial_sites().into_iter();
             lengths.map(move |length| NewSite::on_chain(navigation, chain, length))
         });
-        let sites = of_points.chain(of_chains).collect();
+        let sites: Vec<NewSite> = of_points.chain(of_chains).collect();
+        inserter.expect(sites.iter().map(|site| site.rest));
         self.insert_from_top(inserter, sites)?;
         self.refine(inserter)
     }

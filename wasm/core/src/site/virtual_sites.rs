@@ -14,7 +14,8 @@
 //! or it is above 0.95 times its clearance. On a picture of 1,000 px, two handles 10 px apart cause about 90 virtual
 //! sites. At 0.01 px they cause about 300.
 //!
-//! Cost: for each round the insertion of its sites (see `inserter` and `farthest`), and a heap of all cells.
+//! Cost: for each round the insertion of its sites (see `inserter` and `farthest`), and a heap of all cells. From
+//! [`MANY_SITES`] on, few rounds are left.
 
 use std::collections::BinaryHeap;
 
@@ -44,6 +45,10 @@ const CONTACT: f64 = 2.0;
 /// distort by 3 % more.
 const CLOSEST: f64 = 0.55;
 
+/// From so many sites on, a round divides all cells that are too large. The number of rounds then grows with the
+/// logarithm of the number of sites, as in parallel Delaunay refinement (Spielman, Teng and Üngör, 2007).
+const MANY_SITES: usize = 500;
+
 /// Inserts virtual sites until every cell is smaller than its site's support may reach, by [`MARGIN`].
 ///
 /// Then more sites enter where the picture bends most, until there are `density` virtual ones. They enter between
@@ -68,7 +73,9 @@ pub(crate) fn insert_virtual_sites(
         // Bones first, as no virtual site may lie on them.
         tessellation.refine(inserter)?;
         let worst = greatest_rank(inserter, &score_rank);
-        let points = if worst > limit {
+        let points = if worst > limit && inserter.sites().len() >= MANY_SITES {
+            far_points_apart(inserter, limit)
+        } else if worst > limit {
             tied_farthest_points(inserter, &score_rank, worst)
         } else if inserted < density && !inserter.sites().is_empty() {
             let (largest, widest) = (greatest_rank(inserter, &size_rank), contacts.widest(inserter));
@@ -170,6 +177,41 @@ fn tied_farthest_points(inserter: &mut SiteInserter, rank: Rank<'_>, greatest: f
         }
     }
     spread_out(inserter, points)
+}
+
+/// The farthest points of all cells whose score is above `limit`, as far as they keep apart: a point is left out if one
+/// that is as far from the sites, or farther, is nearer to it than they are.
+///
+/// So each enters at the distance from its nearest site that it would have if they entered one by one. Their order does
+/// not depend on that of the sites.
+fn far_points_apart(inserter: &mut SiteInserter, limit: f64) -> Vec<FarPoint> {
+    let is_beyond =
+        |inserter: &SiteInserter, site: usize, radius: f64| score_rank(radius, &inserter.sites()[site]) > limit;
+    let mut points: Vec<FarPoint> = Vec::new();
+    for site in 0..inserter.sites().len() {
+        while inserter.farthest.known(site).is_none() && is_beyond(inserter, site, inserter.farthest.radius_bound(site))
+        {
+            inserter.farthest.refine(&inserter.voronoi, site);
+        }
+        let farthest = inserter.farthest.known(site).unwrap_or(&[]);
+        points.extend(farthest.iter().filter(|point| is_beyond(inserter, site, point.distance)));
+    }
+    points.sort_by(|a, b| {
+        b.distance.total_cmp(&a.distance).then(a.at.y.total_cmp(&b.at.y)).then(a.at.x.total_cmp(&b.at.x))
+    });
+    let mut chosen: Vec<FarPoint> = Vec::new();
+    for tied in points.chunk_by(|one, next| next.distance >= one.distance * (1.0 - TIE)) {
+        let mut free: Vec<FarPoint> = Vec::new();
+        for point in tied {
+            // A common corner of several cells is a farthest point of each.
+            let is_new = free.iter().all(|other| other.at.distance(point.at) > SAME_POINT * point.distance);
+            if is_new && chosen.iter().all(|other| other.at.distance(point.at) >= (1.0 - TIE) * point.distance) {
+                free.push(*point);
+            }
+        }
+        chosen.extend(spread_out(inserter, free));
+    }
+    chosen
 }
 
 /// Replaces tied points that crowd each other by one between them or, if that is impossible, by some of them.

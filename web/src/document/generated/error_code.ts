@@ -19,6 +19,8 @@ export type ErrorCode =
   | 'bars-overlap'
   | 'on-held-boundary'
   | 'too-many-handles'
+  | 'handles-crowded'
+  | 'outline-too-long'
   | 'too-many-corners'
   | 'too-many-sites'
   | 'too-much-memory'

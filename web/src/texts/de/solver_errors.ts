@@ -66,6 +66,10 @@ export const refusals: Texts['errors']['refusals'] = {
     name === ''
       ? 'Stäbe und Polygone haben mehr Ecken, als der Löser unterstützt: sie mit weniger Ecken zeichnen.'
       : `Stäbe und Polygone haben mehr Ecken, als der Löser unterstützt: ${quoted(name)} mit weniger Ecken zeichnen.`,
+  'handles-crowded': () =>
+    'Zu viele Griffe liegen sehr nah beieinander: einige auseinanderrücken oder löschen.',
+  'outline-too-long': () =>
+    'Dieser Umriss hat zu viele Schlitze und Spitzen: einen einfacheren oder gröberen zeichnen.',
   'too-many-sites': () =>
     'Die Griffe liegen zu nah beieinander, oder es sind zu viele: einige auseinanderrücken oder eine gröbere Feinheit wählen.',
   'too-much-memory': () =>

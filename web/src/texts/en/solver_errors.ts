@@ -87,6 +87,12 @@ export const refusals = {
   ),
   /** More handles than the solver supports. */
   'too-many-handles': asIs,
+  'handles-crowded': refusal(
+    () => 'Too many handles stand very close to one another: move some apart, or delete them.',
+  ),
+  'outline-too-long': refusal(
+    () => 'This outline has too many slits and spikes: draw a simpler one, or a coarser one around it.',
+  ),
   /** Bars and polygons have more corners than the solver supports: draw `name` with fewer. */
   'too-many-corners': asIs,
   'too-many-sites': refusal(

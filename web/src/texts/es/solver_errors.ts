@@ -70,6 +70,10 @@ export const refusals: Texts['errors']['refusals'] = {
   'too-many-handles': () => 'Hay demasiados puntos de control: hay que eliminar algunos.',
   'too-many-corners': (_, name) =>
     `Las barras y los polígonos tienen demasiadas esquinas: hay que dibujar ${quoted(name)} con menos.`,
+  'handles-crowded': () =>
+    'Demasiados puntos de control están muy juntos: hay que separar algunos o eliminarlos.',
+  'outline-too-long': () =>
+    'Este contorno tiene demasiadas ranuras y puntas: hay que dibujar uno más simple o más amplio.',
   'too-many-sites': () =>
     'Los puntos de control están demasiado juntos o son demasiados: hay que separar algunos o usar menos detalle.',
   'too-much-memory': () =>

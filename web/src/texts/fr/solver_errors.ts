@@ -69,6 +69,10 @@ export const refusals: Texts['errors']['refusals'] = {
   'too-many-handles': () => 'Il y a plus de poignées que le solveur n’en accepte : supprimez-en.',
   'too-many-corners': (_, name) =>
     `Les barres et polygones ont plus de sommets que le solveur n’en accepte : tracez ${quoted(name)} avec moins de sommets.`,
+  'handles-crowded': () =>
+    'Trop de poignées sont très proches les unes des autres : écartez-en, ou supprimez-en.',
+  'outline-too-long': () =>
+    'Ce contour a trop de fentes et de pointes : tracez-en un plus simple, ou plus large.',
   'too-many-sites': () =>
     'Les poignées sont trop proches les unes des autres, ou trop nombreuses : écartez-en, ou réduisez le détail.',
   'too-much-memory': () =>

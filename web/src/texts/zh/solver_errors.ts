@@ -55,6 +55,8 @@ export const refusals: Texts['errors']['refusals'] = {
   'too-many-handles': () => '控制点超出求解器支持的数量：请删除一些。',
   'too-many-corners': (_, name) =>
     `折线和多边形的角点超出求解器支持的数量：${name ? `请减少“${name}”的角点` : '请减少角点'}。`,
+  'handles-crowded': () => '有太多控制点彼此非常近：请将一些移开或删除。',
+  'outline-too-long': () => '此轮廓的缝隙和尖刺太多：请画一个较简单或较粗略的轮廓。',
   'too-many-sites': () => '控制点彼此太近，或数量太多：请将一些移开，或降低精细度。',
   'too-much-memory': () => '所需内存超出浏览器所能提供的内存：请减少控制点，或降低精细度。',
   'held-too-fine': () => '此轮廓的角点太多，无法固定：请画一个较简单的轮廓，或让它移动。',

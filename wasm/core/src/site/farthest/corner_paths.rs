@@ -4,9 +4,10 @@
 
 use glam::DVec2;
 
+use super::super::TIE;
 use crate::{
     distance::{DistanceField, NavTriangle, PathEnd},
-    min_max::fast_min,
+    min_max::{fast_max, fast_min},
 };
 
 /// The path to each corner; `None` without a path within the field's bound.
@@ -52,9 +53,31 @@ impl CornerPaths {
     }
 
     /// Whether the site may be the nearest somewhere in the piece, as distances are 1-Lipschitz. `nearest` are the
-    /// distances of the corners to their nearest sites, and `longest` is the length of the longest edge.
-    pub(super) fn may_enter(&self, nearest: &[f64; 3], longest: f64) -> bool {
-        (0..3).all(|k| self.distance(k) <= nearest[k] + 2.0 * longest)
+    /// distances of the corners to their nearest sites, and `detours` those of the piece.
+    pub(super) fn may_enter(&self, nearest: &[f64; 3], detours: &Detours) -> bool {
+        (0..3).all(|i| (0..3).all(|j| self.distance(i) <= nearest[j] + detours.0[i][j]))
+    }
+}
+
+/// For each two corners, the length of the longest way from one to the other by a point of the piece, in two straight
+/// lines.
+///
+/// In a sliver the way from end to end is hardly longer than its edge. So a site behind one end is compared with the
+/// sites at the other.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Detours([[f64; 3]; 3]);
+
+impl Detours {
+    /// `lengths` are those of the edges from each corner to the next.
+    pub(super) fn new(lengths: [f64; 3]) -> Self {
+        // The sum of two distances is convex, so it is greatest at a corner: at the third one.
+        let perimeter: f64 = lengths.iter().sum();
+        let way = |i: usize, j: usize| match (j + 3 - i) % 3 {
+            0 => 2.0 * fast_max(lengths[i], lengths[(i + 2) % 3]),
+            1 => perimeter - lengths[i],
+            _ => perimeter - lengths[j],
+        };
+        Self([0, 1, 2].map(|i| [0, 1, 2].map(|j| way(i, j) * (1.0 + TIE))))
     }
 }
 

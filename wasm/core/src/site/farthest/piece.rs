@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use super::{
     super::{Site, TIE, voronoi::Voronoi},
     bounds::{clipped, cone_sag, lipschitz_bound},
-    corner_paths::{CornerPaths, nearest_by_pseudo_sources},
+    corner_paths::{CornerPaths, Detours, nearest_by_pseudo_sources},
 };
 use crate::{
     distance::{DistanceField, NavTriangle},
@@ -45,6 +45,7 @@ pub(super) struct Piece {
     pub(super) limits: usize,
     /// Length of its longest edge.
     pub(super) longest: f64,
+    pub(super) detours: Detours,
     /// Upper bound for the distance of the piece's points to their nearest site.
     pub(super) upper_bound: f64,
     /// Index of the first of its four parts; the others follow it.
@@ -74,10 +75,12 @@ impl Piece {
         (sites, paths): (Vec<u32>, Vec<CornerPaths>),
         walls: usize,
     ) -> Self {
-        let longest = edge_lengths(&corners).into_iter().fold(0.0, f64::max);
+        let lengths = edge_lengths(&corners);
+        let (longest, detours) = (lengths.into_iter().fold(0.0, f64::max), Detours::new(lengths));
         let (nearest, limits, upper_bound) = ([f64::INFINITY; 3], 0, f64::INFINITY);
+        let parts = None;
         let mut piece =
-            Self { corners, nav_triangles, sites, paths, nearest, walls, limits, longest, upper_bound, parts: None };
+            Self { corners, nav_triangles, sites, paths, nearest, walls, limits, longest, detours, upper_bound, parts };
         piece.update_bounds();
         piece
     }
@@ -89,7 +92,7 @@ impl Piece {
 
     /// Inserts a site with a greater index than all known ones. Returns whether it may be the nearest somewhere.
     pub(super) fn insert(&mut self, site: u32, paths: CornerPaths) -> bool {
-        if !paths.may_enter(&self.nearest, self.longest) {
+        if !paths.may_enter(&self.nearest, &self.detours) {
             return false;
         }
         self.sites.push(site);
@@ -105,17 +108,19 @@ impl Piece {
 
     /// Drops the sites that are nowhere the nearest, and computes the upper bound from the others.
     fn update_bounds(&mut self) {
-        let Self { corners, longest, .. } = *self;
+        let Self { corners, longest, detours, .. } = *self;
         let nearest = self.paths.iter().fold([f64::INFINITY; 3], |known, paths| paths.nearer(&known));
         // For each corner the nearest site with a single cone.
         let rivals = [0, 1, 2].map(|k| {
-            let cones =
-                self.paths.iter().filter(|paths| paths.may_enter(&nearest, longest) && paths.pseudo_source().is_some());
+            let cones = self
+                .paths
+                .iter()
+                .filter(|paths| paths.may_enter(&nearest, &detours) && paths.pseudo_source().is_some());
             cones.reduce(|best, paths| if paths.distance(k) < best.distance(k) { paths } else { best }).copied()
         });
         let leaders = nearest_by_pseudo_sources(&self.paths);
         let is_kept = |paths: &CornerPaths| {
-            if !paths.may_enter(&nearest, longest) {
+            if !paths.may_enter(&nearest, &detours) {
                 return false;
             }
             let is_nearer =

@@ -82,7 +82,7 @@ impl Pieces {
     fn insert_into(&mut self, at: u32, site: u32, field: &DistanceField, paths: CornerPaths) -> bool {
         let piece = &mut self.pieces[at as usize];
         let Some(first) = piece.parts else { return piece.insert(site, paths) };
-        if !paths.may_enter(&piece.nearest, piece.longest) {
+        if !paths.may_enter(&piece.nearest, &piece.detours) {
             return false;
         }
         piece.nearest = paths.nearer(&piece.nearest);

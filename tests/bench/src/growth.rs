@@ -1,0 +1,186 @@
+//! Scenes that grow: handles, holes, corners, islands and bars by powers of ten, and the worst known scenes.
+
+use std::f64::consts::TAU;
+
+use c2warp::project::{DomainSpec, Handle, Project};
+use glam::DVec2;
+
+use crate::cases::{handle, spread};
+
+/// Width and height of the pictures, in pixels.
+pub const SIDE: f64 = 1000.0;
+
+/// A series of scenes.
+#[derive(Debug, Clone, Copy)]
+pub struct Series {
+    /// The things that are counted.
+    pub name: &'static str,
+    /// Returns the scene with this number of things.
+    pub scene: fn(usize) -> Project,
+    /// The numbers of the table.
+    pub counts: &'static [usize],
+}
+
+const POWERS: &[usize] = &[100, 1_000, 10_000, 100_000];
+
+/// The scenes with 10² to 10⁵ things of one kind.
+pub const GROWTH: &[Series] = &[
+    Series { name: "handles", scene: handles, counts: POWERS },
+    Series { name: "holes", scene: holes, counts: POWERS },
+    Series { name: "corners", scene: gear, counts: POWERS },
+    Series { name: "islands", scene: islands, counts: POWERS },
+    Series { name: "bars", scene: bars, counts: POWERS },
+];
+
+/// The worst known scenes, by the number of things that makes them so.
+pub const WORST: &[Series] = &[
+    Series { name: "handles in a line, 1/50 px apart", scene: line, counts: &[50, 51] },
+    Series { name: "handles in a line, 3 px apart", scene: wide_line, counts: &[100, 300] },
+    Series { name: "bars among a thousand holes", scene: bars_among_holes, counts: &[10, 100, 500] },
+    Series { name: "long rays of a star", scene: star, counts: &[100, 300, 1_000] },
+    Series { name: "handles in a star of a thousand rays", scene: handles_in_star, counts: &[10, 100, 1_000] },
+    Series { name: "handles among a thousand holes", scene: handles_among_holes, counts: &[10, 100, 1_000] },
+    Series { name: "turns of a spiral", scene: spiral, counts: &[10, 50, 100] },
+];
+
+fn project() -> Project {
+    Project::for_picture(SIDE as u32, SIDE as u32).with_editor_settings()
+}
+
+fn handles(count: usize) -> Project {
+    let points = spread(DVec2::splat(SIDE)).take(count);
+    project().with_handles(points.enumerate().map(|(id, at)| handle(id, at)))
+}
+
+fn line(count: usize) -> Project {
+    line_of(count, 1.0 / 50.0)
+}
+
+fn wide_line(count: usize) -> Project {
+    line_of(count, 3.0)
+}
+
+fn line_of(count: usize, gap: f64) -> Project {
+    let at = |id: usize| DVec2::new((SIDE - count as f64 * gap) / 2.0 + id as f64 * gap, SIDE / 2.0);
+    project().with_handles((0..count).map(|id| handle(id, at(id))))
+}
+
+fn bars(count: usize) -> Project {
+    let room = DVec2::splat(SIDE - 20.0);
+    let step = SIDE / (count as f64).sqrt();
+    let bar = |(id, at): (usize, DVec2)| {
+        let from = at + DVec2::splat(10.0);
+        Handle::bar(format!("b{id}"), [from, from + DVec2::from_angle(id as f64) * (step / 4.0).min(9.0)])
+    };
+    project().with_handles(grid(count).map(|at| at * room).enumerate().map(bar))
+}
+
+fn holes(count: usize) -> Project {
+    let mut project = among_holes(count);
+    project.handles = (0..6).map(|id| handle(id, DVec2::new(1.0, 1.0 + id as f64 * SIDE / 6.0))).collect();
+    project
+}
+
+fn bars_among_holes(count: usize) -> Project {
+    let bar = |id: usize| {
+        let y = (id as f64 + 0.5) / count as f64 * SIDE;
+        Handle::bar(format!("b{id}"), [DVec2::new(1.0, y), DVec2::new(SIDE - 1.0, y)])
+    };
+    let mut project = among_holes(1_000);
+    project.handles = (0..count).map(bar).collect();
+    project
+}
+
+fn handles_among_holes(count: usize) -> Project {
+    let mut project = among_holes(1_000);
+    let (columns, step) = pitch(1_000);
+    let between = |id: usize| DVec2::new((id % columns) as f64, (id / columns) as f64) * step + step * 0.05;
+    project.handles = (0..count).map(|id| handle(id, between(id))).collect();
+    project
+}
+
+fn among_holes(count: usize) -> Project {
+    let (_, step) = pitch(count);
+    let rectangle = square(DVec2::ZERO, SIDE);
+    let holes = squares(count).map(|at| square(at + step / 4.0, step / 2.0));
+    rings(std::iter::once(rectangle).chain(holes))
+}
+
+fn islands(count: usize) -> Project {
+    let (_, step) = pitch(count);
+    let mut project = rings(squares(count).map(|at| square(at, step / 2.0)));
+    let at = squares(count).map(|at| at + step / 4.0);
+    project.handles = at.step_by(count.div_ceil(6)).enumerate().map(|(id, at)| handle(id, at)).collect();
+    project
+}
+
+/// A disc with teeth, half of whose corners are reflex.
+fn gear(count: usize) -> Project {
+    let teeth = SIDE / count as f64;
+    star_of(count, SIDE / 2.0 - teeth.min(SIDE / 4.0))
+}
+
+fn star(rays: usize) -> Project {
+    star_of(2 * rays, 30.0)
+}
+
+fn handles_in_star(count: usize) -> Project {
+    let rays = 1_000;
+    let mut project = star(rays);
+    let tip = |id: usize| on_circle(id as f64 * (rays / count) as f64 / rays as f64, SIDE * 0.45);
+    project.handles = (0..count).map(|id| handle(id, tip(id))).collect();
+    project
+}
+
+fn star_of(corners: usize, inner: f64) -> Project {
+    let corner = |at: usize| on_circle(at as f64 / corners as f64, if at % 2 == 0 { SIDE / 2.0 } else { inner });
+    let mut project = rings([(0..corners).map(corner).collect()]);
+    project.handles = (0..6).map(|id| handle(id, on_circle(id as f64 / 6.0, 25.0))).collect();
+    project
+}
+
+/// A corridor in turns around the middle.
+fn spiral(turns: usize) -> Project {
+    let steps = turns * 24;
+    let at = |step: f64, side: f64| {
+        let turn = step / 24.0;
+        on_circle(turn, (turn + side) / (turns as f64 + 1.0) * SIDE * 0.49)
+    };
+    let outer = (0..=steps).map(|step| at(step as f64, 0.6));
+    let inner = (0..=steps).rev().map(|step| at(step as f64, 0.1));
+    let mut project = rings([outer.chain(inner).collect()]);
+    let middle = |id: usize| at((id * steps / 6) as f64 + 12.0, 0.35);
+    project.handles = (0..6).map(|id| handle(id, middle(id))).collect();
+    project
+}
+
+fn rings(rings: impl IntoIterator<Item = Vec<DVec2>>) -> Project {
+    let mut project = project();
+    project.domain = Some(DomainSpec::polygon(rings.into_iter().collect()));
+    project
+}
+
+fn square(at: DVec2, side: f64) -> Vec<DVec2> {
+    [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|corner| at + corner * side).to_vec()
+}
+
+/// A point on a circle around the middle, by the fraction of a turn.
+fn on_circle(turn: f64, radius: f64) -> DVec2 {
+    DVec2::splat(SIDE / 2.0) + DVec2::from_angle(turn * TAU) * radius
+}
+
+/// The corners of squares that cover the picture.
+fn squares(count: usize) -> impl Iterator<Item = DVec2> {
+    grid(count).map(|at| at * SIDE)
+}
+
+fn grid(count: usize) -> impl Iterator<Item = DVec2> {
+    let (columns, _) = pitch(count);
+    (0..count).map(move |id| DVec2::new((id % columns) as f64, (id / columns) as f64) / columns as f64)
+}
+
+/// The columns of a square grid, and its step in pixels.
+fn pitch(count: usize) -> (usize, f64) {
+    let columns = (count as f64).sqrt().ceil() as usize;
+    (columns, SIDE / columns as f64)
+}

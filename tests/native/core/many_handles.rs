@@ -1,0 +1,91 @@
+//! Cells of many handles, and the limits that keep a solve within seconds and a gigabyte.
+
+use c2warp::{
+    Error, Picture, Solution,
+    project::{DomainSpec, Handle, Project},
+    solve,
+};
+use glam::DVec2;
+
+const SIDE: u32 = 1000;
+
+/// Fractional parts of multiples of two irrational numbers: points that no lattice has.
+fn scattered(count: usize) -> impl Iterator<Item = DVec2> {
+    let at = |i: u32| (DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_2) * f64::from(i)).fract();
+    (1..).map(at).take(count)
+}
+
+fn points(places: impl Iterator<Item = DVec2>) -> Project {
+    let handles = places.enumerate().map(|(at, place)| Handle::point(format!("{at}"), place));
+    Project::for_picture(SIDE, SIDE).with_handles(handles).with_editor_settings()
+}
+
+fn solved(project: &Project) -> Result<Solution, Error> {
+    let rgba = vec![255; (SIDE * SIDE * 4) as usize];
+    solve(project, &Picture::new(SIDE, SIDE, &rgba)?)
+}
+
+/// In a rectangle paths are straight, so a search over all sites has the right values.
+#[test]
+fn cells_and_separations_are_those_of_a_search_over_all_sites() {
+    let side = f64::from(SIDE);
+    // All over the picture, and within a small part of it.
+    for share in [1.0, 0.02] {
+        let solution = solved(&points(scattered(120).map(|p| (0.4 + share * p) * (side / 1.4)))).expect("a solution");
+        let sites = solution.sites();
+        for (at, site) in sites.iter().enumerate() {
+            let others = sites.iter().enumerate().filter(|&(other, _)| other != at).map(|(_, other)| other);
+            let nearest = others.map(|other| other.rest.distance(site.rest)).fold(f64::INFINITY, f64::min);
+            assert!((nearest - site.separation).abs() < 1e-9, "{nearest} and {}", site.separation);
+        }
+        let mut reached = vec![0.0_f64; sites.len()];
+        for p in scattered(50_000).map(|p| p * side) {
+            let distance = |site: usize| sites[site].rest.distance(p);
+            let nearest = (0..sites.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b))).expect("a site");
+            reached[nearest] = reached[nearest].max(distance(nearest));
+        }
+        for (reached, site) in reached.into_iter().zip(sites) {
+            assert!(reached <= site.cell_radius + 1e-9, "{reached} of {}", site.cell_radius);
+            assert!(site.cell_radius <= site.separation * 1.7, "{} of {}", site.cell_radius, site.separation);
+        }
+    }
+}
+
+#[test]
+fn a_thousand_handles_are_solved() {
+    let solution = solved(&points(scattered(1000).map(|p| p * f64::from(SIDE)))).expect("a solution");
+    assert_eq!(solution.sites().iter().filter(|site| site.kind.is_real()).count(), 1000);
+}
+
+#[test]
+fn handles_crowd_up_to_a_limit() {
+    let line = |count: usize, gap: f64| points((0..count).map(|at| DVec2::new(300.0 + gap * at as f64, 500.0)));
+    assert!(solved(&line(50, 0.02)).is_ok());
+    for (count, gap, limit) in [(51, 0.02, 50), (201, 1.0, 200)] {
+        let error = solved(&line(count, gap)).expect_err("a limit");
+        assert_eq!((error.code(), error.handles()), ("handles-crowded", vec!["0"]));
+        let told = error.to_string();
+        assert!(
+            told.contains(&format!("{count} point handles")) && told.contains(&format!("at most {limit} ")),
+            "{told}"
+        );
+    }
+    assert!(solved(&line(60, 3.0)).is_ok());
+}
+
+#[test]
+fn an_outline_has_a_greatest_length() {
+    let star = |rays: usize| {
+        let corner = |at: usize| {
+            let radius = if at % 2 == 0 { 500.0 } else { 30.0 };
+            DVec2::splat(500.0) + radius * DVec2::from_angle(at as f64 * std::f64::consts::PI / rays as f64)
+        };
+        let mut project = points([DVec2::splat(500.0)].into_iter());
+        project.domain = Some(DomainSpec::polygon(vec![(0..2 * rays).map(corner).collect()]));
+        project
+    };
+    assert!(solved(&star(60)).is_ok());
+    let error = solved(&star(1000)).expect_err("a limit");
+    assert_eq!(error.code(), "outline-too-long");
+    assert!(error.to_string().contains("at most 28"), "{error}");
+}
