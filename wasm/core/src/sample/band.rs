@@ -10,6 +10,9 @@ use glam::DVec2;
 use super::{lattice_triangles::LatticeTriangles, nearby::Nearby, nodes::Nodes};
 use crate::triangulation::{Locator, NONE, Triangulation};
 
+/// Triangles of the band for each vertex on the outline or on a bone, more than there are mostly.
+const ROOM: usize = 4;
+
 /// An edge of a lattice triangle without a neighbour there.
 struct BorderEdge {
     ends: [u32; 2],
@@ -28,7 +31,7 @@ pub(super) fn mesh(
     of_nodes: &[u32],
 ) -> (Triangulation, Nearby) {
     let lattice = LatticeTriangles::new(&nodes, &vertices[..others]);
-    let (mut triangles, mut neighbours) = lattice.mesh(&nodes, of_nodes);
+    let (mut triangles, mut neighbours) = lattice.mesh(&nodes, of_nodes, ROOM * others);
     let mut border = border(&triangles, &neighbours);
     // The vertices of the band: those without a lattice triangle, and those on its border.
     let mut is_in_band = vec![false; vertices.len()];

@@ -1,7 +1,7 @@
 //! The samples of a domain before point handles are inserted.
 //!
-//! They do not depend on point handles, so a solver keeps them. Handles are inserted into a copy one by one, in a first solve just as in a later one. Earlier
-//! solves therefore change no bit of the result.
+//! They do not depend on point handles, so a solver keeps them. Handles are inserted into a copy one by one, in a first
+//! solve just as in a later one. Earlier solves therefore change no bit of the result.
 
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ impl BaseSamples {
     /// Cost: O(n) for n samples, and that of [`band`] for those near the outline and bones.
     pub(crate) fn new(prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
         let spacing = lattice::spacing(&prepared.domain, count);
-        Self::on_outline(OutlineSamples::new(&prepared.domain, spacing), prepared, bones, count)
+        Self::of_outline(OutlineSamples::new(&prepared.domain, spacing), prepared, bones, count)
     }
 
     /// The same samples with a skirt and a feather, if the domain needs them.
@@ -49,7 +49,7 @@ impl BaseSamples {
         let (rings, vertices) = (outline.rings.clone(), outline.vertices.clone());
         let (skirt, mut base) = join(
             || NarrowSkirt::new(&vertices, &rings, prepared),
-            || Self::on_outline(outline, prepared, bones, count),
+            || Self::of_outline(outline, prepared, bones, count),
         );
         let Self { samples, .. } = &mut base;
         samples.skirt = if samples.outline == rings {
@@ -63,7 +63,7 @@ impl BaseSamples {
     }
 
     /// The samples of an outline, with those inside.
-    fn on_outline(outline: OutlineSamples, prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
+    fn of_outline(outline: OutlineSamples, prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
         let PreparedDomain { domain, navigation, .. } = prepared;
         let OutlineSamples { mut vertices, segments, rings, spacing } = outline;
         let on_outline = bones::add_bones(&mut vertices, bones, spacing, domain);
@@ -106,7 +106,9 @@ impl BaseSamples {
         }
         let patches = refine::patches(sites, samples.spacing);
         if !patches.is_empty() {
-            let mut known = Grid::of_points(samples.spacing, &samples.mesh.vertices);
+            let [low, high] = refine::bounds(&patches);
+            let vertices = samples.mesh.vertices.iter().filter(|p| p.clamp(low, high) == **p);
+            let mut known = Grid::new(samples.spacing, vertices.map(|&p| (p, p)));
             for patch in patches {
                 for node in patch.clear_nodes(&known, navigation, domain) {
                     let vertex = insert(&mut samples, navigation, &self.nearby, node);

@@ -67,10 +67,10 @@ impl LatticeTriangles {
         self.is_corner[node]
     }
 
-    /// Corners and neighbours of all triangles. `vertices` are the vertices of nodes.
-    pub(super) fn mesh(&self, nodes: &Nodes, vertices: &[u32]) -> (Vec<[u32; 3]>, Vec<[u32; 3]>) {
+    /// Corners and neighbours of all triangles, with room for more of them. `vertices` are the vertices of nodes.
+    pub(super) fn mesh(&self, nodes: &Nodes, vertices: &[u32], room: usize) -> (Vec<[u32; 3]>, Vec<[u32; 3]>) {
         let Self { below, above, count, .. } = self;
-        let (mut triangles, mut neighbours) = (Vec::with_capacity(*count), Vec::with_capacity(*count));
+        let [mut triangles, mut neighbours] = [(); 2].map(|()| Vec::with_capacity(count + room));
         nodes.visit_triangles(|base, apex, is_below| {
             let (here, beyond) = if is_below { (below, above) } else { (above, below) };
             if here[base] == NONE {

@@ -47,15 +47,11 @@ impl Runs {
     /// The nodes of a row that may have an x between two numbers: runs, and columns of each.
     fn pieces(&self, row: &Row, low: f64, high: f64) -> impl Iterator<Item = (&Run, Range<usize>)> {
         let columns = self.lattice.columns_within(row.row, low, high);
+        let (start, end) = (columns.start, columns.end);
         let runs = &self.runs[row.runs.clone()];
-        let first = runs.partition_point(|run| run.columns.end <= columns.start);
-        runs[first..]
-            .iter()
-            .take_while({
-                let end = columns.end;
-                move |run| run.columns.start < end
-            })
-            .map(move |run| (run, columns.start.max(run.columns.start)..columns.end.min(run.columns.end)))
+        let first = runs.partition_point(|run| run.columns.end <= start);
+        let touched = runs[first..].iter().take_while(move |run| run.columns.start < end);
+        touched.map(move |run| (run, start.max(run.columns.start)..end.min(run.columns.end)))
     }
 }
 
