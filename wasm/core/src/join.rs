@@ -2,8 +2,8 @@
 
 /// The results of two computations. Natively the first runs on another thread, at the same time as the second.
 ///
-/// In WebAssembly, and where no thread can be started, they run one after the other. Neither sees the other's results, so
-/// these are the same everywhere.
+/// In WebAssembly, and where no thread can be started, they run one after the other. Neither sees the other's results,
+/// so these are the same everywhere.
 ///
 /// # Panics
 /// If one of them panics.

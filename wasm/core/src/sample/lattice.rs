@@ -69,6 +69,11 @@ impl Lattice {
         row.abs_diff(self.rows / 2) % 2 == 1
     }
 
+    /// One more than the steps from the top left corner to any triangle: half a spacing to the right, or a row down.
+    pub(super) fn steps(&self) -> usize {
+        self.rows + 2 * self.columns + 1
+    }
+
     /// Rows that may have a y between two numbers.
     pub(super) fn rows_within(&self, low: f64, high: f64) -> Range<usize> {
         let step = |y: f64| (y - self.centre.y) / (self.spacing * ROW_HEIGHT) + (self.rows / 2) as f64;

@@ -7,13 +7,16 @@
 //! outside the circumcircle. So it cuts off at most a cap of a height of 0.29 spacings. A node in the cap would be
 //! closer to the edge than its clearance.
 //!
+//! They are numbered from the upper left to the lower right, across rows. Later triangles are drawn over earlier ones,
+//! so where a pose folds the picture, one side covers the other as a whole.
+//!
 //! Cost: O(n) for n nodes, and a look at the triangles around each other vertex.
 
 use glam::DVec2;
 
 use super::{
     lattice::{Lattice, ROW_HEIGHT},
-    nodes::Nodes,
+    nodes::{NodeTriangle, Nodes},
 };
 use crate::triangulation::NONE;
 
@@ -50,13 +53,27 @@ impl LatticeTriangles {
         }
         let [mut below, mut above] = SIDES.map(|_| vec![NONE; nodes.numbers()]);
         let mut is_corner = vec![false; nodes.numbers()];
+        let is_clear = |t: &NodeTriangle| if t.is_below { clear_below[t.base] } else { clear_above[t.base] };
+        // A counting sort. Islands far apart share places.
+        let wide = nodes.lattice().steps() / nodes.numbers() + 1;
+        let mut next = vec![0_u32; nodes.lattice().steps() / wide + 2];
+        nodes.visit_triangles(|t| {
+            if is_clear(&t) {
+                next[t.step / wide + 1] += 1;
+                [t.base, t.base + 1, t.apex].into_iter().for_each(|node| is_corner[node] = true);
+            }
+        });
         let mut count = 0;
-        nodes.visit_triangles(|base, apex, is_below| {
-            let (clear, numbers) = if is_below { (&clear_below, &mut below) } else { (&clear_above, &mut above) };
-            if clear[base] {
-                numbers[base] = count;
-                count += 1;
-                [base, base + 1, apex].into_iter().for_each(|node| is_corner[node] = true);
+        for of_step in &mut next {
+            count += *of_step;
+            *of_step = count;
+        }
+        nodes.visit_triangles(|t| {
+            if is_clear(&t) {
+                let number = &mut next[t.step / wide];
+                let numbers = if t.is_below { &mut below } else { &mut above };
+                numbers[t.base] = *number;
+                *number += 1;
             }
         });
         Self { below, above, is_corner, count: count as usize }
@@ -70,23 +87,24 @@ impl LatticeTriangles {
     /// Corners and neighbours of all triangles, with room for more of them. `vertices` are the vertices of nodes.
     pub(super) fn mesh(&self, nodes: &Nodes, vertices: &[u32], room: usize) -> (Vec<[u32; 3]>, Vec<[u32; 3]>) {
         let Self { below, above, count, .. } = self;
-        let [mut triangles, mut neighbours] = [(); 2].map(|()| Vec::with_capacity(count + room));
-        nodes.visit_triangles(|base, apex, is_below| {
+        let [mut triangles, mut neighbours] = [(); 2].map(|()| vec![[0; 3]; count + room]);
+        nodes.visit_triangles(|NodeTriangle { base, apex, is_below, .. }| {
             let (here, beyond) = if is_below { (below, above) } else { (above, below) };
             if here[base] == NONE {
                 return;
             }
+            let number = here[base] as usize;
             let [left, right, tip] = [base, base + 1, apex].map(|node| vertices[node]);
             // Beside it in its strip are triangles whose bases end and begin at its apex.
             let [across, before, after] = [beyond[base], beyond[apex - 1], beyond[apex]];
-            if is_below {
-                triangles.push([left, right, tip]);
-                neighbours.push([across, after, before]);
+            (triangles[number], neighbours[number]) = if is_below {
+                ([left, right, tip], [across, after, before])
             } else {
-                triangles.push([right, left, tip]);
-                neighbours.push([across, before, after]);
-            }
+                ([right, left, tip], [across, before, after])
+            };
         });
+        triangles.truncate(*count);
+        neighbours.truncate(*count);
         (triangles, neighbours)
     }
 }

@@ -26,8 +26,8 @@ struct Row {
     runs: Range<usize>,
 }
 
-/// The runs of a lattice. Their nodes are numbered run by run. The numbers before and after each run belong to no node, so
-/// a step to the left or right of a node always leads to a number.
+/// The runs of a lattice. Their nodes are numbered run by run. The numbers before and after each run belong to no node,
+/// so a step to the left or right of a node always leads to a number.
 #[derive(Debug)]
 struct Runs {
     lattice: Lattice,
@@ -53,6 +53,18 @@ impl Runs {
         let touched = runs[first..].iter().take_while(move |run| run.columns.start < end);
         touched.map(move |run| (run, start.max(run.columns.start)..end.min(run.columns.end)))
     }
+}
+
+/// A triangle between three nodes. Its base is an edge along a row.
+pub(super) struct NodeTriangle {
+    /// The number of the node at the left end of the base.
+    pub(super) base: usize,
+    /// The number of the other node.
+    pub(super) apex: usize,
+    /// Whether the apex is in the next row, not in the previous one.
+    pub(super) is_below: bool,
+    /// Steps from the top left corner of the lattice: half a spacing to the right, or a row down.
+    pub(super) step: usize,
 }
 
 /// The lattice nodes inside a domain.
@@ -173,8 +185,8 @@ impl Nodes {
         pieces.flat_map(|(run, columns)| columns.map(|column| (run.number(column), run.row, column)))
     }
 
-    /// Calls `visit` with the numbers of the places in a convex region, some of a row at a time. The region lies between
-    /// two y, and a horizontal line crosses it between the two x that `span` returns.
+    /// Calls `visit` with the numbers of the places in a convex region, some of a row at a time. The region lies
+    /// between two y, and a horizontal line crosses it between the two x that `span` returns.
     pub(super) fn visit_spans(
         &self,
         low: f64,
@@ -194,15 +206,19 @@ impl Nodes {
         }
     }
 
-    /// Calls `visit` with each triangle between three nodes: the number of the left end of its base, that of its apex,
-    /// and whether the apex is in the next row.
-    pub(super) fn visit_triangles(&self, mut visit: impl FnMut(usize, usize, bool)) {
+    /// Calls `visit` with each triangle between three nodes.
+    pub(super) fn visit_triangles(&self, mut visit: impl FnMut(NodeTriangle)) {
         let Runs { runs, rows, .. } = &self.runs;
         for pair in rows.windows(2).filter(|pair| pair[0].row + 1 == pair[1].row) {
             let (mut upper, mut lower) = (&runs[pair[0].runs.clone()], &runs[pair[1].runs.clone()]);
             while let ([above, above_next @ ..], [below, below_next @ ..]) = (upper, lower) {
-                self.visit_between(above, below, |base, apex| visit(base, apex, true));
-                self.visit_between(below, above, |base, apex| visit(base, apex, false));
+                let strip = pair[0].row;
+                self.visit_between(above, below, |base, apex, along| {
+                    visit(NodeTriangle { base, apex, is_below: true, step: strip + along });
+                });
+                self.visit_between(below, above, |base, apex, along| {
+                    visit(NodeTriangle { base, apex, is_below: false, step: strip + along });
+                });
                 if above.columns.end <= below.columns.end {
                     upper = above_next;
                 } else {
@@ -212,17 +228,19 @@ impl Nodes {
         }
     }
 
-    /// Calls `visit` with the base and the apex of each triangle between two runs.
-    fn visit_between(&self, base: &Run, apex: &Run, mut visit: impl FnMut(usize, usize)) {
+    /// Calls `visit` with the base and the apex of each triangle between two runs, and its half steps to the right.
+    fn visit_between(&self, base: &Run, apex: &Run, mut visit: impl FnMut(usize, usize, usize)) {
         let shift = self.shift(base.row);
         let from = base.columns.start.max(apex.columns.start.saturating_sub(shift));
         let to = (base.columns.end - 1).min(apex.columns.end.saturating_sub(shift));
         if from >= to {
             return;
         }
-        for (left, tip) in (base.number(from)..base.number(to)).zip(apex.number(from + shift)..) {
+        let first = (base.number(from), apex.number(from + shift), 2 * from + shift);
+        for at in 0..to - from {
+            let (left, tip) = (first.0 + at, first.1 + at);
             if self.is_node[left] && self.is_node[left + 1] && self.is_node[tip] {
-                visit(left, tip);
+                visit(left, tip, first.2 + 2 * at);
             }
         }
     }
