@@ -63,7 +63,7 @@ pub fn requirements(results: &Results) -> Vec<Requirement> {
     requirements
 }
 
-fn rules() -> [Rule; 10] {
+fn rules() -> [Rule; 13] {
     let [_, middle, fine] = TABLE_2.map(|row| thousands(row.samples as usize));
     let small = thousands(SMALL as usize);
     let rule = |name: String, limit, unit, metric| Rule { name, limit, unit, metric };
@@ -79,6 +79,11 @@ fn rules() -> [Rule; 10] {
         rule(format!("one more handle at {middle}, with sampling"), 1.5, "passes", |t| {
             t.insertion.total_ms / t.baseline.pass_ms
         }),
+        rule(format!("sampling ÷ solve of {middle}, first"), 2.0, "×", |t| {
+            t.first[1].sampling_ms / t.first[1].solve_ms
+        }),
+        rule(format!("outline to weights at {middle}, first"), 10.0, "ms", |t| t.first[1].total_ms),
+        rule(format!("outline to weights at {fine}, first"), 150.0, "ms", |t| t.first[2].total_ms),
         rule(format!("solve of {small}"), 10.0, "ms", |t| t.small.solve_ms),
         rule(format!("solve of {middle}"), 30.0, "ms", |t| t.resolutions[1].solve_ms),
         rule(format!("solve of {fine}"), 900.0, "ms", |t| t.resolutions[2].solve_ms),
@@ -91,7 +96,10 @@ fn rules() -> [Rule; 10] {
 
 /// Returns the case with the largest ratio of WebAssembly to native time, and this ratio.
 fn slowest(wasm: &Timings, native: &Timings) -> (&'static str, f64) {
-    let cases: [(_, Metric); 9] = [
+    let cases: [(_, Metric); 12] = [
+        ("first, middle", |t| t.first[1].total_ms),
+        ("first, fine", |t| t.first[2].total_ms),
+        ("first, editor", |t| t.first[3].total_ms),
         ("small", |t| t.small.solve_ms),
         ("coarse", |t| t.resolutions[0].solve_ms),
         ("middle", |t| t.resolutions[1].solve_ms),

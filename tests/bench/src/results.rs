@@ -23,6 +23,8 @@ pub struct Timings {
     pub scenes: Vec<Solve>,
     /// The gingerbread figure at the resolutions of Table II, from coarse to fine.
     pub resolutions: [Solve; 3],
+    /// First solves: the figure at the resolutions of Table II, and with 10,000 samples and the editor's virtual sites.
+    pub first: [Solve; 4],
     /// The figure with 10,000 samples.
     pub small: Solve,
     /// The figure at the middle resolution with 60 virtual sites.
@@ -46,6 +48,8 @@ pub struct Solve {
     pub samples: usize,
     /// The number of virtual sites.
     pub virtual_sites: usize,
+    /// Time for the outline, its triangulation and the handles in it.
+    pub domain_ms: f64,
     /// Time for samples and their mesh.
     pub sampling_ms: f64,
     /// Time for distances, cells and virtual sites.

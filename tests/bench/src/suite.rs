@@ -23,6 +23,8 @@ pub const SMALL: u32 = 10_000;
 pub const MANY_SITES: u32 = 60;
 /// The numbers of virtual sites of rigid poses. The editor asks for 100.
 pub const RIGID_POSE_SITES: [u32; 3] = [30, 120, 200];
+/// The number of virtual sites that the editor asks for.
+pub const EDITOR_SITES: u32 = 100;
 /// The smallest number of samples of a project.
 const MIN_SAMPLES: u32 = 100;
 
@@ -69,6 +71,10 @@ impl Suite {
         let coarse_solve = self.solved(&figure, &coarse)?.0;
         let (middle_solve, middle_solution) = self.solved(&figure, &middle)?;
         let (fine_solve, fine_solution) = self.solved(&figure, &fine)?;
+        on_case("First solves");
+        let [first_coarse, first_middle, first_fine] = [&coarse, &middle, &fine].map(|p| self.first(&figure, p));
+        let first_small = self.first(&figure, &project(SMALL, EDITOR_SITES));
+        let first = [first_coarse?, first_middle?, first_fine?, first_small?];
         on_case("Evaluation at every vertex");
         let vertices = &fine_solution.vertices()[..fine_solution.samples()];
         let (small, small_solution) = self.solved(&figure, &project(SMALL, 0))?;
@@ -89,6 +95,7 @@ impl Suite {
         Ok(Timings {
             scenes,
             resolutions,
+            first,
             small,
             many_sites,
             insertion,
@@ -110,6 +117,13 @@ impl Suite {
         let times = repeat(self.clock, self.effort, || self.times(&mut solver, project, &picture))?;
         let solution = solver.into_solution().expect("solved at least once");
         Ok((solve(&times, &solution), solution))
+    }
+
+    /// Solves a project with a new solver each time, from the outline to the weights.
+    fn first(&self, case: &Case, project: &Project) -> Result<Solve, Error> {
+        let picture = case.picture()?;
+        let times = repeat(self.clock, self.effort, || self.times(&mut Solver::new(), project, &picture))?;
+        Ok(solve(&times, &solve_once(project, &picture)?))
     }
 
     /// Adds a handle to a solved project.
@@ -220,6 +234,7 @@ fn solve(times: &[Times], solution: &Solution) -> Solve {
     Solve {
         samples: solution.samples(),
         virtual_sites: solution.sites().iter().filter(|site| !site.kind.is_real()).count(),
+        domain_ms: of(|t| t.stages.domain),
         sampling_ms: of(|t| t.stages.sampling),
         regions_ms: of(|t| t.stages.regions),
         weights_ms: of(|t| t.stages.weights),

@@ -42,6 +42,7 @@ pub mod project;
 // Geometry and containers without knowledge of warping.
 mod disjoint_sets;
 mod grid;
+mod join;
 mod min_entry;
 mod min_max;
 mod point_tree;

@@ -12,7 +12,7 @@ use crate::{
     prepared_domain::PreparedDomain,
     project::{Continuity, LooseParts, PoseMode, Weighting},
     render_mesh::{RenderMesh, leading_parts},
-    sample::{CoarseSamples, Samples, SamplingCache, coarse_sample_count},
+    sample::{CoarseSamples, Places, Samples, SamplingCache, coarse_sample_count, coarse_samples},
     site::{Obstacles, Partition, Site, SiteField, SiteGraph, SiteInserter, Tessellation, insert_virtual_sites},
     solution::Solution,
     solve_input::{LocatedHandles, SolveInput},
@@ -21,27 +21,28 @@ use crate::{
     weight::{Basis, SampleWeights, WeightFunctions, precedence_radii, support_radii},
 };
 
-/// The samples of a domain with handles: the vertices of the drawn mesh (section V-B).
+/// The samples of a domain with handles, and the coarse ones, over which cells are stored. The former are the vertices
+/// of the drawn mesh (section V-B).
 pub(crate) fn sample(
     cache: &mut SamplingCache,
     prepared: &PreparedDomain,
     located: &LocatedHandles,
     input: &SolveInput,
-) -> Samples {
-    let base = cache.fine(prepared, &located.bone_positions(), input.samples);
-    base.with_sites(prepared, &located.point_positions())
+) -> (Samples, CoarseSamples) {
+    let (bones, points) = (located.bone_positions(), located.point_positions());
+    let coarse_count = coarse_sample_count(input.samples, input.density);
+    cache.samples(prepared, Places { bones: &bones, points: &points }, input.samples, coarse_count)
 }
 
-/// The coarse samples, over which cells are stored.
+/// The coarse samples of a domain with handles, for samples of the caller.
 pub(crate) fn sample_coarsely(
-    cache: &mut SamplingCache,
     prepared: &PreparedDomain,
     located: &LocatedHandles,
     input: &SolveInput,
 ) -> CoarseSamples {
+    let (bones, points) = (located.bone_positions(), located.point_positions());
     let count = coarse_sample_count(input.samples, input.density);
-    let base = cache.coarse(prepared, &located.bone_positions(), count);
-    CoarseSamples::new(base, prepared, &located.point_positions())
+    coarse_samples(prepared, Places { bones: &bones, points: &points }, count)
 }
 
 /// Partitions the domain into the cells of real and virtual sites (sections III-B and IV-A).

@@ -58,8 +58,7 @@ pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Erro
     let (input, prepared) = (SolveInput::new(project)?, Arc::new(PreparedDomain::without_picture(domain.clone())));
     let located = input.locate(&prepared)?;
     let (mut sampling, mut propagation) = (SamplingCache::default(), Propagation::default());
-    let samples = pipeline::sample(&mut sampling, &prepared, &located, &input);
-    let coarse = pipeline::sample_coarsely(&mut sampling, &prepared, &located, &input);
+    let (samples, coarse) = pipeline::sample(&mut sampling, &prepared, &located, &input);
     let partition = pipeline::partition(&mut propagation, &prepared, &coarse, &located, &input)?;
     Ok(pipeline::compute_weights(&mut propagation, prepared, &input, located, samples, partition))
 }
@@ -75,7 +74,7 @@ pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Erro
 pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error> {
     let (input, prepared) = (SolveInput::new(project)?, Arc::clone(&mesh.prepared));
     let located = input.locate(&prepared)?;
-    let coarse = pipeline::sample_coarsely(&mut SamplingCache::default(), &prepared, &located, &input);
+    let coarse = pipeline::sample_coarsely(&prepared, &located, &input);
     let mut propagation = Propagation::default();
     let partition = pipeline::partition(&mut propagation, &prepared, &coarse, &located, &input)?;
     Ok(pipeline::compute_weights(&mut propagation, prepared, &input, located, mesh.samples(), partition))

@@ -158,8 +158,7 @@ impl Solver {
             }
             Progress::Begun => (Stage::Domain, Progress::Located(input.locate(prepared)?)),
             Progress::Located(located) => {
-                let samples = pipeline::sample(sampling, prepared, &located, &input);
-                let coarse = pipeline::sample_coarsely(sampling, prepared, &located, &input);
+                let (samples, coarse) = pipeline::sample(sampling, prepared, &located, &input);
                 (Stage::Sampling, Progress::Sampled { located, samples, coarse })
             }
             Progress::Sampled { located, samples, coarse } => {

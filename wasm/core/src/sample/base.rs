@@ -1,29 +1,29 @@
 //! The samples of a domain before point handles are inserted.
 //!
-//! The triangulation of the lattice is nearly all of the cost of sampling. It does not depend on point handles, so a
-//! solver keeps it. Handles are inserted into a copy one by one, in a first solve just as in a later one. Earlier
-//! solves therefore change no bit of the result.
+//! They do not depend on point handles, so a solver keeps them. Handles are inserted into a copy one by one, in a first
+//! solve just as in a later one. Earlier solves therefore change no bit of the result.
 
 use std::sync::Arc;
 
 use glam::DVec2;
 
 use super::{
-    bones, feather::Feather, fringe, lattice, outline::OutlineSamples, refine, samples::Samples, shown::shows_all,
-    skirt::Skirt,
+    band, bones, feather::Feather, fringe, lattice, nav_scan, nearby::Nearby, nodes::Nodes, outline::OutlineSamples,
+    refine, samples::Samples, shown::shows_all, skirt::Skirt,
 };
 use crate::{
-    distance::Navigation,
+    distance::{NavTriangle, Navigation},
     grid::Grid,
+    join::join,
     prepared_domain::PreparedDomain,
-    triangulation::{Inserted, Locator, Triangulation},
+    triangulation::Inserted,
 };
 
 /// Samples of outline, bones and lattice.
 #[derive(Debug)]
 pub(crate) struct BaseSamples {
     samples: Samples,
-    pub(super) locator: Arc<Locator>,
+    pub(super) nearby: Arc<Nearby>,
     count: usize,
     bones: Vec<[DVec2; 2]>,
 }
@@ -34,30 +34,50 @@ impl BaseSamples {
     /// The lattice is centred on the domain's bounding box, so samples of a symmetric domain are symmetric. `bones`
     /// are straight lines in the domain. The mesh has edges along them wherever nothing else is close.
     ///
-    /// Cost: O(n log n), nearly all of it for the triangulation.
+    /// Cost: O(n) for n samples, and that of [`band`] for those near the outline and bones.
     pub(crate) fn new(prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
-        let PreparedDomain { domain, navigation, .. } = prepared;
-        let spacing = lattice::spacing(domain, count);
-        let OutlineSamples { mut vertices, segments, rings } = OutlineSamples::new(domain, spacing);
-        let on_outline = bones::add_bones(&mut vertices, bones, spacing, domain);
-        let mut inner = lattice::inner_points(domain, bones, spacing, &vertices, &segments);
-        // Consecutive samples then often lie in the same triangle of the navigation mesh.
-        inner.sort_by_cached_key(|&p| navigation.triangle_at(p).map(|triangle| triangle.0));
-        vertices.extend(inner);
-        let mesh = Triangulation::constrained_delaunay(vertices, segments);
-        let locator = Arc::new(Locator::new(&mesh));
-        let mut samples = Samples::from_mesh(mesh, navigation, rings, spacing);
-        for p in on_outline {
-            insert(&mut samples, navigation, &locator, p);
-        }
-        Self { samples, locator, count, bones: bones.to_vec() }
+        let spacing = lattice::spacing(&prepared.domain, count);
+        Self::of_outline(OutlineSamples::new(&prepared.domain, spacing), prepared, bones, count)
     }
 
     /// The same samples with a skirt and a feather, if the domain needs them.
-    pub(super) fn with_skirt(mut self, prepared: &PreparedDomain) -> Self {
-        self.samples.skirt = skirt(&self.samples, prepared);
-        self.samples.feather = Feather::new(&self.samples.mesh, &self.samples.outline, prepared);
-        self
+    ///
+    /// Cost: the same, and that of the skirt. Both are made on two cores.
+    pub(super) fn with_skirt(prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
+        let spacing = lattice::spacing(&prepared.domain, count);
+        let outline = OutlineSamples::new(&prepared.domain, spacing);
+        let (rings, vertices) = (outline.rings.clone(), outline.vertices.clone());
+        let (skirt, mut base) = join(
+            || NarrowSkirt::new(&vertices, &rings, prepared),
+            || Self::of_outline(outline, prepared, bones, count),
+        );
+        let Self { samples, .. } = &mut base;
+        samples.skirt = if samples.outline == rings {
+            skirt.renumbered(vertices.len(), samples.len()).completed(samples, prepared)
+        } else {
+            // Bones have samples on the outline.
+            NarrowSkirt::new(&samples.mesh.vertices, &samples.outline, prepared).completed(samples, prepared)
+        };
+        samples.feather = Feather::new(&samples.mesh, &samples.outline, prepared);
+        base
+    }
+
+    /// The samples of an outline, with those inside.
+    fn of_outline(outline: OutlineSamples, prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
+        let PreparedDomain { domain, navigation, .. } = prepared;
+        let OutlineSamples { mut vertices, segments, rings, spacing } = outline;
+        let on_outline = bones::add_bones(&mut vertices, bones, spacing, domain);
+        let others = vertices.len();
+        let nodes = Nodes::new(domain, bones, spacing, &vertices, &segments);
+        let mut nav_triangles: Vec<NavTriangle> = vertices.iter().map(|&p| located(navigation, p)).collect();
+        let of_nodes = add_nodes(&nodes, navigation, &mut vertices, &mut nav_triangles);
+        let (mesh, nearby) = band::mesh(vertices, segments, others, nodes, &of_nodes);
+        let nearby = Arc::new(nearby);
+        let mut samples = Samples::new(mesh, nav_triangles, rings, spacing);
+        for p in on_outline {
+            insert(&mut samples, navigation, &nearby, p);
+        }
+        Self { samples, nearby, count, bones: bones.to_vec() }
     }
 
     /// Whether these samples were made for the same bones and count.
@@ -82,14 +102,16 @@ impl BaseSamples {
             spacing: *spacing,
         };
         for &site in sites {
-            insert(&mut samples, navigation, &self.locator, site);
+            insert(&mut samples, navigation, &self.nearby, site);
         }
         let patches = refine::patches(sites, samples.spacing);
         if !patches.is_empty() {
-            let mut known = Grid::of_points(samples.spacing, &samples.mesh.vertices);
+            let [low, high] = refine::bounds(&patches);
+            let vertices = samples.mesh.vertices.iter().filter(|p| p.clamp(low, high) == **p);
+            let mut known = Grid::new(samples.spacing, vertices.map(|&p| (p, p)));
             for patch in patches {
                 for node in patch.clear_nodes(&known, navigation, domain) {
-                    let vertex = insert(&mut samples, navigation, &self.locator, node);
+                    let vertex = insert(&mut samples, navigation, &self.nearby, node);
                     let p = samples.mesh.vertices[vertex as usize];
                     known.insert(p, p);
                 }
@@ -100,27 +122,80 @@ impl BaseSamples {
             samples.feather = feather.clone();
         } else {
             // Samples were inserted on the outline.
-            samples.skirt = self::skirt(&samples, prepared);
+            let skirt = NarrowSkirt::new(&samples.mesh.vertices, &samples.outline, prepared);
+            samples.skirt = skirt.completed(&samples, prepared);
             samples.feather = Feather::new(&samples.mesh, &samples.outline, prepared);
         }
         samples
     }
 }
 
-/// The skirt of samples, with a fringe if it does not draw all of the picture. Empty if nothing is around them.
-fn skirt(Samples { mesh, outline, .. }: &Samples, prepared: &PreparedDomain) -> Skirt {
-    let Some(opacity) = &prepared.around else { return Skirt::default() };
-    let skirt = Skirt::new(mesh, outline, opacity.size());
-    if shows_all(mesh, outline, &skirt, opacity) {
-        return skirt;
+/// Adds the lattice's nodes to the vertices, in the order of their navigation triangles. Consecutive samples then often
+/// lie in the same one. Returns the vertex of each node.
+fn add_nodes(
+    nodes: &Nodes,
+    navigation: &Navigation,
+    vertices: &mut Vec<DVec2>,
+    nav_triangles: &mut Vec<NavTriangle>,
+) -> Vec<u32> {
+    let found = nav_scan::nav_triangles(nodes, navigation);
+    // A counting sort.
+    let mut next = vec![0; navigation.triangles().count() + 1];
+    nodes.positions().for_each(|(number, _)| next[found[number].0 as usize + 1] += 1);
+    let mut sum = vertices.len() as u32;
+    for count in &mut next {
+        sum += *count;
+        *count = sum;
     }
-    let size = opacity.size();
-    skirt.with_fringe(mesh, outline, opacity, fringe::spacing(size.x * size.y))
+    vertices.resize(sum as usize, DVec2::ZERO);
+    nav_triangles.resize(sum as usize, NavTriangle(0));
+    let mut of_nodes = vec![0; nodes.numbers()];
+    for (number, p) in nodes.positions() {
+        let triangle = found[number];
+        let vertex = &mut next[triangle.0 as usize];
+        (vertices[*vertex as usize], nav_triangles[*vertex as usize], of_nodes[number]) = (p, triangle, *vertex);
+        *vertex += 1;
+    }
+    of_nodes
+}
+
+fn located(navigation: &Navigation, p: DVec2) -> NavTriangle {
+    navigation.triangle_at(p).expect("samples lie in the domain")
+}
+
+/// A skirt without a fringe.
+struct NarrowSkirt {
+    skirt: Skirt,
+    /// Whether it draws all of the picture.
+    is_enough: bool,
+}
+
+impl NarrowSkirt {
+    /// The skirt of samples. It is empty if nothing is around them.
+    fn new(samples: &[DVec2], outline: &[Vec<u32>], prepared: &PreparedDomain) -> Self {
+        let Some(opacity) = &prepared.around else { return Self { skirt: Skirt::default(), is_enough: true } };
+        let skirt = Skirt::new(samples, outline, opacity.size());
+        let is_enough = shows_all(samples, outline, &skirt, opacity);
+        Self { skirt, is_enough }
+    }
+
+    /// See [`Skirt::renumbered`].
+    fn renumbered(self, before: usize, now: usize) -> Self {
+        Self { skirt: self.skirt.renumbered(before, now), ..self }
+    }
+
+    /// The skirt with a fringe if it does not draw all of the picture.
+    fn completed(self, Samples { mesh, outline, .. }: &Samples, prepared: &PreparedDomain) -> Skirt {
+        let Self { skirt, is_enough } = self;
+        let Some(opacity) = prepared.around.as_ref().filter(|_| !is_enough) else { return skirt };
+        let size = opacity.size();
+        skirt.with_fringe(mesh, outline, opacity, fringe::spacing(size.x * size.y))
+    }
 }
 
 /// Inserts a point of the domain into the samples, and into their outline if it lies there. Returns its vertex.
-fn insert(samples: &mut Samples, navigation: &Navigation, locator: &Locator, p: DVec2) -> u32 {
-    let inserted = samples.mesh.insert(locator.nearby_triangle(p), p);
+fn insert(samples: &mut Samples, navigation: &Navigation, nearby: &Nearby, p: DVec2) -> u32 {
+    let inserted = samples.mesh.insert(nearby.triangle(p), p);
     if let Inserted::OnBoundary { vertex, between } = inserted {
         let of_edge = |pair: [u32; 2]| pair == between || [pair[1], pair[0]] == between;
         let on_ring = |ring: &Vec<u32>| (0..ring.len()).find(|&i| of_edge([ring[i], ring[(i + 1) % ring.len()]]));
@@ -129,7 +204,7 @@ fn insert(samples: &mut Samples, navigation: &Navigation, locator: &Locator, p: 
         samples.outline[ring].insert(edge + 1, vertex);
     }
     if samples.nav_triangles.len() < samples.mesh.vertices.len() {
-        samples.nav_triangles.push(navigation.triangle_at(p).expect("samples lie in the domain"));
+        samples.nav_triangles.push(located(navigation, p));
     }
     inserted.vertex()
 }

@@ -1,9 +1,11 @@
 //! Base samples that a solver keeps for the next solve.
+//!
+//! Fine and coarse samples do not depend on each other, so they are made on two cores.
 
 use glam::DVec2;
 
-use super::base::BaseSamples;
-use crate::prepared_domain::PreparedDomain;
+use super::{base::BaseSamples, coarse::CoarseSamples, samples::Samples};
+use crate::{join::join, prepared_domain::PreparedDomain};
 
 /// The last base samples of one domain.
 #[derive(Debug, Default)]
@@ -13,21 +15,45 @@ pub(crate) struct SamplingCache {
     coarse: Option<BaseSamples>,
 }
 
-impl SamplingCache {
-    /// Base samples of the drawn mesh, about `count`. See [`BaseSamples::new`].
-    pub(crate) fn fine(&mut self, prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> &BaseSamples {
-        let new = || BaseSamples::new(prepared, bones, count).with_skirt(prepared);
-        cached_or_new(&mut self.fine, bones, count, new)
-    }
+/// The handles that samples lie on: bones, and points.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Places<'a> {
+    pub(crate) bones: &'a [[DVec2; 2]],
+    pub(crate) points: &'a [DVec2],
+}
 
-    /// Base samples of the [coarse samples](super::CoarseSamples), about `count`.
-    pub(crate) fn coarse(&mut self, prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> &BaseSamples {
-        match &self.fine {
-            // Small counts are equal, and so are the base samples.
-            Some(fine) if fine.is_for(bones, count) => fine,
-            _ => cached_or_new(&mut self.coarse, bones, count, || BaseSamples::new(prepared, bones, count)),
+impl SamplingCache {
+    /// About `count` samples of the drawn mesh, and about `coarse_count` coarse samples.
+    pub(crate) fn samples(
+        &mut self,
+        prepared: &PreparedDomain,
+        Places { bones, points }: Places<'_>,
+        count: usize,
+        coarse_count: usize,
+    ) -> (Samples, CoarseSamples) {
+        let Self { fine, coarse } = self;
+        let new_fine = || BaseSamples::with_skirt(prepared, bones, count);
+        let new_coarse = || BaseSamples::new(prepared, bones, coarse_count);
+        if count == coarse_count {
+            // The base samples are equal.
+            let base = cached_or_new(fine, bones, count, new_fine);
+            return (base.with_sites(prepared, points), CoarseSamples::new(base, prepared, points));
         }
+        let (coarse, samples) = join(
+            || CoarseSamples::new(cached_or_new(coarse, bones, coarse_count, new_coarse), prepared, points),
+            || cached_or_new(fine, bones, count, new_fine).with_sites(prepared, points),
+        );
+        (samples, coarse)
     }
+}
+
+/// Coarse samples without others, about `count`.
+pub(crate) fn coarse_samples(
+    prepared: &PreparedDomain,
+    Places { bones, points }: Places<'_>,
+    count: usize,
+) -> CoarseSamples {
+    CoarseSamples::new(&BaseSamples::new(prepared, bones, count), prepared, points)
 }
 
 /// The cached samples if they fit, or else new ones in their place.

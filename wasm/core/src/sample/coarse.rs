@@ -10,13 +10,13 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{base::BaseSamples, samples::Samples};
+use super::{base::BaseSamples, nearby::Nearby, samples::Samples};
 use crate::{
     distance::{NavTriangle, graph::Graph},
     min_max::fast_max,
     prepared_domain::PreparedDomain,
     rows::Rows,
-    triangulation::{Locator, Triangulation},
+    triangulation::Triangulation,
 };
 
 /// Upper limit of coarse samples, unless close sites need finer ones.
@@ -47,8 +47,8 @@ pub(crate) struct CoarseSamples {
     pub(crate) reach: Vec<f64>,
     /// Length of the longest edge of all, in pixels.
     pub(crate) longest_edge: f64,
-    /// The locator of the base samples.
-    locator: Arc<Locator>,
+    /// The index of the base samples.
+    nearby: Arc<Nearby>,
 }
 
 impl CoarseSamples {
@@ -64,8 +64,8 @@ impl CoarseSamples {
         let reach: Vec<f64> = (0..mesh.vertices.len()).map(longest).collect();
         let longest_edge = reach.iter().copied().fold(0.0, fast_max);
         let fans = fans(&mesh);
-        let locator = Arc::clone(&base.locator);
-        Self { mesh, nav_triangles, graph, fans, reach, longest_edge, locator }
+        let nearby = Arc::clone(&base.nearby);
+        Self { mesh, nav_triangles, graph, fans, reach, longest_edge, nearby }
     }
 
     /// The triangles around a sample.
@@ -75,7 +75,7 @@ impl CoarseSamples {
 
     /// The triangle that contains a point of the domain.
     pub(crate) fn triangle_at(&self, p: DVec2) -> usize {
-        self.mesh.triangle_at(self.locator.nearby_triangle(p), p)
+        self.mesh.triangle_at(self.nearby.triangle(p), p)
     }
 
     /// Number of coarse samples.

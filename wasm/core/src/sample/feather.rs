@@ -53,7 +53,7 @@ impl Feather {
         let near = Mask::with_band(rings, (whole.x, whole.y), start + width).opacity((whole.x, whole.y));
         let length: f64 = prepared.domain.edges().map(|(a, b)| a.distance(b)).sum();
         let spacing = spacing(length * width).max(width / NODES_ACROSS);
-        let skirt = Skirt::new(mesh, outline, size).with_fringe(mesh, outline, &near, spacing);
+        let skirt = Skirt::new(&mesh.vertices, outline, size).with_fringe(mesh, outline, &near, spacing);
         let around = Surroundings::new(mesh, outline, size, DETOUR_SLACK * spacing);
         let mut numbers = HashMap::new();
         let mut feather = Self::default();
@@ -64,7 +64,7 @@ impl Feather {
                         Some(beyond) => skirt.owners[beyond],
                         None => vertex,
                     };
-                    let place = skirt.place(mesh, vertex);
+                    let place = skirt.place(&mesh.vertices, vertex);
                     feather.vertices.push(place);
                     feather.owners.push(owner);
                     feather.levels.push(around.level(place, owner, start, width));

@@ -3,6 +3,7 @@
 //! Samples are the vertices of the drawn mesh. A separate, coarser set locates cells. Distances and weights depend on
 //! neither: they are evaluated.
 
+mod band;
 mod base;
 mod bones;
 mod cache;
@@ -10,17 +11,23 @@ mod coarse;
 mod feather;
 mod fringe;
 mod lattice;
+mod lattice_triangles;
+mod nav_scan;
+mod nearby;
+mod nodes;
 mod outline;
 mod refine;
 mod samples;
 mod shown;
 mod skirt;
 mod sprite;
+#[cfg(test)]
+mod tests;
 mod tiles;
 
 #[cfg(test)]
 pub(crate) use base::BaseSamples;
-pub(crate) use cache::SamplingCache;
+pub(crate) use cache::{Places, SamplingCache, coarse_samples};
 pub(crate) use coarse::{CoarseSamples, coarse_sample_count};
 pub use feather::Feather;
 pub(crate) use samples::Samples;

@@ -11,12 +11,14 @@ pub(super) struct OutlineSamples {
     pub(super) segments: Vec<[usize; 2]>,
     /// The samples along each ring.
     pub(super) rings: Vec<Vec<u32>>,
+    /// Greatest distance between consecutive samples, in pixels.
+    pub(super) spacing: f64,
 }
 
 impl OutlineSamples {
     /// Samples a domain's outline.
     pub(super) fn new(domain: &Domain, spacing: f64) -> Self {
-        let mut outline = Self { vertices: Vec::new(), segments: Vec::new(), rings: Vec::new() };
+        let mut outline = Self { vertices: Vec::new(), segments: Vec::new(), rings: Vec::new(), spacing };
         for ring in domain.rings() {
             let start = outline.vertices.len();
             for (a, b) in edges(ring) {

@@ -51,10 +51,22 @@ pub(super) fn patches(sites: &[DVec2], spacing: f64) -> Vec<Patch> {
     patches
 }
 
+/// The least and the greatest coordinates of vertices that patches look at.
+pub(super) fn bounds(patches: &[Patch]) -> [DVec2; 2] {
+    let low = patches.iter().fold(DVec2::INFINITY, |low, patch| low.min(patch.centre - patch.reach()));
+    let high = patches.iter().fold(DVec2::NEG_INFINITY, |high, patch| high.max(patch.centre + patch.reach()));
+    [low, high]
+}
+
 impl Patch {
+    /// Vertices beyond this distance from the centre do not matter.
+    fn reach(&self) -> f64 {
+        self.radius + self.spacing
+    }
+
     /// The nodes inside the domain that keep their clearance from the vertices in `known`.
     pub(super) fn clear_nodes(&self, known: &Grid<DVec2>, navigation: &Navigation, domain: &Domain) -> Vec<DVec2> {
-        let reach = self.radius + self.spacing;
+        let reach = self.reach();
         let close = known.around(self.centre, reach).filter(|p| p.distance(self.centre) < reach);
         let near = Grid::new(self.spacing, close.map(|p| (p, p)));
         let outline = domain.edges();

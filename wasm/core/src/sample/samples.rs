@@ -38,6 +38,16 @@ impl Samples {
     ) -> Self {
         let triangle = |&p: &DVec2| navigation.triangle_at(p).expect("samples lie in the domain");
         let nav_triangles = mesh.vertices.iter().map(triangle).collect();
+        Self::new(mesh, nav_triangles, outline, spacing)
+    }
+
+    /// Samples without a skirt and a feather.
+    pub(super) fn new(
+        mesh: Triangulation,
+        nav_triangles: Vec<NavTriangle>,
+        outline: Vec<Vec<u32>>,
+        spacing: f64,
+    ) -> Self {
         Self { mesh, nav_triangles, outline, skirt: Skirt::default(), feather: Feather::default(), spacing }
     }
 

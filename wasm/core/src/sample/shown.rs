@@ -1,7 +1,7 @@
 //! Whether a mesh with a skirt draws all of a picture at rest.
 //!
 //! Each pixel is looked at in 4 × 4 places, as the rasteriser does. How many triangles cover a place is the number of
-//! edges to its left, each counted by its direction. Edges between two triangles cancel out.
+//! edges to its left, each counted by its direction. Edges between two triangles cancel out, and are left out.
 //!
 //! Cost: n log n for the edges in each row of places, and a visit of the visible pixels outside. It ends at the first
 //! pixel that is not drawn as it is.
@@ -9,8 +9,10 @@
 use glam::DVec2;
 
 use super::skirt::Skirt;
-use crate::{opacity::Opacity, triangulation::Triangulation};
+use crate::opacity::Opacity;
 
+/// An edge of a segment of the outline and the triangles beside it cancels out with one of so many edges before it.
+const RECENT: usize = 6;
 /// Corners are rounded to 1/256 px, as the rasteriser does.
 const SUBPIXELS: f64 = 256.0;
 /// Places along the side of a pixel.
@@ -20,21 +22,9 @@ const STEP: i64 = 64;
 /// Greatest error of a pixel, in levels. With rounding it is one level.
 const MAX_ERROR: f32 = 0.75;
 
-/// Whether the mesh inside the `outline` and its skirt draw every visible pixel once, and none twice.
-pub(super) fn shows_all(mesh: &Triangulation, outline: &[Vec<u32>], skirt: &Skirt, opacity: &Opacity) -> bool {
-    let mut edges = Vec::new();
-    let mut add = |from: [i64; 2], to: [i64; 2]| edges.extend(Edge::new(from, to));
-    for ring in outline {
-        let corner = |v: u32| rounded(mesh.vertices[v as usize]);
-        ring.iter().zip(ring.iter().cycle().skip(1)).for_each(|(&a, &b)| add(corner(a), corner(b)));
-    }
-    for triangle in &skirt.triangles {
-        let [a, b, c] = triangle.map(|v| rounded(skirt.place(mesh, v)));
-        let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        let [b, c] = if area < 0 { [c, b] } else { [b, c] };
-        [[a, b], [b, c], [c, a]].into_iter().for_each(|[from, to]| add(from, to));
-    }
-    edges.sort_unstable_by_key(|edge| edge.top[1]);
+/// Whether the mesh inside the `outline` of samples and its skirt draw every visible pixel once, and none twice.
+pub(super) fn shows_all(samples: &[DVec2], outline: &[Vec<u32>], skirt: &Skirt, opacity: &Opacity) -> bool {
+    let edges = edges(samples, outline, skirt);
     let [width, height] = opacity.size().to_array().map(|side| side as i64);
     let mut errors = vec![0.0; width as usize];
     let (mut next, mut crossed, mut crossings) = (0, Vec::<Edge>::new(), Vec::new());
@@ -73,6 +63,38 @@ pub(super) fn shows_all(mesh: &Triangulation, outline: &[Vec<u32>], skirt: &Skir
         }
     }
     true
+}
+
+/// The edges of the outline and the skirt that do not cancel out, from top to bottom.
+fn edges(samples: &[DVec2], outline: &[Vec<u32>], skirt: &Skirt) -> Vec<Edge> {
+    let mut edges = Vec::new();
+    let mut walls = outline
+        .iter()
+        .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)))
+        .map(|(&a, &b)| [a, b].map(|v| rounded(samples[v as usize])));
+    for (at, triangle) in skirt.triangles.iter().enumerate() {
+        // Two triangles lie beside each segment of the outline.
+        if at % 2 == 0 {
+            walls.next().into_iter().for_each(|wall| add(&mut edges, wall));
+        }
+        let [a, b, c] = triangle.map(|v| rounded(skirt.place(samples, v)));
+        let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        let [b, c] = if area < 0 { [c, b] } else { [b, c] };
+        [[a, b], [b, c], [c, a]].into_iter().for_each(|ends| add(&mut edges, ends));
+    }
+    walls.for_each(|wall| add(&mut edges, wall));
+    edges.sort_unstable_by_key(|edge| edge.top[1]);
+    edges
+}
+
+/// Adds the edge of a polygon of positive area, unless it cancels out with one of the last edges.
+fn add(edges: &mut Vec<Edge>, [from, to]: [[i64; 2]; 2]) {
+    let Some(edge) = Edge::new(from, to) else { return };
+    let cancels = |other: &Edge| (other.top, other.bottom, other.turn) == (edge.top, edge.bottom, -edge.turn);
+    match edges.iter().rev().take(RECENT).position(cancels) {
+        Some(back) => drop(edges.remove(edges.len() - 1 - back)),
+        None => edges.push(edge),
+    }
 }
 
 fn rounded(p: DVec2) -> [i64; 2] {
@@ -116,12 +138,10 @@ mod tests {
     /// A square from 4 to 12 px in a picture of 20 × 20 px, with one more triangle outside.
     fn shows(alpha: impl Fn(u32, u32) -> u8, outside: [[f64; 2]; 3]) -> bool {
         let corners = [[4.0, 4.0], [12.0, 4.0], [12.0, 12.0], [4.0, 12.0]].map(DVec2::from);
-        let segments = (0..4).map(|i| [i, (i + 1) % 4]).collect();
-        let mesh = Triangulation::constrained_delaunay(corners.into(), segments);
         let vertices = outside.map(DVec2::from).into();
         let skirt = Skirt { vertices, owners: vec![0; 3], triangles: vec![[4, 5, 6]] };
         let rgba: Vec<u8> = (0..400).flat_map(|i| [0, 0, 0, alpha(i % 20, i / 20)]).collect();
-        shows_all(&mesh, &[vec![0, 1, 2, 3]], &skirt, &Opacity::new(&Picture::new(20, 20, &rgba).unwrap()))
+        shows_all(&corners, &[vec![0, 1, 2, 3]], &skirt, &Opacity::new(&Picture::new(20, 20, &rgba).unwrap()))
     }
 
     fn in_square(x: u32, y: u32) -> bool {

@@ -7,9 +7,9 @@
 //! Cost: O(n log n) for n samples on the outline. Known limits: a softer edge ends at [`WIDTH`], and in a narrow gap
 //! at the middle of the gap. A [fringe](super::fringe) draws all else that is visible.
 
-use glam::DVec2;
+use std::ops::Range;
 
-use crate::triangulation::Triangulation;
+use glam::DVec2;
 
 /// Width of the skirt, in pixels. An antialiased edge fades within one pixel, a softly drawn edge within three.
 pub(super) const WIDTH: f64 = 3.0;
@@ -28,16 +28,16 @@ pub(crate) struct Skirt {
 }
 
 impl Skirt {
-    /// The skirt of a mesh, clamped to a picture of `size`. `outline` lists the vertices of each ring.
-    pub(crate) fn new(mesh: &Triangulation, outline: &[Vec<u32>], size: DVec2) -> Self {
-        let segments = Segments::new(mesh, outline);
+    /// The skirt of samples, clamped to a picture of `size`. `outline` lists the samples of each ring.
+    pub(crate) fn new(samples: &[DVec2], outline: &[Vec<u32>], size: DVec2) -> Self {
+        let mut segments = Segments::new(samples, outline);
         let mut skirt = Self::default();
         for ring in outline {
             let n = ring.len();
-            let base = (mesh.vertices.len() + skirt.vertices.len()) as u32;
+            let base = (samples.len() + skirt.vertices.len()) as u32;
             for i in 0..n {
                 let around = [ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]];
-                let [prev, at, next] = around.map(|v| mesh.vertices[v as usize]);
+                let [prev, at, next] = around.map(|v| samples[v as usize]);
                 let out = mitre(prev, at, next);
                 let reach = segments.free_radius(at, around, out.normalize()).min(WIDTH * out.length());
                 skirt.vertices.push((at + out.normalize() * reach).clamp(DVec2::ZERO, size));
@@ -52,13 +52,13 @@ impl Skirt {
         skirt
     }
 
-    /// The rest place of a vertex of the mesh or the skirt.
-    pub(super) fn place(&self, mesh: &Triangulation, vertex: u32) -> DVec2 {
+    /// The rest place of a sample or of a vertex of the skirt.
+    pub(super) fn place(&self, samples: &[DVec2], vertex: u32) -> DVec2 {
         let vertex = vertex as usize;
-        mesh.vertices.get(vertex).copied().unwrap_or_else(|| self.vertices[vertex - mesh.vertices.len()])
+        samples.get(vertex).copied().unwrap_or_else(|| self.vertices[vertex - samples.len()])
     }
 
-    /// The same skirt for a mesh that has grown from `before` to `now` vertices, with no new one on the outline.
+    /// The same skirt for samples that have grown from `before` to `now`, with no new one on the outline.
     pub(crate) fn renumbered(&self, before: usize, now: usize) -> Self {
         let number = |v: u32| if (v as usize) < before { v } else { v + (now - before) as u32 };
         Self { triangles: self.triangles.iter().map(|t| t.map(number)).collect(), ..self.clone() }
@@ -76,20 +76,22 @@ fn mitre(prev: DVec2, at: DVec2, next: DVec2) -> DVec2 {
 
 /// Segments of the outline in a grid of square cells.
 struct Segments<'a> {
-    mesh: &'a Triangulation,
+    samples: &'a [DVec2],
     /// Row and column of each cell that the box of a segment touches, ascending, with the segment.
     cells: Vec<([i32; 2], [u32; 2])>,
+    /// The last cell that was searched, with the ranges of cells around it. Samples along an outline share them.
+    near: (Option<[i32; 2]>, [Range<usize>; 3]),
 }
 
 /// Side of a grid cell: the widest gap that matters.
 const CELL_PX: f64 = 2.0 * MAX_MITRE * WIDTH;
 
 impl<'a> Segments<'a> {
-    fn new(mesh: &'a Triangulation, outline: &[Vec<u32>]) -> Self {
+    fn new(samples: &'a [DVec2], outline: &[Vec<u32>]) -> Self {
         let mut cells = Vec::new();
         for ring in outline {
             for (&a, &b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                let (p, q) = (mesh.vertices[a as usize], mesh.vertices[b as usize]);
+                let (p, q) = (samples[a as usize], samples[b as usize]);
                 let (low, high) = (p.min(q) / CELL_PX, p.max(q) / CELL_PX);
                 for y in low.y.floor() as i32..=high.y.floor() as i32 {
                     for x in low.x.floor() as i32..=high.x.floor() as i32 {
@@ -99,20 +101,22 @@ impl<'a> Segments<'a> {
             }
         }
         cells.sort_unstable();
-        Self { mesh, cells }
+        Self { samples, cells, near: (None, Default::default()) }
     }
 
     /// Radius of the largest empty circle that touches the outline at a sample, on the side of the unit vector `out`.
     ///
     /// Its centre is as far from any other part of the outline as from this sample.
-    fn free_radius(&self, at: DVec2, [prev, own, next]: [u32; 3], out: DVec2) -> f64 {
-        let cell = (at / CELL_PX).floor();
-        let (x, y) = (cell.x as i32, cell.y as i32);
-        let before = |cell: [i32; 2]| self.cells.partition_point(|&(known, _)| known < cell);
-        let rows = (y - 1..=y + 1).map(|y| &self.cells[before([y, x - 1])..before([y, x + 2])]);
+    fn free_radius(&mut self, at: DVec2, [prev, own, next]: [u32; 3], out: DVec2) -> f64 {
+        let [x, y] = (at / CELL_PX).floor().to_array().map(|cell| cell as i32);
+        if self.near.0 != Some([y, x]) {
+            let before = |cell: [i32; 2]| self.cells.partition_point(|&(known, _)| known < cell);
+            self.near = (Some([y, x]), [y - 1, y, y + 1].map(|y| before([y, x - 1])..before([y, x + 2])));
+        }
+        let rows = self.near.1.iter().map(|range| &self.cells[range.clone()]);
         let radii = rows.flatten().filter_map(|&(_, ends)| {
             let beside = ends.iter().any(|v| [prev, own, next].contains(v));
-            (!beside).then(|| touching_radius(out, ends.map(|v| self.mesh.vertices[v as usize] - at)))
+            (!beside).then(|| touching_radius(out, ends.map(|v| self.samples[v as usize] - at)))
         });
         radii.fold(f64::INFINITY, f64::min)
     }
@@ -122,6 +126,10 @@ impl<'a> Segments<'a> {
 ///
 /// It is infinite if no such circle touches the segment.
 fn touching_radius(out: DVec2, ends @ [p, q]: [DVec2; 2]) -> f64 {
+    // The circle lies ahead of the origin.
+    if ends.iter().all(|end| end.dot(out) <= 0.0) {
+        return f64::INFINITY;
+    }
     let through = |p: DVec2| {
         let ahead = p.dot(out);
         if ahead > 0.0 { p.length_squared() / (2.0 * ahead) } else { f64::INFINITY }

@@ -4,7 +4,7 @@
 
 use glam::DVec2;
 
-use super::{lattice, outline::OutlineSamples};
+use super::{lattice, nodes::Nodes, outline::OutlineSamples};
 use crate::domain::Domain;
 
 /// From one spacing to the next, the number of points falls by some 5 %.
@@ -32,7 +32,8 @@ impl SpriteSamples {
         let mut spacing = lattice::spacing(domain, most) / 1.5;
         loop {
             let OutlineSamples { mut vertices, segments, .. } = OutlineSamples::new(domain, spacing);
-            let inside = lattice::inner_points(domain, &[], spacing, &vertices, &segments);
+            let nodes = Nodes::new(domain, &[], spacing, &vertices, &segments);
+            let inside: Vec<DVec2> = nodes.positions().map(|(_, p)| p).collect();
             // Beyond the coarsest spacing, no edge is divided, and no lattice point has room.
             if count(vertices.len(), inside.len()) <= most || spacing > coarsest {
                 vertices.extend(inside);

@@ -47,7 +47,7 @@ impl Skirt {
     ) -> Self {
         let parts = Parts::new(mesh, outline);
         // All of them as they are drawn.
-        let corners = |triangle: &[u32; 3]| triangle.map(|v| rounded(self.place(mesh, v)));
+        let corners = |triangle: &[u32; 3]| triangle.map(|v| rounded(self.place(&mesh.vertices, v)));
         let all = mesh.triangles.iter().chain(&self.triangles).map(corners).collect();
         let (tiles, first) = (Tiles::new(all, opacity.size()), mesh.triangles.len());
         let vertices = |t: usize| mesh.triangles.get(t).unwrap_or_else(|| &self.triangles[t - first]);
