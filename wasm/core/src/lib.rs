@@ -45,6 +45,7 @@ mod grid;
 mod min_entry;
 mod min_max;
 mod point_tree;
+mod rank;
 mod rows;
 mod segment;
 mod triangulation;

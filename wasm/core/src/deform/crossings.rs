@@ -12,7 +12,7 @@
 use glam::DVec2;
 
 use super::triangle::{Corners, corners};
-use crate::rows::Rows;
+use crate::{rank::sort_by_rank, rows::Rows};
 
 /// In place of a neighbour that a triangle lacks.
 pub(super) const NONE: u32 = u32::MAX;
@@ -52,7 +52,7 @@ impl Adjacency {
             })
         };
         let mut all: Vec<(u64, u32, u8)> = triangles.iter().enumerate().flat_map(edges).collect();
-        all.sort_unstable();
+        sort_by_rank(&mut all, |&(ends, triangle, _)| [ends as i64, triangle.into()]);
         let mut neighbours = vec![[NONE; 3]; triangles.len()];
         for pair in all.windows(2) {
             let [(ends, t, k), (other_ends, u, l)] = [pair[0], pair[1]];

@@ -4,6 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::rank::{ascending, sort_by_rank};
 use glam::DVec2;
 
 /// Handles within this share of the width from the axis are on neither side of it.
@@ -30,7 +31,7 @@ pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&s
     for mut members in groups(&words) {
         // From top to bottom, and at about the same height from the outside in.
         let key = |k: usize| shares[k].y - OUTWARDS * (shares[k].x - 0.5).abs();
-        members.sort_by(|&a, &b| key(a).total_cmp(&key(b)).then(shares[a].x.total_cmp(&shares[b].x)));
+        sort_by_rank(&mut members, |&k| [ascending(key(k)), ascending(shares[k].x)]);
         for k in members {
             let numbered =
                 |number: usize| if number == 1 { words[k].clone() } else { format!("{}-{number}", words[k]) };

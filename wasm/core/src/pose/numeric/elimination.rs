@@ -10,6 +10,7 @@
 //! Cost: for a planar graph of n vertices, some n √n to factorise and n log n for a solution. For 200 sites: 0.2 ms
 //! and 5 µs.
 
+use crate::rank::sort_by_rank;
 use std::{
     collections::BTreeSet,
     ops::{AddAssign, Mul, MulAssign},
@@ -43,7 +44,7 @@ impl GroundedLaplacian {
             near[j].push((i as u32, weight));
         }
         for list in &mut near {
-            list.sort_by_key(|&(vertex, _)| vertex);
+            sort_by_rank(list, |&(vertex, _)| [vertex.into(), 0]);
         }
         let mut queue: BTreeSet<(usize, u32)> = (0..).zip(&near).map(|(vertex, list)| (list.len(), vertex)).collect();
         let (mut pivots, mut fractions) = (Vec::with_capacity(near.len()), Vec::new());

@@ -3,6 +3,7 @@
 //! Cost: up to [`MAX_CONSTRAINTS_IN_PAIRS`] constraints, all pairs of them, and a pass over all for each candidate.
 //! With more, first a few passes that select the active ones.
 
+use crate::rank::sort_by_rank;
 use glam::DVec2;
 
 /// Selects one of several equally good steps.
@@ -123,7 +124,7 @@ fn active_constraints(direction: DVec2, constraints: &[Constraint], reach: f64) 
     for at in best {
         chosen.extend(edge(constraints, at, 0..constraints.len(), slack).into_iter().flatten());
     }
-    chosen.sort_unstable();
+    sort_by_rank(&mut chosen, |&at| [at as i64, 0]);
     chosen.dedup();
     Some(chosen.into_iter().map(|at| constraints[at]).collect())
 }
