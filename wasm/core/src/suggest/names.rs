@@ -54,9 +54,9 @@ fn is_on_both_sides(members: &[usize], shares: &[DVec2]) -> bool {
     left > 0 && left < members.len()
 }
 
-/// An id as people read it: editors show hyphens as spaces.
+/// An id as people read it: editors show hyphens as spaces. The words here have no letters but those of ASCII.
 fn read(id: &str) -> String {
-    id.trim().to_lowercase().replace(['_', ' '], "-")
+    id.trim().to_ascii_lowercase().replace(['_', ' '], "-")
 }
 
 /// The side that the outer thirds of the width lie on.
