@@ -4,8 +4,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::rank::{ascending, sort_by_rank};
 use glam::DVec2;
+
+use crate::rank::{ascending, sort_by_rank};
 
 /// Handles within this share of the width from the axis are on neither side of it.
 const ON_AXIS: f64 = 0.03;
@@ -26,7 +27,8 @@ pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&s
             }
         }
     }
-    let mut known: BTreeSet<String> = taken.iter().map(|id| read(id)).collect();
+    let mut known: BTreeSet<String> = BTreeSet::new();
+    known.extend(taken.iter().map(|id| read(id)));
     let mut ids = vec![String::new(); words.len()];
     for mut members in groups(&words) {
         // From top to bottom, and at about the same height from the outside in.

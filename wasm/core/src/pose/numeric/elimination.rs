@@ -10,11 +10,12 @@
 //! Cost: for a planar graph of n vertices, some n √n to factorise and n log n for a solution. For 200 sites: 0.2 ms
 //! and 5 µs.
 
-use crate::rank::sort_by_rank;
 use std::{
     collections::BTreeSet,
     ops::{AddAssign, Mul, MulAssign},
 };
+
+use crate::rank::sort_by_rank;
 
 /// An eliminated vertex.
 #[derive(Debug, Clone)]
@@ -46,7 +47,9 @@ impl GroundedLaplacian {
         for list in &mut near {
             sort_by_rank(list, |&(vertex, _)| [vertex.into(), 0]);
         }
-        let mut queue: BTreeSet<(usize, u32)> = (0..).zip(&near).map(|(vertex, list)| (list.len(), vertex)).collect();
+        let mut queue: BTreeSet<(usize, u32)> = BTreeSet::new();
+        // Unlike `collect`, this needs no sort of its own: see `rank`.
+        queue.extend((0..).zip(&near).map(|(vertex, list)| (list.len(), vertex)));
         let (mut pivots, mut fractions) = (Vec::with_capacity(near.len()), Vec::new());
         let mut merged = Vec::new();
         while let Some((_, vertex)) = queue.pop_first() {

@@ -3,8 +3,9 @@
 //! Cost: up to [`MAX_CONSTRAINTS_IN_PAIRS`] constraints, all pairs of them, and a pass over all for each candidate.
 //! With more, first a few passes that select the active ones.
 
-use crate::rank::sort_by_rank;
 use glam::DVec2;
+
+use crate::rank::sort_by_rank;
 
 /// Selects one of several equally good steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
