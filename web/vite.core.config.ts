@@ -13,6 +13,9 @@ const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.u
 /** An expression that bundlers find files by. It is no file of this build. */
 const ofElement = (file: string) => `new URL(/* @vite-ignore */ '../element/${file}', import.meta.url)`;
 
+/** The parts of the solver. */
+const FILES = ['c2warp_bg.wasm', 'c2warp_later_bg.wasm'];
+
 const WORKER = './worker/worker?worker&url';
 
 const filesOfElement: Plugin = {
@@ -22,9 +25,13 @@ const filesOfElement: Plugin = {
   load: (id) => (id === `\0${WORKER}` ? `export default ${ofElement('worker.js')}.href` : null),
   transform(code, id) {
     if (!id.endsWith('/compute/loading.ts')) return null;
-    const file = "new URL('./generated/c2warp_bg.wasm', import.meta.url)";
-    if (!code.includes(file)) throw new Error('loading.ts does not name the solver as expected');
-    return { code: code.replace(file, ofElement('c2warp_bg.wasm')), map: null };
+    let named = code;
+    for (const file of FILES) {
+      const before = named;
+      named = before.replace(`new URL('./generated/${file}', import.meta.url)`, ofElement(file));
+      if (named === before) throw new Error(`loading.ts does not name ${file} as expected`);
+    }
+    return { code: named, map: null };
   },
 };
 

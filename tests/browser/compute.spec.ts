@@ -134,7 +134,16 @@ test('a worker that dies is replaced, and its requests are repeated', async ({ p
         super(url, options);
         workers.push(this);
       }
+
+      override postMessage(message: { readonly name?: string }, options?: object): void {
+        super.postMessage(message, options);
+        if (message.name === 'draw') asked();
+      }
     };
+    let asked = () => {};
+    const isAsked = new Promise<void>((resolve) => {
+      asked = resolve;
+    });
     const death = { kind: 'died', started: true, message: 'unreachable' };
     const dies = () => workers.at(-1)?.dispatchEvent(new MessageEvent('message', { data: death }));
     const engine = await harness.startedEngine();
@@ -147,7 +156,7 @@ test('a worker that dies is replaced, and its requests are repeated', async ({ p
     });
     const vertices = (await again).positions.length;
     const twice = harness.drawnPixels(engine, project).catch((error: { code?: string }) => error.code);
-    await Promise.resolve();
+    await isAsked;
     dies();
     dies();
     const code = await twice;

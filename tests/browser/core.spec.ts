@@ -131,7 +131,8 @@ function expectAsCommand(found: Awaited<ReturnType<typeof results>>): void {
 /** Writes the package with its core as npm would install it, from the files of the test server. */
 async function installPackage(request: APIRequestContext): Promise<void> {
   const root = join(folder, 'node_modules/c2warp');
-  const waiting = ['web/dist/core/node.js', 'web/dist/element/c2warp_bg.wasm'];
+  const solver = ['web/dist/element/c2warp_bg.wasm', 'web/dist/element/c2warp_later_bg.wasm'];
+  const waiting = ['web/dist/core/node.js', ...solver];
   for (const file of waiting) {
     const body = await (await request.get(file.replace('web/dist', ''))).body();
     mkdirSync(join(root, file, '..'), { recursive: true });

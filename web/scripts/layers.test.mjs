@@ -30,7 +30,7 @@ const MAY = {
   editor: ['texts', 'geometry', 'document', 'tools', 'error'],
   ui: ['texts', 'geometry', 'document', 'tools', 'editor'],
   input: ['texts', 'geometry', 'editor', 'ui'],
-  render: ['texts', 'geometry', 'error', 'twgl.js'],
+  render: ['texts', 'geometry', 'error'],
   player: ['a shader', 'error'],
   compute: ['texts', 'document', 'geometry', 'error'],
   io: ['texts', 'error'],
@@ -47,7 +47,6 @@ const IMPORTS = {
   'a shader': '../render/file.glsl?raw',
   'element.ts': '../element',
   'the glue': '../compute/generated/c2warp',
-  'twgl.js': 'twgl.js',
 };
 
 describe('the lints', () => {

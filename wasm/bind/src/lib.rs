@@ -14,6 +14,7 @@ mod fill;
 mod filming;
 mod frame_times;
 mod handle_poses;
+mod json;
 mod points;
 mod posed_picture;
 mod session;

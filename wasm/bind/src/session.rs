@@ -21,6 +21,7 @@ use crate::{
     error::{to_js, with_code},
     fill::Fill,
     filming::{FilmOptions, Filming, Moment},
+    json::json,
     solution::Solution,
 };
 
@@ -392,10 +393,6 @@ fn of_frame<T>(answer: Result<Option<T>, Error>) -> Result<T, JsValue> {
 fn options(scale: f64, canvas: Canvas, pixelated: bool) -> ResampleOptions {
     let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
     ResampleOptions { scale, canvas: canvas.into(), filter, ..ResampleOptions::default() }
-}
-
-fn json(value: &impl Serialize) -> String {
-    serde_json::to_string(value).expect("numbers under names are JSON")
 }
 
 /// Milliseconds since a fixed moment, in a worker or a page; zero without a clock.

@@ -6,7 +6,11 @@
 
 use glam::DVec2;
 
-use crate::{distance::DistanceField, solution::Solution};
+use crate::{
+    distance::DistanceField,
+    rank::{descending, sort_by_rank},
+    solution::Solution,
+};
 
 /// The weights at a point, and the shortest paths to the handles.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,7 +77,7 @@ impl Solution {
         let is_virtual = |site: usize| !self.sites()[site].kind.is_real();
         let site = |&(site, weight): &(usize, f64)| LensSite { site, weight, distance: distance(site) };
         let mut sites: Vec<LensSite> = weights.iter().map(site).collect();
-        sites.sort_by(|a, b| b.weight.total_cmp(&a.weight).then(a.site.cmp(&b.site)));
+        sort_by_rank(&mut sites, |site| [descending(site.weight), site.site as i64]);
         let virtual_weight = weights.iter().filter(|&&(site, _)| is_virtual(site)).map(|&(_, weight)| weight).sum();
         let nearest = self.nearest_sites(distance).into_iter();
         let mut shares: Vec<Share> = nearest.filter_map(|share| self.with_path(share, field)).collect();
@@ -105,7 +109,7 @@ impl Solution {
             }
         }
         // As an unsigned number, a held boundary is last.
-        shares.sort_by_key(|share| share.handle as u32);
+        sort_by_rank(&mut shares, |share| [i64::from(share.handle as u32), 0]);
         shares
     }
 

@@ -46,6 +46,7 @@ mod join;
 mod min_entry;
 mod min_max;
 mod point_tree;
+mod rank;
 mod rows;
 mod segment;
 mod triangulation;

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use crate::{
     pose::HarmonicFields,
+    rank::sort_by_rank,
     rows::Rows,
     sample::Samples,
     site::{Site, SiteKind},
@@ -70,7 +71,7 @@ fn parts(sites: &[Site]) -> Vec<u32> {
     };
     let firsts: Vec<(usize, usize)> = sites.iter().enumerate().map(first).collect();
     let mut order = firsts.clone();
-    order.sort_unstable();
+    sort_by_rank(&mut order, |&(handle, kind)| [handle as i64, kind as i64]);
     order.dedup();
     firsts.iter().map(|first| order.partition_point(|other| other < first) as u32).collect()
 }

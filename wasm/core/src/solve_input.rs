@@ -18,6 +18,7 @@ use crate::{
     pose::{DisplacementField, SolvedHandle, StiffnessField, picture_size},
     prepared_domain::PreparedDomain,
     project::{Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
+    rank::{from_top, sort_by_rank},
     site::{PointSite, sharp_corners},
 };
 
@@ -146,7 +147,7 @@ impl SolveInput {
             Ok(PointSite { rest, triangle, handle: point.handle })
         };
         let mut points = self.points.iter().map(site).collect::<Result<Vec<_>, Error>>()?;
-        points.sort_by(|a, b| from_top(a.rest, b.rest));
+        sort_by_rank(&mut points, |point| from_top(point.rest));
         self.check_distances(&points.iter().map(|point| (point.rest, point.handle)).collect::<Vec<_>>())?;
         self.check_crowding(&points, diagonal)?;
         if self.fix_boundary {
@@ -175,7 +176,7 @@ impl SolveInput {
             return Err(point.outside());
         }
         let mut points: Vec<(DVec2, u32)> = self.points.iter().map(|point| (point.rest, point.handle)).collect();
-        points.sort_by(|a, b| from_top(a.0, b.0));
+        sort_by_rank(&mut points, |&(rest, _)| from_top(rest));
         self.check_distances(&points)?;
         Ok(points)
     }
@@ -245,11 +246,6 @@ impl PointHandle {
 fn is_posed_in_bounds(handle: &Handle) -> bool {
     let coordinates = handle.shape.posed().iter().flat_map(DVec2::to_array);
     coordinates.chain([handle.scale, handle.depth]).all(|number| number.abs() <= MAX_POSED)
-}
-
-/// Orders positions from top to bottom, then from left to right.
-fn from_top(a: DVec2, b: DVec2) -> Ordering {
-    a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x))
 }
 
 /// The diagonal of the box around rings.

@@ -11,6 +11,9 @@ use std::process::Command;
 
 use wasm_bindgen_cli_support::Bindgen;
 
+use crate::panic_places;
+use crate::split::{JOINING_TYPES, Parts, joining_glue, split};
+
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// A module: its crate, the folder to write it into, from the root of the repository, and the name of its files.
@@ -19,17 +22,58 @@ pub(crate) struct Module<'a> {
     pub(crate) package: &'a str,
     pub(crate) output: &'a Path,
     pub(crate) name: &'a str,
+    /// The exports that a page loads later, as `NAME_later_bg.wasm`; none for a module in one part.
+    pub(crate) later: &'a [&'a str],
 }
+
+/// The exports of the solver that few pages need, or only after a while: suggestions, drawings, films, fills,
+/// explanations, and questions that `c2warp/core` alone asks. A name that ends with `_` is a beginning.
+const LATER: &[&str] = &[
+    "session_begin_fill",
+    "session_advance_fill",
+    "session_fill",
+    "session_fit",
+    "session_suggest",
+    "session_cell_borders",
+    "session_lens",
+    "session_study",
+    "session_draw",
+    "session_rows",
+    "session_film",
+    "session_frame",
+    "session_include",
+    "session_picture_at_rest",
+    "session_map",
+    "session_inverse",
+    "session_posed_mesh",
+    "session_weights",
+    "session_distances",
+    "session_path",
+    "cellborders_",
+    "drawing_",
+    "fill_",
+    "filming_",
+    "pointweights_",
+    "posedmesh_",
+];
 
 /// The name of a solver's files, also of its benchmark's.
 pub(crate) const SOLVER: &str = "c2warp";
 
 /// The modules that the editor loads: the solver, and the makers of films and of other exports when they are needed.
 pub(crate) fn editor_modules() -> [Module<'static>; 3] {
-    let solver = Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER };
-    let film = Module { package: "c2warp-film-bind", output: Path::new("web/src/io/generated"), name: "film" };
-    let export = Module { package: "c2warp-export-bind", output: solver.output, name: "c2warp_export" };
+    let solver =
+        Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER, later: LATER };
+    let film =
+        Module { package: "c2warp-film-bind", output: Path::new("web/src/io/generated"), name: "film", later: &[] };
+    let export = Module { package: "c2warp-export-bind", output: solver.output, name: "c2warp_export", later: &[] };
     [solver, film, export]
+}
+
+/// The solver in another folder.
+pub(crate) fn solver_in(output: &Path) -> Module<'_> {
+    let [solver, ..] = editor_modules();
+    Module { output, ..solver }
 }
 
 /// The profile of cargo for the module.
@@ -39,6 +83,8 @@ pub(crate) enum Profile {
     Dev,
     /// The module of a published editor.
     Release,
+    /// As a release, with the names of functions: for measuring what it is made of.
+    Named,
 }
 
 /// A failure to make the module.
@@ -50,6 +96,10 @@ pub(crate) enum BindgenError {
     Build,
     #[error("wasm-bindgen rejects {path}: {reason}")]
     Glue { path: PathBuf, reason: String },
+    #[error("{path} cannot be rewritten: {reason}")]
+    Rewrite { path: PathBuf, reason: String },
+    #[error("{path}: {source}")]
+    File { path: PathBuf, source: std::io::Error },
 }
 
 /// Builds modules and writes `NAME.js`, `NAME.d.ts` and `NAME_bg.wasm` of each into its folder.
@@ -57,7 +107,14 @@ pub(crate) fn run(root: &Path, modules: &[Module<'_>], profile: Profile) -> Resu
     let compiled = compiled_modules(root, modules, profile)?;
     for module in modules {
         let file = compiled.join(module.package.replace('-', "_")).with_extension("wasm");
-        generate(&file, &root.join(module.output), module.name, profile)?;
+        let output = root.join(module.output);
+        generate(&file, &output, module.name, profile)?;
+        if !matches!(profile, Profile::Dev) {
+            remove_panic_places(&output.join(format!("{}_bg.wasm", module.name)))?;
+        }
+        if !module.later.is_empty() {
+            split_off(&output, module.name, module.later)?;
+        }
     }
     Ok(())
 }
@@ -66,7 +123,7 @@ pub(crate) fn run(root: &Path, modules: &[Module<'_>], profile: Profile) -> Resu
 fn compiled_modules(root: &Path, modules: &[Module<'_>], profile: Profile) -> Result<PathBuf, BindgenError> {
     let (flag, directory) = match profile {
         Profile::Dev => ("dev", "debug"),
-        Profile::Release => ("release", "release"),
+        Profile::Release | Profile::Named => ("release", "release"),
     };
     // Cargo sets these variables for the programs that it runs.
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -102,4 +159,38 @@ fn generate(module: &Path, output: &Path, name: &str, profile: Profile) -> Resul
         .web(true)
         .and_then(|bindgen| bindgen.generate(output))
         .map_err(|error| BindgenError::Glue { path: module.to_owned(), reason: format!("{error:#}") })
+}
+
+fn remove_panic_places(path: &Path) -> Result<(), BindgenError> {
+    let mut module = walrus::Module::from_buffer(&read(path)?)
+        .map_err(|error| BindgenError::Rewrite { path: path.to_owned(), reason: format!("{error:#}") })?;
+    panic_places::remove(&mut module);
+    write(path, &module.emit_wasm())
+}
+
+/// Moves exports of a module into a later part, and adds the function that joins both to its glue.
+fn split_off(output: &Path, name: &str, later: &[&str]) -> Result<(), BindgenError> {
+    let is_later =
+        |export: &str| later.iter().any(|&one| export == one || one.ends_with('_') && export.starts_with(one));
+    let path = output.join(format!("{name}_bg.wasm"));
+    let reason = |reason: String| BindgenError::Rewrite { path: path.clone(), reason };
+    let parts = split(&read(&path)?, is_later).map_err(|error| reason(format!("{error:#}")))?;
+    let Parts { first, later } = parts;
+    let glue_path = output.join(format!("{name}.js"));
+    let glue = String::from_utf8_lossy(&read(&glue_path)?).into_owned();
+    let glue = joining_glue(&glue).ok_or_else(|| reason("its glue is not as expected".to_owned()))?;
+    let types_path = output.join(format!("{name}.d.ts"));
+    let types = [&read(&types_path)?[..], JOINING_TYPES.as_bytes()].concat();
+    write(&path, &first)?;
+    write(&output.join(format!("{name}_later_bg.wasm")), &later)?;
+    write(&glue_path, glue.as_bytes())?;
+    write(&types_path, &types)
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, BindgenError> {
+    std::fs::read(path).map_err(|source| BindgenError::File { path: path.to_owned(), source })
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), BindgenError> {
+    std::fs::write(path, bytes).map_err(|source| BindgenError::File { path: path.to_owned(), source })
 }

@@ -1,7 +1,9 @@
 //! The build steps of c2warp that cargo itself does not know: `cargo run -p xtask -- COMMAND`.
 
 mod bindgen;
+mod panic_places;
 mod schema;
+mod split;
 mod typescript;
 
 use std::path::{Path, PathBuf};
@@ -23,6 +25,9 @@ enum Command {
         /// Builds quickly, and keeps the names of functions
         #[arg(long)]
         dev: bool,
+        /// Writes the solver with the names of its functions into this folder, for `npm run sizes`
+        #[arg(long, conflicts_with_all = ["dev", "package"])]
+        named: Option<PathBuf>,
         /// Another crate to build in their place
         #[arg(long, requires = "out")]
         package: Option<String>,
@@ -41,11 +46,13 @@ enum Command {
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let result = match Arguments::parse().command {
-        Command::Bindgen { dev, package, out } => {
+        Command::Bindgen { dev, named, package, out } => {
             let profile = if dev { bindgen::Profile::Dev } else { bindgen::Profile::Release };
-            let built = match (&package, &out) {
-                (Some(package), Some(output)) => {
-                    bindgen::run(&root, &[bindgen::Module { package, output, name: bindgen::SOLVER }], profile)
+            let built = match (&named, &package, &out) {
+                (Some(output), ..) => bindgen::run(&root, &[bindgen::solver_in(output)], bindgen::Profile::Named),
+                (None, Some(package), Some(output)) => {
+                    let module = bindgen::Module { package, output, name: bindgen::SOLVER, later: &[] };
+                    bindgen::run(&root, &[module], profile)
                 }
                 _ => bindgen::run(&root, &bindgen::editor_modules(), profile),
             };

@@ -18,6 +18,7 @@ import { engineError } from './engine_error';
 import { superseded } from './errors';
 import { Filming } from './filming';
 import { Link } from './link';
+import { loadedLater } from './loading';
 import type { DrawingOptions, FilmOptions, Messages } from './messages';
 import { checkedProject, loadModule } from './module';
 import type { PosedPicture } from './posed_picture';
@@ -53,7 +54,7 @@ export class Engine {
   static async start(): Promise<Engine> {
     const module = await loadModule();
     try {
-      return new Engine(new Link(() => startWorker(worker), module, worker));
+      return new Engine(new Link(() => startWorker(worker), module, loadedLater, worker));
     } catch (error) {
       throw engineError(ENGINE, say('errors.engine.noWorkers'), { cause: error });
     }
@@ -87,7 +88,7 @@ export class Engine {
   async fill(project: Project, onProgress: (part: number) => void): Promise<FillData | null> {
     const picture = this.#picture;
     this.stopFilling();
-    await picture;
+    await Promise.all([picture, this.#link.extend()]);
     if (picture !== this.#picture) throw superseded();
     return this.#link.send('fill', { project: problemText(project) }, onProgress);
   }
@@ -188,7 +189,7 @@ export class Engine {
     body: Messages[N][0],
   ): Promise<Messages[N][1]> {
     const picture = this.#picture;
-    await picture;
+    await Promise.all([picture, this.#link.extend()]);
     if (picture !== this.#picture) throw superseded();
     return this.#link.send(name, body);
   }

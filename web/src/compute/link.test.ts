@@ -1,15 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { C2WarpError } from '../error';
 import { Link, type Port } from './link';
-import type { Boot, Reply, Request } from './messages';
+import type { Boot, Extension, Reply, Request } from './messages';
 
 class FakeWorker implements Port {
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;
-  readonly received: (Boot | Request)[] = [];
+  readonly received: (Boot | Extension | Request)[] = [];
   ended = false;
 
-  postMessage(message: Boot | Request): void {
+  postMessage(message: Boot | Extension | Request): void {
     this.received.push(message);
   }
 
@@ -26,6 +26,7 @@ class FakeWorker implements Port {
   }
 }
 
+const LATER = {} as WebAssembly.Module;
 const PICTURE = { width: 2, height: 2, sendTo: () => {} };
 const BORDERS = { corners: new Uint32Array(), barycentric: new Float32Array() };
 
@@ -38,6 +39,7 @@ function linked() {
       return worker;
     },
     {} as WebAssembly.Module,
+    async () => LATER,
     'https://c2warp.example/worker.js',
   );
   const worker = (index: number) => {
@@ -150,6 +152,15 @@ describe('Link', () => {
     ).toEqual(['solve']);
     link.dispose();
     await expect(solve).rejects.toMatchObject({ name: 'AbortError' });
+  });
+
+  it('gives the later part of the module to each worker, once', async () => {
+    const { link, worker } = linked();
+    await Promise.all([link.extend(), link.extend()]);
+    const parts = () => [0, 1].map((at) => worker(at).received.filter((message) => 'later' in message));
+    link.send('cells', { project: '{}' });
+    worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
+    expect(parts()).toEqual([[{ later: LATER }], [{ later: LATER }]]);
   });
 
   it('rejects what is under way when disposed of, and starts no other worker', async () => {

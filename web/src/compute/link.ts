@@ -9,12 +9,12 @@ import { ENGINE, TOO_MUCH } from '../error';
 import { say } from '../texts/wording';
 import { engineError, tooMuchError } from './engine_error';
 import { failureError, superseded } from './errors';
-import type { Boot, Messages, Name, ProgressOf, Reply, Request, SentPicture } from './messages';
+import type { Boot, Extension, Messages, Name, ProgressOf, Reply, Request, SentPicture } from './messages';
 import type { PixelSource } from './solution';
 
 /** The part of a Worker that is used here. */
 export interface Port {
-  postMessage(message: Boot | Request, transfer?: Transferable[]): void;
+  postMessage(message: Boot | Extension | Request, transfer?: Transferable[]): void;
   terminate(): void;
   onmessage: ((event: MessageEvent<Reply>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
@@ -67,6 +67,9 @@ const BROKE = {
 export class Link {
   readonly #spawn: () => Port;
   readonly #module: WebAssembly.Module;
+  readonly #loadLater: () => Promise<WebAssembly.Module>;
+  /** The later part, once a request has needed it. */
+  #later: WebAssembly.Module | undefined;
   readonly #address: string;
   /** By id, in the order of sending. */
   readonly #pending = new Map<number, Pending>();
@@ -76,12 +79,30 @@ export class Link {
   #disposed = false;
   #picture: Messages['picture'][0] | undefined;
 
-  /** @param address of the worker, for the error of one that does not start. */
-  constructor(spawn: () => Port, module: WebAssembly.Module, address = 'its file') {
+  /**
+   * @param loadLater loads the later part of the module.
+   * @param address of the worker, for the error of one that does not start.
+   */
+  constructor(
+    spawn: () => Port,
+    module: WebAssembly.Module,
+    loadLater: () => Promise<WebAssembly.Module>,
+    address = 'its file',
+  ) {
     this.#spawn = spawn;
     this.#module = module;
+    this.#loadLater = loadLater;
     this.#address = address;
     this.#start();
+  }
+
+  /** Gives the solver the later part of its module. Requests that need it are sent after that. @throws C2WarpError */
+  async extend(): Promise<void> {
+    if (this.#later) return;
+    const later = await this.#loadLater();
+    if (this.#later) return;
+    this.#later = later;
+    this.#port?.postMessage({ later });
   }
 
   send<N extends Name>(
@@ -131,6 +152,7 @@ export class Link {
     // The worker script threw outside of a request, or did not load.
     port.onerror = (event) => this.#replace(false, event.message);
     port.postMessage({ module: this.#module });
+    if (this.#later) port.postMessage({ later: this.#later });
     const requests = [...this.#pending.values()].map(({ request }) => request);
     if (this.#picture && !requests.some(({ name }) => name === 'picture')) {
       post(port, { id: 0, name: 'picture', body: this.#picture });

@@ -1,21 +1,31 @@
-/** The file of the solver's module. */
+/** The files of the solver's module: the part that all pages need, and the later one. */
 import { asError, type C2WarpError, ENGINE, wordingOf } from '../error';
 import { say, type Words } from '../texts/wording';
 import { engineError } from './engine_error';
 
 export const SOLVER = new URL('./generated/c2warp_bg.wasm', import.meta.url);
 
-let loading: Promise<WebAssembly.Module> | undefined;
+/** Suggestions, drawings, films, fills and explanations: see `wasm/xtask/src/bindgen.rs`. */
+export const LATER = new URL('./generated/c2warp_later_bg.wasm', import.meta.url);
 
-/** Fetches and compiles the solver once; later calls return the same module. @throws C2WarpError */
-export function loadedModule(): Promise<WebAssembly.Module> {
-  loading ??= compiled(SOLVER).catch((error: unknown) => {
-    // A later call tries again: the network may be back.
-    loading = undefined;
-    throw notLoaded(error);
-  });
-  return loading;
+/** Returns a function that loads a module once. Later calls return the same one. */
+export function once(load: () => Promise<WebAssembly.Module>): () => Promise<WebAssembly.Module> {
+  let loading: Promise<WebAssembly.Module> | undefined;
+  return () => {
+    loading ??= load().catch((error: unknown) => {
+      // A later call tries again: the network may be back.
+      loading = undefined;
+      throw notLoaded(error);
+    });
+    return loading;
+  };
 }
+
+/** Fetches and compiles the solver. @throws C2WarpError */
+export const loadedModule = once(() => compiled(SOLVER));
+
+/** Fetches and compiles the later part of the solver. @throws C2WarpError */
+export const loadedLater = once(() => compiled(LATER));
 
 /** @throws C2WarpError that names the address and the fault of the file. */
 export async function compiled(url: URL): Promise<WebAssembly.Module> {

@@ -1,6 +1,6 @@
 /** A solver in place of a worker: it runs on the thread of its owner, stage by stage. */
 import type { Port } from './link';
-import type { Boot, Reply, Request } from './messages';
+import type { Boot, Extension, Reply, Request } from './messages';
 import { SolverService } from './solver_service';
 
 export class LocalPort implements Port {
@@ -8,7 +8,7 @@ export class LocalPort implements Port {
   onerror: Port['onerror'] = null;
   readonly #service = new SolverService((data) => this.#deliver(data), { warmUp: false });
 
-  postMessage(message: Boot | Request): void {
+  postMessage(message: Boot | Extension | Request): void {
     this.#service.push(message);
   }
 

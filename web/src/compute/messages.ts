@@ -153,6 +153,16 @@ export interface Boot {
   readonly module: WebAssembly.Module;
 }
 
+/** The later part of the module. It comes before the first request that needs it. */
+export interface Extension {
+  readonly later: WebAssembly.Module;
+}
+
+/** The requests that the first part of the module answers. */
+const ANSWERED_AT_ONCE: readonly Name[] = ['picture', 'solve', 'stop'];
+
+export const needsLater = (name: Name): boolean => !ANSWERED_AT_ONCE.includes(name);
+
 /** The progress of a request: the stage of a solve that is done, the part of a fill from 0 to 1. */
 export type ProgressOf<N extends Name> = N extends 'solve' ? Stage : N extends 'fill' ? number : never;
 

@@ -13,10 +13,21 @@ import init, {
   Canvas,
   type Drawing,
   type Filming,
+  join_later,
   Session,
   type Solution,
 } from './generated/c2warp';
-import type { Boot, DrawingSize, Failure, FilmSize, Messages, Moment, Reply, Request } from './messages';
+import type {
+  Boot,
+  DrawingSize,
+  Extension,
+  Failure,
+  FilmSize,
+  Messages,
+  Moment,
+  Reply,
+  Request,
+} from './messages';
 import { nextTask, Queue } from './queue';
 import type { Report, SolutionData, Stage } from './solution';
 import { WARM_UP } from './warm_up';
@@ -49,14 +60,14 @@ export class SolverService {
   readonly #drawings = new Map<number, Drawing>();
   /** The films of the present picture, by the ids of their requests. */
   readonly #films = new Map<number, Filming>();
-  readonly #queue = new Queue<Boot | Request>((message) => this.#receive(message));
+  readonly #queue = new Queue<Boot | Extension | Request>((message) => this.#receive(message));
 
   constructor(post: Post, options: ServiceOptions) {
     this.#post = post;
     this.#options = options;
   }
 
-  push(message: Boot | Request): void {
+  push(message: Boot | Extension | Request): void {
     this.#queue.push(message);
   }
 
@@ -69,9 +80,10 @@ export class SolverService {
     this.#session = undefined;
   }
 
-  async #receive(message: Boot | Request): Promise<void> {
+  async #receive(message: Boot | Extension | Request): Promise<void> {
     try {
       if ('module' in message) await this.#boot(message.module);
+      else if ('later' in message) join_later(message.later);
       else await this.#answer(message);
     } catch (error) {
       // Exhausted stacks and memory are other errors than panics.

@@ -1,6 +1,6 @@
 /** Pages and workers: the browser decodes pictures. */
 import type { Port } from '../compute/link';
-import { loadedModule } from '../compute/loading';
+import { loadedLater, loadedModule } from '../compute/loading';
 import type { Pixels } from '../compute/solution';
 import worker from '../compute/worker/worker?worker&url';
 import { C2WarpError, ENGINE } from '../error';
@@ -20,7 +20,8 @@ const workerPlatform: Platform = {
 export const browser: Environment = {
   usesWorker: isPage,
   workerAddress: worker,
-  loadModule: () => loadedModule(),
+  loadModule: loadedModule,
+  loadLater: loadedLater,
 
   spawn(): Port {
     try {

@@ -8,6 +8,8 @@ export interface Environment {
   readonly usesWorker: boolean;
   /** The compiled solver of this package. @throws C2WarpError with the code `engine`. */
   loadModule(): Promise<WebAssembly.Module>;
+  /** The compiled later part of the solver. @throws C2WarpError with the code `engine`. */
+  loadLater(): Promise<WebAssembly.Module>;
   /** The address of the worker; undefined if there is none. */
   readonly workerAddress?: string;
   /** Starts a worker with a solver. @throws C2WarpError with the code `engine`. */

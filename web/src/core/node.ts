@@ -1,7 +1,7 @@
 /** Node: PNG files are decoded here, for other kinds the program brings a decoder. */
 
 import { readFile } from 'node:fs/promises';
-import { notLoaded, SOLVER } from '../compute/loading';
+import { LATER, once, SOLVER } from '../compute/loading';
 import type { Pixels } from '../compute/solution';
 import { C2WarpError, ENGINE } from '../error';
 import { readHeader } from '../io/formats/header';
@@ -14,20 +14,12 @@ import type { WarpedImage } from './types';
 
 const NO_WORKER = 'In Node the solver runs on the thread of the caller: start a worker thread around it.';
 
-let loading: Promise<WebAssembly.Module> | undefined;
+const loaded = (file: URL) => once(async () => WebAssembly.compile(await readFile(file)));
 
 export const node: Environment = {
   usesWorker: false,
-
-  loadModule() {
-    loading ??= readFile(SOLVER)
-      .then((bytes) => WebAssembly.compile(bytes))
-      .catch((error: unknown) => {
-        loading = undefined;
-        throw notLoaded(error);
-      });
-    return loading;
-  },
+  loadModule: loaded(SOLVER),
+  loadLater: loaded(LATER),
 
   spawn() {
     throw new C2WarpError(ENGINE, NO_WORKER);

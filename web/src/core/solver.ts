@@ -1,7 +1,14 @@
 /** The connection of a warper to its solver. All calls can be cancelled. */
 import { Drawing } from '../compute/drawing';
 import type { Link } from '../compute/link';
-import type { DrawingOptions, Messages, Moment, Points } from '../compute/messages';
+import {
+  type DrawingOptions,
+  type Messages,
+  type Moment,
+  type Name,
+  needsLater,
+  type Points,
+} from '../compute/messages';
 import type { SolutionData } from '../compute/solution';
 import { C2WarpError, ENGINE } from '../error';
 import type { SolveOptions } from './types';
@@ -53,7 +60,12 @@ export class Solver {
     signal?: AbortSignal,
   ): Promise<Messages[N][1]> {
     this.#check(signal);
-    return cancellable(this.#link.send(name, body), signal);
+    return cancellable(this.#sent(name, body), signal);
+  }
+
+  async #sent<N extends Name>(name: N, body: Messages[N][0]): Promise<Messages[N][1]> {
+    if (needsLater(name)) await this.#link.extend();
+    return this.#link.send(name, body);
   }
 
   /** Asks about points in batches. */
@@ -79,7 +91,7 @@ export class Solver {
     signal?: AbortSignal,
   ): Promise<Drawing> {
     this.#check(signal);
-    const size = this.#link.send('draw', { project, moment, ...options });
+    const size = this.#sent('draw', { project, moment, ...options });
     const drawing = size.then((size) => new Drawing(this.#link, size, () => true));
     return cancellable(drawing, signal, () => void drawing.then((late) => late.release()).catch(() => {}));
   }

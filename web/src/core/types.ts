@@ -73,6 +73,8 @@ export interface WarperOptions extends Cancellable {
   readonly worker?: boolean;
   /** The compiled solver. Left out: `c2warp_bg.wasm` of this package is loaded once. */
   readonly module?: SolverModule;
+  /** Its compiled later part. Left out: `c2warp_later_bg.wasm` is loaded when a call first needs it. */
+  readonly laterModule?: SolverModule;
   /** Decodes a file in place of the built-in decoder, for example JPEG in Node. */
   readonly decode?: (bytes: Uint8Array<ArrayBuffer>) => PixelData | Promise<PixelData>;
 }

@@ -40,7 +40,7 @@ export class Warper {
     input: PictureInput,
     options: WarperOptions = {},
   ): Promise<Warper> {
-    const { signal, worker = environment.usesWorker, module } = options;
+    const { signal, worker = environment.usesWorker, module, laterModule } = options;
     const [pixels, compiled] = await Promise.all([
       pixelsOf(input, environment, options),
       (module as WebAssembly.Module | undefined) ?? environment.loadModule(),
@@ -52,6 +52,7 @@ export class Warper {
       new Link(
         worker ? () => environment.spawn() : () => new LocalPort(),
         compiled,
+        laterModule ? async () => laterModule as WebAssembly.Module : environment.loadLater,
         environment.workerAddress,
       ),
     );

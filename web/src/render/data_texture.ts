@@ -3,7 +3,7 @@
  *
  * Texel i lies at (i mod width, i / width).
  */
-import * as twgl from 'twgl.js';
+import { createNearestTexture } from './target';
 
 const WIDTH = 2048;
 
@@ -22,17 +22,8 @@ export function createDataTexture(gl: WebGL2RenderingContext, channels: 2 | 4, t
   const height = Math.max(1, Math.ceil(texels / WIDTH));
   const [internalFormat, format] = channels === 2 ? [gl.RG32F, gl.RG] : [gl.RGBA32F, gl.RGBA];
   const padded = new Float32Array(WIDTH * height * channels);
-  const options = {
-    width: WIDTH,
-    height,
-    internalFormat,
-    format,
-    type: gl.FLOAT,
-    minMag: gl.NEAREST,
-    wrap: gl.CLAMP_TO_EDGE,
-    auto: false,
-  };
-  const texture = twgl.createTexture(gl, { ...options, src: padded });
+  const texture = createNearestTexture(gl);
+  gl.texImage2D(gl.TEXTURE_2D, 0, internalFormat, WIDTH, height, 0, format, gl.FLOAT, padded);
   return {
     texture,
     update(data) {

@@ -6,13 +6,15 @@
  *
  * Cost: nothing while no parts cross, otherwise three passes over the rectangle around all crossings.
  */
-import * as twgl from 'twgl.js';
 import type { Box } from '../geometry/box';
 import type { Size } from '../geometry/camera';
 import type { View } from '../geometry/view';
+import type { Buffers } from './buffers';
 import edgesFragment from './edges.frag.glsl?raw';
 import layerFragment from './layer.frag.glsl?raw';
-import { drawScreen, drawWith, program, screenProgram } from './program';
+import { drawScreen, drawWith, type Program, program, screenProgram } from './program';
+import { Target, type TexelFormat } from './target';
+import type { Uniforms } from './uniforms';
 
 /** Radius of the edge as a fraction of the picture's diagonal, and the least one in pixels of the picture. */
 const RADIUS = 0.004;
@@ -26,20 +28,18 @@ export const edgeRadius = ({ width, height }: Size): number =>
 
 export class EdgeLayer {
   readonly #gl: WebGL2RenderingContext;
-  readonly #places: twgl.ProgramInfo;
-  readonly #edges: twgl.ProgramInfo;
-  readonly #top: twgl.FramebufferInfo;
-  readonly #below: twgl.FramebufferInfo;
+  readonly #places: Program;
+  readonly #edges: Program;
+  readonly #top: Target;
+  readonly #below: Target;
 
   /** @throws Error if a shader does not compile. */
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
     this.#places = program(gl, layerFragment);
     this.#edges = screenProgram(gl, edgesFragment);
-    const attachment = { internalFormat: gl.RG16UI, format: gl.RG_INTEGER, type: gl.UNSIGNED_SHORT };
-    const points = () =>
-      twgl.createFramebufferInfo(gl, [{ ...attachment, minMag: gl.NEAREST, wrap: gl.CLAMP_TO_EDGE }], 1, 1);
-    [this.#top, this.#below] = [points(), points()];
+    const format: TexelFormat = [gl.RG16UI, gl.RG_INTEGER, gl.UNSIGNED_SHORT];
+    [this.#top, this.#below] = [new Target(gl, format), new Target(gl, format)];
   }
 
   /**
@@ -49,20 +49,15 @@ export class EdgeLayer {
    * @param picture Image pixels.
    * @param crossed The box around all crossings, image pixels.
    */
-  draw(
-    mesh: twgl.BufferInfo,
-    uniforms: Record<string, unknown>,
-    picture: Size,
-    crossed: Box,
-    view: View,
-  ): void {
+  draw(mesh: Buffers, uniforms: Uniforms, picture: Size, crossed: Box, view: View): void {
     const gl = this.#gl;
     const radius = edgeRadius(picture);
-    const [top, below] = [this.#top, this.#below].map((layer) => this.#sized(layer, view));
-    if (!top || !below || !this.#bound(crossed, radius, view)) return;
+    const [top, below] = [this.#top, this.#below];
+    if (!this.#bound(crossed, radius, view)) return;
+    for (const layer of [top, below]) layer.resize(view.width, view.height);
     gl.disable(gl.BLEND);
     const points = { ...uniforms, u_apart: APART * radius };
-    const [u_top, u_below] = [top.attachments[0], below.attachments[0]];
+    const [u_top, u_below] = [top.texture, below.texture];
     this.#note(top, mesh, { ...points, u_below: false, u_top: u_below });
     this.#note(below, mesh, { ...points, u_below: true, u_top });
 
@@ -81,20 +76,8 @@ export class EdgeLayer {
   }
 
   dispose(): void {
-    for (const { framebuffer, attachments } of [this.#top, this.#below]) {
-      this.#gl.deleteFramebuffer(framebuffer);
-      for (const attachment of attachments) this.#gl.deleteTexture(attachment);
-    }
-  }
-
-  #sized(layer: twgl.FramebufferInfo, { width, height }: View): twgl.FramebufferInfo {
-    const gl = this.#gl;
-    if (layer.width !== width || layer.height !== height) {
-      gl.bindTexture(gl.TEXTURE_2D, layer.attachments[0] as WebGLTexture);
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RG16UI, width, height, 0, gl.RG_INTEGER, gl.UNSIGNED_SHORT, null);
-      [layer.width, layer.height] = [width, height];
-    }
-    return layer;
+    this.#top.dispose();
+    this.#below.dispose();
   }
 
   /** Limits drawing to the crossings that are in view. Returns whether there are any. */
@@ -111,9 +94,9 @@ export class EdgeLayer {
   }
 
   /** Draws the points of the picture into a layer. */
-  #note(layer: twgl.FramebufferInfo, mesh: twgl.BufferInfo, uniforms: Record<string, unknown>): void {
+  #note(layer: Target, mesh: Buffers, uniforms: Uniforms): void {
     const gl = this.#gl;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, layer.framebuffer);
+    layer.bind();
     gl.disable(gl.SCISSOR_TEST);
     gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
     gl.enable(gl.SCISSOR_TEST);

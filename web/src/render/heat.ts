@@ -3,10 +3,11 @@
  *
  * One pass draws both, so that parts of the picture hide the heat map of the parts behind them.
  */
-import * as twgl from 'twgl.js';
 import { HEAT_RAMP, type HeatMap } from '../geometry/heat';
+import { type Attribute, type Buffers, createAttribute } from './buffers';
 import heatFragment from './heat.frag.glsl?raw';
-import { drawWith, program } from './program';
+import { drawWith, type Program, program } from './program';
+import type { Uniforms } from './uniforms';
 
 /** Width of an isoline, CSS pixels. */
 const LINE_CSS_PX = 1.2;
@@ -15,8 +16,8 @@ const RAMP = HEAT_RAMP.flatMap(([red, green, blue, alpha]) => [red / 255, green 
 
 export class HeatLayer {
   readonly #gl: WebGL2RenderingContext;
-  readonly #program: twgl.ProgramInfo;
-  #buffer: WebGLBuffer | undefined;
+  readonly #program: Program;
+  #values: Attribute | undefined;
   #lines = true;
 
   /** @throws Error if the shader does not compile. */
@@ -26,34 +27,28 @@ export class HeatLayer {
   }
 
   get isSet(): boolean {
-    return this.#buffer !== undefined;
+    return this.#values !== undefined;
   }
 
   /** Sets the heat map for the next meshes. */
   set({ values, lines }: HeatMap): void {
     this.clear();
-    this.#buffer = twgl.createBufferFromTypedArray(this.#gl, values);
+    this.#values = createAttribute(this.#gl, 1, values);
     this.#lines = lines;
   }
 
   clear(): void {
-    if (this.#buffer) this.#gl.deleteBuffer(this.#buffer);
-    this.#buffer = undefined;
+    if (this.#values) this.#gl.deleteBuffer(this.#values.buffer);
+    this.#values = undefined;
   }
 
   /** @param pixelRatio Device pixels per CSS pixel. */
-  draw(mesh: twgl.BufferInfo, uniforms: Record<string, unknown>, pixelRatio: number): void {
-    if (!this.#buffer) return;
+  draw(mesh: Buffers, uniforms: Uniforms, pixelRatio: number): void {
+    if (!this.#values) return;
     const gl = this.#gl;
-    const a_heat = { buffer: this.#buffer, numComponents: 1, type: gl.FLOAT };
+    const attributes = { ...mesh.attributes, a_heat: this.#values };
     const own = { u_ramp: RAMP, u_line: this.#lines ? LINE_CSS_PX * pixelRatio : 0 };
-    drawWith(
-      gl,
-      this.#program,
-      { ...mesh, attribs: { ...mesh.attribs, a_heat } },
-      { ...uniforms, ...own },
-      gl.TRIANGLES,
-    );
+    drawWith(gl, this.#program, { ...mesh, attributes }, { ...uniforms, ...own }, gl.TRIANGLES);
     // An enabled attribute without a buffer makes the draw calls of other programs fail.
     gl.disableVertexAttribArray(gl.getAttribLocation(this.#program.program, 'a_heat'));
   }

@@ -6,11 +6,11 @@
  * Cost: a drag uploads 48 bytes per site and frame. A change of depth uploads the triangles in their new order. The GPU
  * blends the motions per vertex.
  */
-import * as twgl from 'twgl.js';
 import type { Box } from '../geometry/box';
 import type { HeatMap } from '../geometry/heat';
 import { type Blend, MOTION_STRIDE, type Places } from '../geometry/skin';
 import type { View } from '../geometry/view';
+import { type Buffers, createAttribute, createIndices, deleteBuffers, type Indices } from './buffers';
 import { createDataTexture, type DataTexture } from './data_texture';
 import { EdgeLayer } from './edges';
 import { HeatLayer } from './heat';
@@ -28,7 +28,7 @@ import { PictureTexture, setFilters, type TexturePatch, type TextureSource } fro
 import pictureFragment from './picture.frag.glsl?raw';
 import { PixelLayer, type PixelMesh, showsPixels } from './pixel_layer';
 import { PlaceBuffer } from './place_buffer';
-import { drawWith, program } from './program';
+import { drawWith, type Program, program } from './program';
 import { RimLayer } from './rim';
 
 /** The shade of the static background beside a selection: enough to tell it apart, and to see it well. */
@@ -39,7 +39,7 @@ const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
 
 interface LoadedMesh {
   readonly mesh: WarpMesh;
-  readonly triangles: twgl.BufferInfo;
+  readonly triangles: Buffers;
   readonly weights: DataTexture;
   readonly motions: DataTexture;
   edges: MeshLines | undefined;
@@ -50,14 +50,14 @@ interface LoadedMesh {
 
 /** The edges of a mesh, and their mean length at rest, image pixels. */
 interface MeshLines {
-  readonly buffers: twgl.BufferInfo;
+  readonly indices: Indices;
   readonly length: number;
 }
 
 export class Painter {
   readonly #gl: WebGL2RenderingContext;
-  readonly #pictureProgram: twgl.ProgramInfo;
-  readonly #lineProgram: twgl.ProgramInfo;
+  readonly #pictureProgram: Program;
+  readonly #lineProgram: Program;
   #picture: PictureTexture | undefined;
   /** The picture with its fill, drawn whole behind the mesh in place of the static background. */
   #filled: PictureTexture | undefined;
@@ -155,19 +155,17 @@ export class Painter {
       entries[entry * 2 + 1] = mesh.weights[entry] ?? 0;
     }
     weights.update(entries);
-    const triangles = twgl.createBufferInfoFromArrays(gl, {
-      a_rest: { numComponents: 2, data: mesh.positions },
-      a_row: { numComponents: 2, data: weightRows(mesh.offsets) },
-      indices: { numComponents: 3, data: mesh.triangles },
+    const places = new PlaceBuffer(gl, createAttribute(gl, 2, mesh.positions), {
+      a_row: createAttribute(gl, 2, weightRows(mesh.offsets)),
     });
     return {
       mesh,
       weights,
       motions: createDataTexture(gl, 4, (mesh.siteRest.length / 2) * (MOTION_STRIDE / 4)),
-      triangles,
+      triangles: { attributes: places.attributes, indices: createIndices(gl, mesh.triangles) },
       edges: undefined,
       drawn: mesh.triangles,
-      places: new PlaceBuffer(gl, triangles),
+      places,
     };
   }
 
@@ -211,7 +209,7 @@ export class Painter {
   #reorder(loaded: LoadedMesh, triangles: Uint32Array): void {
     if (triangles === loaded.drawn) return;
     const gl = this.#gl;
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, loaded.triangles.indices ?? null);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, loaded.triangles.indices.buffer);
     gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, 0, triangles);
     loaded.drawn = triangles;
   }
@@ -271,7 +269,7 @@ export class Painter {
       loaded.edges ??= meshLines(gl, loaded);
       const opacity = lineOpacity((loaded.edges.length * view.scale) / (view.pixelRatio ?? 1));
       const u_colour = MESH_COLOUR.map((part) => part * opacity);
-      const lines = { ...loaded.edges.buffers, attribs: loaded.triangles.attribs ?? {} };
+      const lines = { ...loaded.triangles, indices: loaded.edges.indices };
       drawWith(gl, this.#lineProgram, lines, { ...uniforms, u_colour }, gl.LINES);
     }
   }
@@ -281,19 +279,12 @@ export class Painter {
     loaded.weights.dispose();
     loaded.motions.dispose();
     loaded.places.dispose();
-    const buffers = [loaded.triangles, loaded.edges?.buffers].flatMap((info) => [
-      info?.indices,
-      ...Object.values(info?.attribs ?? {}).map((attribute) => attribute.buffer),
-    ]);
-    for (const buffer of new Set(buffers)) this.#gl.deleteBuffer(buffer ?? null);
+    deleteBuffers(this.#gl, loaded.triangles);
+    this.#gl.deleteBuffer(loaded.edges?.indices.buffer ?? null);
   }
 }
 
-function meshLines(gl: WebGL2RenderingContext, { mesh, triangles }: LoadedMesh): MeshLines {
+function meshLines(gl: WebGL2RenderingContext, { mesh }: LoadedMesh): MeshLines {
   const edges = meshEdges(mesh.triangles);
-  const arrays = { indices: { numComponents: 2, data: edges } };
-  return {
-    buffers: twgl.createBufferInfoFromArrays(gl, arrays, triangles),
-    length: meanEdge(edges, mesh.positions),
-  };
+  return { indices: createIndices(gl, edges), length: meanEdge(edges, mesh.positions) };
 }

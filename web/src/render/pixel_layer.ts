@@ -5,16 +5,16 @@
  * is the reference. GPUs round corners of triangles to 1/16 or 1/256 of a pixel. So each pixel of the export is drawn
  * as a square of pixels, and its middle counts: rare differences remain.
  */
-import * as twgl from 'twgl.js';
 import type { View } from '../geometry/view';
+import type { Buffers } from './buffers';
 import pixelFragment from './pixel.frag.glsl?raw';
-import { drawScreen, drawWith, program, screenProgram } from './program';
+import { drawScreen, drawWith, type Program, program, screenProgram } from './program';
 import sheetFragment from './sheet.frag.glsl?raw';
-
-type Uniforms = Record<string, unknown>;
+import { Target } from './target';
+import type { Uniforms } from './uniforms';
 
 /** A mesh to draw, with its own uniforms. */
-export type PixelMesh = readonly [mesh: twgl.BufferInfo, uniforms: Uniforms];
+export type PixelMesh = readonly [mesh: Buffers, uniforms: Uniforms];
 
 /** Device pixels per pixel of an export. */
 const gridScale = ({ scale, exportScale = 1 }: View): number => scale / exportScale;
@@ -28,16 +28,16 @@ export const showsPixels = (view: View): boolean =>
 
 export class PixelLayer {
   readonly #gl: WebGL2RenderingContext;
-  readonly #pixels: twgl.ProgramInfo;
-  readonly #enlarge: twgl.ProgramInfo;
-  readonly #sheet: twgl.FramebufferInfo;
+  readonly #pixels: Program;
+  readonly #enlarge: Program;
+  readonly #sheet: Target;
 
   /** @throws Error if a shader does not compile. */
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
     this.#pixels = program(gl, pixelFragment);
     this.#enlarge = screenProgram(gl, sheetFragment);
-    this.#sheet = twgl.createFramebufferInfo(gl, [{ min: gl.NEAREST, mag: gl.NEAREST }], 1, 1);
+    this.#sheet = new Target(gl, [gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE]);
   }
 
   /** Draws the meshes one over another. */
@@ -50,9 +50,9 @@ export class PixelLayer {
     const texels = Math.min(MOST_TEXELS, Math.floor((size - 1) / 2) * 2 + 1);
     const width = (Math.ceil((view.width - view.x) / size) - left) * texels;
     const height = (Math.ceil((view.height - view.y) / size) - top) * texels;
-    if (this.#sheet.width !== width || this.#sheet.height !== height)
-      twgl.resizeFramebufferInfo(gl, this.#sheet, [{ min: gl.NEAREST, mag: gl.NEAREST }], width, height);
-    twgl.bindFramebufferInfo(gl, this.#sheet);
+    this.#sheet.resize(width, height);
+    this.#sheet.bind();
+    gl.viewport(0, 0, width, height);
     gl.disable(gl.BLEND);
     gl.clear(gl.COLOR_BUFFER_BIT);
     const grid = {
@@ -62,11 +62,11 @@ export class PixelLayer {
     for (const [mesh, uniforms] of meshes)
       drawWith(gl, this.#pixels, mesh, { ...uniforms, ...grid }, gl.TRIANGLES);
 
-    twgl.bindFramebufferInfo(gl, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, view.width, view.height);
     drawScreen(gl, this.#enlarge, {
       u_canvas_size: [view.width, view.height],
-      u_sheet: this.#sheet.attachments[0],
+      u_sheet: this.#sheet.texture,
       u_texels: texels,
       u_grid: [size, view.x + left * size, view.y + top * size],
     });
@@ -74,7 +74,6 @@ export class PixelLayer {
   }
 
   dispose(): void {
-    this.#gl.deleteFramebuffer(this.#sheet.framebuffer);
-    this.#gl.deleteTexture(this.#sheet.attachments[0] ?? null);
+    this.#sheet.dispose();
   }
 }

@@ -1,24 +1,27 @@
 /** The attribute `a_place` of a mesh: where its vertices lie before they are posed. */
-import type * as twgl from 'twgl.js';
+import type { Attribute } from './buffers';
 
 export class PlaceBuffer {
+  /** All of the mesh. */
+  readonly attributes: Record<string, Attribute>;
   readonly #gl: WebGL2RenderingContext;
-  readonly #attribs: NonNullable<twgl.BufferInfo['attribs']>;
+  readonly #rest: Attribute;
   /** Created once vertices are displaced. */
   #buffer: WebGLBuffer | undefined;
 
-  /** Vertices lie where they rest, `a_rest`, until places are set. */
-  constructor(gl: WebGL2RenderingContext, { attribs }: twgl.BufferInfo) {
+  /**
+   * Vertices lie where they rest until places are set.
+   * @param rest The attribute `a_rest`.
+   */
+  constructor(gl: WebGL2RenderingContext, rest: Attribute, others: Readonly<Record<string, Attribute>>) {
     this.#gl = gl;
-    this.#attribs = attribs ?? {};
-    this.set(null);
+    this.#rest = rest;
+    this.attributes = { ...others, a_rest: rest, a_place: rest };
   }
 
   /** @param places vertices × 2; null where they rest. */
   set(places: Float32Array | null): void {
-    const rest = this.#attribs.a_rest;
-    if (!rest) return;
-    this.#attribs.a_place = places ? { ...rest, buffer: this.#filled(places) } : rest;
+    this.attributes.a_place = places ? { ...this.#rest, buffer: this.#filled(places) } : this.#rest;
   }
 
   #filled(places: Float32Array): WebGLBuffer {

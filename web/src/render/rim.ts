@@ -4,39 +4,39 @@
  * It moves with vertices of the mesh, by the weights and motions of that. It is drawn before the mesh, so that it never
  * covers it.
  */
-import * as twgl from 'twgl.js';
+import { type Buffers, createAttribute, createIndices, deleteBuffers, type Indices } from './buffers';
 import { ownedRows, type WarpMesh, weightRows } from './mesh';
 import pictureFragment from './picture.frag.glsl?raw';
 import { PlaceBuffer } from './place_buffer';
-import { drawWith, program } from './program';
+import { drawWith, type Program, program } from './program';
+import type { Uniforms } from './uniforms';
 
 export class RimLayer {
   readonly #gl: WebGL2RenderingContext;
-  readonly #program: twgl.ProgramInfo;
-  readonly #buffers: twgl.BufferInfo;
+  readonly #program: Program;
+  readonly #buffers: Buffers;
   readonly places: PlaceBuffer;
 
   /** Returns `undefined` for a mesh without a feather. @throws Error if the shader does not compile. */
   static of(gl: WebGL2RenderingContext, mesh: WarpMesh): RimLayer | undefined {
     const { featherPositions, featherOwners, featherLevels, featherTriangles } = mesh;
     if (!featherPositions || !featherOwners || !featherLevels || !featherTriangles?.length) return undefined;
-    return new RimLayer(gl, {
-      a_rest: { numComponents: 2, data: featherPositions },
-      a_row: { numComponents: 2, data: ownedRows(weightRows(mesh.offsets), featherOwners) },
-      a_level: { numComponents: 1, data: featherLevels },
-      indices: { numComponents: 3, data: featherTriangles },
+    const places = new PlaceBuffer(gl, createAttribute(gl, 2, featherPositions), {
+      a_row: createAttribute(gl, 2, ownedRows(weightRows(mesh.offsets), featherOwners)),
+      a_level: createAttribute(gl, 1, featherLevels),
     });
+    return new RimLayer(gl, places, createIndices(gl, featherTriangles));
   }
 
-  private constructor(gl: WebGL2RenderingContext, arrays: twgl.Arrays) {
+  private constructor(gl: WebGL2RenderingContext, places: PlaceBuffer, indices: Indices) {
     this.#gl = gl;
     this.#program = program(gl, pictureFragment, 'RIM');
-    this.#buffers = twgl.createBufferInfoFromArrays(gl, arrays);
-    this.places = new PlaceBuffer(gl, this.#buffers);
+    this.places = places;
+    this.#buffers = { attributes: places.attributes, indices };
   }
 
   /** @param uniforms those of the mesh. */
-  draw(uniforms: Record<string, unknown>): void {
+  draw(uniforms: Uniforms): void {
     const gl = this.#gl;
     drawWith(gl, this.#program, this.#buffers, uniforms, gl.TRIANGLES);
     // An enabled attribute without a buffer makes the draw calls of other programs fail.
@@ -45,8 +45,6 @@ export class RimLayer {
 
   dispose(): void {
     this.places.dispose();
-    const { indices, attribs } = this.#buffers;
-    const buffers = [indices, ...Object.values(attribs ?? {}).map(({ buffer }) => buffer)];
-    for (const buffer of buffers) this.#gl.deleteBuffer(buffer ?? null);
+    deleteBuffers(this.#gl, this.#buffers);
   }
 }

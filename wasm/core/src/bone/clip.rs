@@ -12,6 +12,7 @@ use crate::{
     distance::Navigation,
     domain::Domain,
     limits::{HELD_CLEARANCE, MAX_SIDE},
+    rank::{ascending, sort_by_rank},
     segment::{distance_between, segment_distance},
     triangulation::OUTLINE_TOLERANCE,
 };
@@ -69,7 +70,7 @@ fn clip_to_domain(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) 
             stops.push(crossing);
         }
     }
-    stops.sort_by(f64::total_cmp);
+    sort_by_rank(&mut stops, |&stop| [ascending(stop), 0]);
     let mut parts: Vec<[f64; 2]> = Vec::new();
     let shortest = SHORTEST / along.length();
     let is_inside = |at: f64| navigation.triangle_at(a.lerp(b, at)).is_some();

@@ -9,6 +9,7 @@ use crate::{
     disjoint_sets::DisjointSets,
     error::Error,
     limits::{MAX_SITES, MIN_SEPARATION},
+    rank::{ascending, sort_by_rank},
     segment::{nearest_on_segment, segment_distance},
 };
 
@@ -109,7 +110,7 @@ impl<'a> Segment<'a> {
 
     /// The spans between its stops.
     fn spans(mut self, nodes: &Nodes) -> Vec<Span> {
-        self.stops.sort_by(|(s, _), (t, _)| s.total_cmp(t));
+        sort_by_rank(&mut self.stops, |&(stop, _)| [ascending(stop), 0]);
         let between = |pair: &[(f64, usize)]| Span {
             handle: self.polyline.handle,
             segment: self.number as u32,

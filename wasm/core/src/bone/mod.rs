@@ -18,7 +18,10 @@ mod skeleton;
 
 use glam::DVec2;
 
-use crate::segment::segment_distance;
+use crate::{
+    rank::{ascending, sort_by_rank},
+    segment::segment_distance,
+};
 
 pub(crate) use embedded_segment::EmbeddedSegment;
 pub(crate) use motion::{BoneMotion, best_rotation};
@@ -114,7 +117,7 @@ fn mean_position<'a>(anchors: &[Anchor], corners: impl Fn(u32) -> &'a [DVec2]) -
         from.lerp(to, anchor.fraction)
     };
     let mut positions: Vec<DVec2> = anchors.iter().map(position).collect();
-    positions.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    sort_by_rank(&mut positions, |p| [ascending(p.x), ascending(p.y)]);
     positions.iter().sum::<DVec2>() / positions.len() as f64
 }
 

@@ -13,7 +13,12 @@ use super::{
     mean_position,
     polyline::{OutsidePart, Polyline},
 };
-use crate::{distance::Navigation, domain::Domain, error::Error};
+use crate::{
+    distance::Navigation,
+    domain::Domain,
+    error::Error,
+    rank::{from_top, sort_by_rank},
+};
 
 /// All bones of a scene, in an order that does not depend on that of the handles.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -38,8 +43,7 @@ impl Skeleton {
         held: bool,
     ) -> Result<(Self, Vec<OutsidePart>), Error> {
         // Rounding depends on the order of polylines, and must not depend on the order of the handles.
-        let mut polylines: Vec<&Polyline> = polylines.iter().collect();
-        polylines.sort_by(|a, b| lexicographic(a.coordinates(), b.coordinates()));
+        let polylines = in_order(polylines);
         let Cuts { spans, joints } = Cuts::new(&polylines)?;
         let corners: HashMap<u32, &[DVec2]> =
             polylines.iter().map(|polyline| (polyline.handle, &polyline.corners[..])).collect();
@@ -61,13 +65,13 @@ impl Skeleton {
                 return Err(if on_boundary { Error::OnHeldBoundary { id } } else { Error::HandleOutside { id, x, y } });
             }
         }
-        let key = |bone: &Bone| {
+        let ends = |bone: &Bone| {
             let [a, b] = bone.rest;
-            let swap = (b.y, b.x) < (a.y, a.x);
-            let [a, b] = if swap { [b, a] } else { [a, b] };
-            [a.y, a.x, b.y, b.x]
+            if (b.y, b.x) < (a.y, a.x) { [b, a] } else { [a, b] }
         };
-        skeleton.bones.sort_by(|a, b| lexicographic(key(a).into_iter(), key(b).into_iter()));
+        // By the first end, and then by the second.
+        sort_by_rank(&mut skeleton.bones, |bone| from_top(ends(bone)[1]));
+        sort_by_rank(&mut skeleton.bones, |bone| from_top(ends(bone)[0]));
         skeleton.number_bodies();
         Ok((skeleton, outside))
     }
@@ -177,6 +181,16 @@ impl Skeleton {
             across(side_p, side_q, ON_BONE) && across(side_a, side_b, -ON_BONE)
         })
     }
+}
+
+/// Polylines in the order of their coordinates.
+fn in_order(polylines: &[Polyline]) -> Vec<&Polyline> {
+    let mut ordered: Vec<&Polyline> = Vec::with_capacity(polylines.len());
+    for polyline in polylines {
+        let is_before = |other: &&Polyline| lexicographic(other.coordinates(), polyline.coordinates()).is_le();
+        ordered.insert(ordered.partition_point(is_before), polyline);
+    }
+    ordered
 }
 
 fn lexicographic(a: impl Iterator<Item = f64>, b: impl Iterator<Item = f64>) -> Ordering {

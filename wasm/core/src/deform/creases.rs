@@ -11,7 +11,10 @@ use super::{
     bounds::Bounds,
     triangle::{corners, doubled_area},
 };
-use crate::disjoint_sets::DisjointSets;
+use crate::{
+    disjoint_sets::DisjointSets,
+    rank::{descending, sort_by_rank},
+};
 
 /// The least area of a crease in square image pixels: two pixels each way.
 const VISIBLE_AREA: f64 = 4.0;
@@ -38,14 +41,14 @@ pub(super) fn creases(posed: &[DVec2], folded: &[[u32; 3]]) -> Vec<Crease> {
         })
         .filter(|crease| crease.area >= VISIBLE_AREA)
         .collect();
-    creases.sort_by(|a, b| b.area.total_cmp(&a.area));
+    sort_by_rank(&mut creases, |crease| [descending(crease.area), 0]);
     creases
 }
 
 /// Groups triangles that share vertices, in the order of their least vertices.
 fn connected(triangles: &[[u32; 3]]) -> Vec<Vec<[u32; 3]>> {
     let mut vertices: Vec<u32> = triangles.iter().flatten().copied().collect();
-    vertices.sort_unstable();
+    sort_by_rank(&mut vertices, |&vertex| [vertex.into(), 0]);
     vertices.dedup();
     let local = |vertex: u32| vertices.partition_point(|&other| other < vertex);
     let mut sets = DisjointSets::new(vertices.len());
@@ -56,7 +59,7 @@ fn connected(triangles: &[[u32; 3]]) -> Vec<Vec<[u32; 3]>> {
     }
     let mut rooted: Vec<(usize, [u32; 3])> =
         triangles.iter().map(|&triangle| (sets.root(local(triangle[0])), triangle)).collect();
-    rooted.sort_by_key(|&(root, _)| root);
+    sort_by_rank(&mut rooted, |&(root, _)| [root as i64, 0]);
     let groups = rooted.chunk_by(|(a, _), (b, _)| a == b);
     groups.map(|group| group.iter().map(|&(_, triangle)| triangle).collect()).collect()
 }

@@ -12,7 +12,10 @@
 use glam::DVec2;
 
 use super::triangle::{Corners, corners};
-use crate::rows::Rows;
+use crate::{
+    rank::{Rank, sort_ranks},
+    rows::Rows,
+};
 
 /// In place of a neighbour that a triangle lacks.
 pub(super) const NONE: u32 = u32::MAX;
@@ -47,18 +50,18 @@ impl Adjacency {
     pub(crate) fn new(triangles: &[[u32; 3]]) -> Self {
         let edges = |(t, &[a, b, c]): (usize, &[u32; 3])| {
             [[a, b], [b, c], [c, a]].into_iter().enumerate().map(move |(k, [from, to])| {
-                let ends = u64::from(from.min(to)) << 32 | u64::from(from.max(to));
-                (ends, t as u32, k as u8)
+                let ends = i64::from(from.min(to)) << 32 | i64::from(from.max(to));
+                ([ends, t as i64], k as u32)
             })
         };
-        let mut all: Vec<(u64, u32, u8)> = triangles.iter().enumerate().flat_map(edges).collect();
-        all.sort_unstable();
+        let mut all: Vec<(Rank, u32)> = triangles.iter().enumerate().flat_map(edges).collect();
+        sort_ranks(&mut all);
         let mut neighbours = vec![[NONE; 3]; triangles.len()];
         for pair in all.windows(2) {
-            let [(ends, t, k), (other_ends, u, l)] = [pair[0], pair[1]];
+            let [([ends, t], k), ([other_ends, u], l)] = [pair[0], pair[1]];
             if ends == other_ends {
-                neighbours[t as usize][k as usize] = u;
-                neighbours[u as usize][l as usize] = t;
+                neighbours[t as usize][k as usize] = u as u32;
+                neighbours[u as usize][l as usize] = t as u32;
             }
         }
         let has_border = |&t: &u32| neighbours[t as usize].contains(&NONE);

@@ -14,6 +14,7 @@ use super::{
     creases::Crease,
     triangle::{corners, doubled_area},
 };
+use crate::rank::{descending, sort_by_rank};
 
 /// Candidates of a crease.
 const CANDIDATES: usize = 6;
@@ -69,14 +70,14 @@ pub(super) fn forcing(
             }
         }
     }
-    shares.sort_by(|(a, one), (b, other)| b.total_cmp(a).then(one.cmp(other)));
+    sort_by_rank(&mut shares, |&(share, handle)| [descending(share), handle as i64]);
     shares.into_iter().map(|(_, handle)| handle).collect()
 }
 
 /// The handles of the greatest influences. Tied ones are candidates together.
 fn candidates(influence: &[f64]) -> Vec<usize> {
     let mut handles: Vec<usize> = (0..influence.len()).filter(|&handle| influence[handle] > 0.0).collect();
-    handles.sort_by(|&a, &b| influence[b].total_cmp(&influence[a]).then(a.cmp(&b)));
+    sort_by_rank(&mut handles, |&handle| [descending(influence[handle]), handle as i64]);
     let of = |rank: usize| handles.get(rank).map_or(0.0, |&handle| influence[handle]);
     let least = of(CANDIDATES - 1).max(LEAST_INFLUENCE * of(0)) * (1.0 - TIE);
     handles.retain(|&handle| influence[handle] >= least);

@@ -8,12 +8,13 @@
 use glam::DVec2;
 
 use super::triangle::{barycentric, corners, interpolate};
+use crate::rank::{ascending, sort_by_rank};
 
 /// The rest point that is drawn at each of `points`; `None` if nothing is drawn there. `drawn` is in drawing order.
 pub(crate) fn rest_points(rest: &[DVec2], posed: &[DVec2], drawn: &[[u32; 3]], points: &[DVec2]) -> Vec<Option<DVec2>> {
     let mut found = vec![None; points.len()];
     let mut by_height: Vec<_> = points.iter().copied().enumerate().filter(|(_, p)| p.is_finite()).collect();
-    by_height.sort_unstable_by(|(_, p), (_, q)| p.y.total_cmp(&q.y));
+    sort_by_rank(&mut by_height, |&(_, p)| [ascending(p.y), 0]);
     for &triangle in drawn {
         let here = corners(posed, triangle);
         let [a, b, c] = here;

@@ -17,6 +17,7 @@ use super::{
     locate::{Correspondence, locate_near, similar},
     triangle::{barycentric, corners, doubled_area, interpolate},
 };
+use crate::rank::sort_by_rank;
 
 /// A posed picture whose first `samples` vertices bend, and its triangles in drawing order.
 #[derive(Clone, Copy)]
@@ -77,8 +78,12 @@ impl Layers<'_> {
         };
         let mut found: Vec<_> = self.mesh.triangles.iter().enumerate().filter(around).collect();
         if found.len() > 1 {
-            let rank = |&(_, triangle): &(usize, &[u32; 3])| self.drawn.iter().rposition(|other| other == triangle);
-            found.sort_by_cached_key(|triangle| std::cmp::Reverse(rank(triangle)));
+            let rank = |&(_, triangle): &(usize, &[u32; 3])| {
+                self.drawn.iter().rposition(|other| other == triangle).map_or(-1, |at| at as i64)
+            };
+            let mut ranked: Vec<_> = found.into_iter().map(|triangle| (rank(&triangle), triangle)).collect();
+            sort_by_rank(&mut ranked, |&(rank, _)| [-rank, 0]);
+            found = ranked.into_iter().map(|(_, triangle)| triangle).collect();
         }
         found.into_iter().map(|(t, _)| Spot { triangle: t as u32, posed }).collect()
     }

@@ -21,6 +21,7 @@ use crate::{
     bone::best_rotation,
     error::Error,
     project::{Blend, Handle, Rotation},
+    rank::sort_by_rank,
 };
 
 /// The nearest pose without visible creases.
@@ -113,7 +114,7 @@ impl PosedPicture {
             if is_allowed(&way.at(0.0)) {
                 let limit = fold_limit(&way, &mut is_allowed);
                 let mut moved = movers.to_vec();
-                moved.sort_unstable();
+                sort_by_rank(&mut moved, |&handle| [handle as i64, 0]);
                 return Ok(Some(Unfolded { poses: limit.poses, fraction: limit.fraction, moved }));
             }
         }

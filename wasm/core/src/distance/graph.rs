@@ -11,6 +11,7 @@ use std::{cmp::Reverse, collections::BinaryHeap};
 use glam::DVec2;
 
 use crate::{
+    rank::sort_by_rank,
     rows::Rows,
     triangulation::{NONE, Triangulation},
 };
@@ -36,7 +37,7 @@ impl Graph {
     pub fn of_triangles(nodes: usize, triangles: &[[u32; 3]]) -> Self {
         let sides = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)].map(|(a, b)| (a.min(b), a.max(b)));
         let mut edges: Vec<(u32, u32)> = triangles.iter().flat_map(sides).collect();
-        edges.sort_unstable();
+        sort_by_rank(&mut edges, |&(a, b)| [a.into(), b.into()]);
         edges.dedup();
         Self::of_edges(nodes, || edges.iter().copied())
     }

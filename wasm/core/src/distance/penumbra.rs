@@ -39,6 +39,7 @@ use super::{
     propagate::{Bend, Propagation},
     wedge::{ALIGNED, Wedge},
 };
+use crate::rank::sort_by_rank;
 
 /// w: the greatest angle of a penumbra, in radians. Supports keep a margin of 1.25 % over their cells. At this angle no
 /// path is longer by half as much.
@@ -104,7 +105,7 @@ impl Propagation {
             penumbrae.push(Penumbra { corner, ahead, lit, before, offset: bend.offset, width, reach });
             members.extend(wedge.triangles(ahead, lit, narrowed).map(|triangle| (triangle, index)));
         }
-        members.sort_unstable();
+        sort_by_rank(&mut members, |&(triangle, penumbra)| [triangle.into(), penumbra.into()]);
         members.dedup();
         let mut triangles = Vec::new();
         for (at, pair) in members.iter().enumerate() {

@@ -19,7 +19,12 @@ use super::{
     navigation::{NavTriangle, Navigation},
     window::Window,
 };
-use crate::{min_entry::MinEntry, segment::segment_distance, triangulation::NONE};
+use crate::{
+    min_entry::MinEntry,
+    rank::{ascending, sort_by_rank},
+    segment::segment_distance,
+    triangulation::NONE,
+};
 
 /// Working memory for distance fields, to be reused.
 #[derive(Debug, Default)]
@@ -124,7 +129,7 @@ impl Propagation {
             let start = windows.len();
             triangles.push((of_triangle[0].0, start as u32));
             windows.extend(of_triangle.iter().map(|&(_, at)| self.found[at as usize].1));
-            windows[start..].sort_by(|a, b| a.nearest.total_cmp(&b.nearest));
+            sort_by_rank(&mut windows[start..], |window| [ascending(window.nearest), 0]);
         }
         DistanceField { source, bound, triangles, windows }
     }

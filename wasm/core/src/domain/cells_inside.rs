@@ -5,6 +5,7 @@
 use glam::DVec2;
 
 use super::{Ring, edges};
+use crate::rank::{ascending, sort_by_rank};
 
 /// Whether the centre of each cell lies inside rings, row after row. `to_grid` maps to places where the centres have
 /// whole coordinates from 0.
@@ -20,7 +21,7 @@ pub(crate) fn cells_inside(rings: &[Ring], [columns, rows]: [usize; 2], to_grid:
     }
     let mut cells = vec![false; columns * rows];
     for (crossings, row) in crossings.iter_mut().zip(cells.chunks_exact_mut(columns)) {
-        crossings.sort_by(f64::total_cmp);
+        sort_by_rank(crossings, |&crossing| [ascending(crossing), 0]);
         for pair in crossings.chunks_exact(2) {
             let [from, to] = [pair[0], pair[1]].map(|x| x.ceil().clamp(0.0, columns as f64) as usize);
             row[from..to].fill(true);

@@ -9,7 +9,11 @@ use glam::DVec2;
 use robust::{Coord, orient2d};
 
 use super::ring::{Ring, edges, signed_area};
-use crate::{error::Error, segment::segment_distance};
+use crate::{
+    error::Error,
+    rank::{ascending, sort_by_rank},
+    segment::segment_distance,
+};
 
 /// Least area of a ring, in square pixels.
 const MIN_AREA: f64 = 1e-6;
@@ -59,7 +63,7 @@ fn check_distinct(rings: &[Ring]) -> Result<(), Error> {
     for (ring, ring_points) in rings.iter().enumerate() {
         points.extend(ring_points.iter().enumerate().map(|(point, &p)| (p, ring, point)));
     }
-    points.sort_by(|(a, ..), (b, ..)| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    sort_by_rank(&mut points, |(p, ..)| [ascending(p.x), ascending(p.y)]);
     for (at, &(p, ring, point)) in points.iter().enumerate() {
         let mut beside = points[at + 1..].iter().take_while(|(q, ..)| q.x - p.x < RING_CLEARANCE);
         if let Some(&(_, other_ring, other_point)) = beside.find(|(q, ..)| p.distance(*q) < RING_CLEARANCE) {
@@ -95,7 +99,7 @@ fn check_crossings(rings: &[Ring]) -> Result<(), Error> {
         let ring_edges = edges(points).enumerate();
         all.extend(ring_edges.map(|(point, (from, to))| Edge { from, to, ring, point, points: points.len() }));
     }
-    all.sort_by(|a, b| a.from.x.min(a.to.x).total_cmp(&b.from.x.min(b.to.x)));
+    sort_by_rank(&mut all, |edge| [ascending(edge.from.x.min(edge.to.x)), 0]);
     for (at, edge) in all.iter().enumerate() {
         let right = edge.from.x.max(edge.to.x) + RING_CLEARANCE;
         for other in all[at + 1..].iter().take_while(|other| other.from.x.min(other.to.x) <= right) {

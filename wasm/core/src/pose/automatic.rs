@@ -2,16 +2,14 @@
 //!
 //! Cost: linear in the pairs of handles that share an edge.
 
-use std::{
-    collections::{BTreeMap, BTreeSet},
-    f64::consts::TAU,
-};
+use std::{collections::BTreeMap, f64::consts::TAU};
 
 use glam::DVec2;
 
 use super::{HarmonicFields, Motion, unwrap::unwrap_angles};
 use crate::{
     project::{Handle, Rotation},
+    rank::sort_by_rank,
     site::{Site, SiteGraph, SiteKind},
 };
 
@@ -131,7 +129,10 @@ fn adjacent(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec
         let (a, b) = (leaders[i]? as u32, leaders[j]? as u32);
         (a != b).then(|| [a.min(b), a.max(b)])
     };
-    graph.iter().filter_map(pair).collect::<BTreeSet<_>>().into_iter().collect()
+    let mut pairs: Vec<[u32; 2]> = graph.iter().filter_map(pair).collect();
+    sort_by_rank(&mut pairs, |&pair| pair.map(i64::from));
+    pairs.dedup();
+    pairs
 }
 
 #[cfg(test)]

@@ -9,7 +9,10 @@
 //! Cost: see `numeric/elimination.rs`; one solution for each real site that is linked to virtual ones.
 
 use super::numeric::Laplacian;
-use crate::site::{Site, SiteGraph};
+use crate::{
+    rank::sort_by_rank,
+    site::{Site, SiteGraph},
+};
 
 /// The harmonic fields at all sites.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -25,7 +28,7 @@ impl HarmonicFields {
         let alone = |(site, real): (u32, &bool)| if *real { vec![(site, 1.0)] } else { Vec::new() };
         let mut rows: Vec<Vec<(u32, f64)>> = (0..).zip(&is_real).map(alone).collect();
         let mut links = laplacian.boundary.clone();
-        links.sort_by_key(|&(real, ..)| real);
+        sort_by_rank(&mut links, |&(real, ..)| [real.into(), 0]);
         for of_real in links.chunk_by(|(one, ..), (other, ..)| one == other) {
             let real = of_real[0].0;
             let mut field = vec![0.0; laplacian.free.len()];

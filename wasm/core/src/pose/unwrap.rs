@@ -14,7 +14,10 @@ use std::{
     f64::consts::{PI, TAU},
 };
 
-use crate::min_entry::MinEntry;
+use crate::{
+    min_entry::MinEntry,
+    rank::{ascending, sort_by_rank},
+};
 
 /// Shifts the free angles by whole turns.
 pub(super) fn unwrap_angles(angles: &mut [f64], is_free: &[bool], links: impl Iterator<Item = (usize, usize)> + Clone) {
@@ -26,7 +29,7 @@ pub(super) fn unwrap_angles(angles: &mut [f64], is_free: &[bool], links: impl It
     unwrapping.spread();
     // Then start at the smallest angle of each component without a fixed one.
     let mut seeds: Vec<usize> = (0..is_free.len()).filter(|&site| !unwrapping.is_known[site]).collect();
-    seeds.sort_by(|&a, &b| unwrapping.angles[a].abs().total_cmp(&unwrapping.angles[b].abs()));
+    sort_by_rank(&mut seeds, |&site| [ascending(unwrapping.angles[site].abs()), 0]);
     for seed in seeds {
         if !unwrapping.is_known[seed] {
             unwrapping.know(seed);

@@ -19,7 +19,7 @@ use std::collections::HashMap;
 use glam::DVec2;
 
 use super::{Site, SiteField, SiteInserter, TIE, farthest::FarPoint, obstacles::Obstacles, room, voronoi::Voronoi};
-use crate::{grid::Grid, limits::MIN_SEPARATION};
+use crate::{grid::Grid, limits::MIN_SEPARATION, rank::sort_by_rank};
 
 /// Steps of Newton's method onto the border. Between two points the first step reaches it.
 const STEPS: usize = 3;
@@ -120,7 +120,7 @@ fn pairs_on_borders(voronoi: &Voronoi) -> Vec<[u32; 2]> {
     };
     voronoi.coarse.mesh.visit_polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
     // Most pairs are found from both sides.
-    pairs.sort_unstable();
+    sort_by_rank(&mut pairs, |&pair| pair.map(i64::from));
     pairs.dedup();
     pairs
 }
@@ -161,7 +161,7 @@ fn nearest_real_sites(voronoi: &Voronoi, samples: &[u32]) -> HashMap<u32, Vec<us
             voronoi.sites[site].rest.distance(p) <= within && voronoi.distance(site, triangle, p) <= within
         };
         let mut near: Vec<usize> = grid.around(p, within).filter(is_near).collect();
-        near.sort_unstable();
+        sort_by_rank(&mut near, |&site| [site as i64, 0]);
         near
     };
     let mut known = HashMap::new();

@@ -23,6 +23,7 @@ use crate::{
     domain::Domain,
     error::Error,
     limits::MAX_SITES,
+    rank::{from_top, sort_by_rank},
 };
 
 /// Only rounding asks for a site that is closer to another than this, in pixels. Insertion would then not end.
@@ -164,7 +165,7 @@ impl Tessellation {
         if inserter.sites().len() + sites.len() > MAX_SITES {
             return Err(Error::TooManySites);
         }
-        sites.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));
+        sort_by_rank(&mut sites, |site| from_top(site.rest));
         for NewSite { rest, triangle, kind, on_chain } in sites {
             if let Some((chain, length)) = on_chain {
                 let sites = &mut self.chains[chain].sites;

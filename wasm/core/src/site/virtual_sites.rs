@@ -27,7 +27,11 @@ use super::{
     farthest::{FarPoint, SAME_POINT},
     voronoi::Voronoi,
 };
-use crate::{error::Error, min_entry::MinEntry};
+use crate::{
+    error::Error,
+    min_entry::MinEntry,
+    rank::{from_top, sort_by_rank},
+};
 
 /// Cells must be smaller than their limit by this share. At the limit the farthest point of a cell has no weight, and
 /// near it weights are steep.
@@ -216,7 +220,7 @@ fn far_points_apart(inserter: &mut SiteInserter, limit: f64) -> Vec<FarPoint> {
 
 /// Replaces tied points that crowd each other by one between them or, if that is impossible, by some of them.
 fn spread_out(inserter: &mut SiteInserter, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
-    points.sort_by(|a, b| a.at.y.total_cmp(&b.at.y).then(a.at.x.total_cmp(&b.at.x)));
+    sort_by_rank(&mut points, |point| from_top(point.at));
     let mut groups: Vec<Vec<FarPoint>> = Vec::new();
     for point in points {
         let crowds = |group: &Vec<FarPoint>| {

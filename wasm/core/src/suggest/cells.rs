@@ -8,7 +8,10 @@
 
 use glam::DVec2;
 
-use crate::domain::{Domain, cells_inside};
+use crate::{
+    domain::{Domain, cells_inside},
+    rank::sort_by_rank,
+};
 
 /// Units of a side of a cell.
 pub(super) const UNITS: u32 = 5;
@@ -184,10 +187,10 @@ impl Cells {
                 }
                 at += 1;
             }
-            part.sort_unstable();
+            sort_by_rank(&mut part, |&cell| [cell as i64, 0]);
             parts.push(part);
         }
-        parts.sort_by_key(|part| std::cmp::Reverse(part.len()));
+        sort_by_rank(&mut parts, |part| [-(part.len() as i64), 0]);
         parts
     }
 
@@ -211,7 +214,7 @@ impl Cells {
     /// Shortens distances where a way from a source is shorter.
     pub(super) fn shorten(&self, distances: &mut [u32], sources: impl IntoIterator<Item = (usize, u32)>, bound: u32) {
         let mut sources: Vec<(usize, u32)> = sources.into_iter().filter(|&(_, from)| from <= bound).collect();
-        sources.sort_unstable_by_key(|&(_, from)| std::cmp::Reverse(from));
+        sort_by_rank(&mut sources, |&(_, from)| [-i64::from(from), 0]);
         let mut buckets: [Vec<usize>; BUCKETS as usize] = Default::default();
         let mut open = 0;
         let mut now = sources.last().map_or(0, |&(_, from)| from);

@@ -24,7 +24,11 @@ mod tests;
 
 use glam::DVec2;
 
-use crate::{domain::Domain, project::Handle};
+use crate::{
+    domain::Domain,
+    project::Handle,
+    rank::{from_top, sort_by_rank},
+};
 
 /// A suggested point handle.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,7 +118,7 @@ pub fn suggest_beside(domain: &Domain, handles: &[Handle]) -> Vec<SuggestedHandl
 /// Handles at some places, from top to bottom.
 fn named(domain: &Domain, mut places: Vec<(DVec2, SuggestedRole)>, taken: &[&str]) -> Vec<SuggestedHandle> {
     let (low, high) = domain.bounds();
-    places.sort_by(|(a, _), (b, _)| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
+    sort_by_rank(&mut places, |&(place, _)| from_top(place));
     let words: Vec<(DVec2, &str)> = places.iter().map(|&(p, role)| (p, role.word())).collect();
     let ids = names::ids(&words, low, high, taken);
     places.into_iter().zip(ids).map(|((rest, role), id)| SuggestedHandle { id, rest, role }).collect()

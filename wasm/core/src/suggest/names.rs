@@ -6,6 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
 
+use crate::rank::{ascending, sort_by_rank};
+
 /// Handles within this share of the width from the axis are on neither side of it.
 const ON_AXIS: f64 = 0.03;
 /// How much farther up a handle must lie to come before one that is farther out, as a share of that distance.
@@ -25,12 +27,13 @@ pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&s
             }
         }
     }
-    let mut known: BTreeSet<String> = taken.iter().map(|id| read(id)).collect();
+    let mut known: BTreeSet<String> = BTreeSet::new();
+    known.extend(taken.iter().map(|id| read(id)));
     let mut ids = vec![String::new(); words.len()];
     for mut members in groups(&words) {
         // From top to bottom, and at about the same height from the outside in.
         let key = |k: usize| shares[k].y - OUTWARDS * (shares[k].x - 0.5).abs();
-        members.sort_by(|&a, &b| key(a).total_cmp(&key(b)).then(shares[a].x.total_cmp(&shares[b].x)));
+        sort_by_rank(&mut members, |&k| [ascending(key(k)), ascending(shares[k].x)]);
         for k in members {
             let numbered =
                 |number: usize| if number == 1 { words[k].clone() } else { format!("{}-{number}", words[k]) };
@@ -53,9 +56,9 @@ fn is_on_both_sides(members: &[usize], shares: &[DVec2]) -> bool {
     left > 0 && left < members.len()
 }
 
-/// An id as people read it: editors show hyphens as spaces.
+/// An id as people read it: editors show hyphens as spaces. The words here have no letters but those of ASCII.
 fn read(id: &str) -> String {
-    id.trim().to_lowercase().replace(['_', ' '], "-")
+    id.trim().to_ascii_lowercase().replace(['_', ' '], "-")
 }
 
 /// The side that the outer thirds of the width lie on.

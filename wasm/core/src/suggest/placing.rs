@@ -9,7 +9,11 @@ use super::{
     skeleton::Skeleton,
     taken::taken_cells,
 };
-use crate::{domain::Domain, project::Handle};
+use crate::{
+    domain::Domain,
+    project::Handle,
+    rank::{descending, sort_by_rank},
+};
 
 const FEWEST: usize = 5;
 const MOST: usize = 12;
@@ -127,7 +131,7 @@ impl Placing<'_> {
     /// Chooses ends, those of the longest limbs first. Returns the limbs without those on a head, which have no handles
     /// of their own.
     fn choose_ends<'b>(&mut self, mut limbs: Vec<MeasuredLimb<'b>>) -> Vec<MeasuredLimb<'b>> {
-        limbs.sort_by_key(|limb| std::cmp::Reverse(limb.length()));
+        sort_by_rank(&mut limbs, |limb| [-i64::from(limb.length()), 0]);
         let mut heads: Vec<Vec<u32>> = Vec::new();
         limbs.retain(|limb| {
             if heads.iter().any(|around| around[limb.tip()] != FAR) {
@@ -153,7 +157,7 @@ impl Placing<'_> {
             limb.bends().into_iter().chain(limb.neck()).map(move |(strength, cell)| (strength, cell, room))
         };
         let mut joints: Vec<(f64, usize, u32)> = limbs.iter().flat_map(joints_of).collect();
-        joints.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
+        sort_by_rank(&mut joints, |&(strength, ..)| [descending(strength), 0]);
         joints.into_iter().for_each(|(_, joint, room)| self.choose(joint, SuggestedRole::Joint, room));
     }
 

@@ -12,6 +12,7 @@ use std::{cmp::Reverse, collections::BinaryHeap};
 use glam::DVec2;
 
 use super::cells::{Cells, FAR, UNITS};
+use crate::rank::sort_by_rank;
 
 /// A line covers this many times its distance from the outline, in tenths.
 const COVER_TENTHS: u32 = 12;
@@ -58,7 +59,7 @@ impl Skeleton {
         let widest = part.iter().map(|&cell| clearance[cell]).max().unwrap_or_default();
         let mut limbs = Vec::new();
         let mut farthest: Vec<usize> = part.to_vec();
-        farthest.sort_by_key(|&cell| Reverse(from_root[cell]));
+        sort_by_rank(&mut farthest, |&cell| [-i64::from(from_root[cell]), 0]);
         for end in farthest {
             if is_covered[end] || limbs.len() == MOST_LIMBS {
                 continue;

@@ -23,6 +23,7 @@ use glam::DVec2;
 use super::{Influence, SparseWeights};
 use crate::{
     bone::{Bone, Skeleton},
+    rank::sort_by_rank,
     site::{Site, SiteKind},
 };
 
@@ -81,7 +82,7 @@ impl BodyWeights {
             scratch.push(of_bone);
         }
         // Rounding depends on the order within a body. A stable sort keeps that of the influences.
-        scratch.sort_by_key(|one| one.body);
+        sort_by_rank(scratch, |one| [one.body.into(), 0]);
         for of_body in scratch.chunk_by(|one, other| one.body == other.body) {
             if of_body.iter().any(|one| one.bone != of_body[0].bone) {
                 redistribute_body(influences, of_body);

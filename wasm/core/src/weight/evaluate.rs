@@ -6,10 +6,7 @@
 //! Limits: where two paths to a site are equally short, weights have a crease, and the gradient is a mean. With
 //! penumbrae, no support reaches such points.
 
-use std::{
-    collections::{BTreeSet, HashSet},
-    ops::Range,
-};
+use std::{collections::HashSet, ops::Range};
 
 use glam::DVec2;
 
@@ -22,6 +19,7 @@ use super::{
 use crate::{
     bone::Skeleton,
     distance::{NavTriangle, Navigation, Penumbrae},
+    rank::sort_by_rank,
     rows::Rows,
     sample::Samples,
     site::{Site, SiteField},
@@ -99,8 +97,10 @@ impl WeightFunctions {
 
     /// The islands with sites, ascending.
     pub(crate) fn islands(&self) -> Vec<usize> {
-        let islands: BTreeSet<usize> = self.fields.iter().map(|field| field.island).collect();
-        islands.into_iter().collect()
+        let mut islands: Vec<usize> = self.fields.iter().map(|field| field.island).collect();
+        sort_by_rank(&mut islands, |&island| [island as i64, 0]);
+        islands.dedup();
+        islands
     }
 
     /// Sites: the distance field of each.

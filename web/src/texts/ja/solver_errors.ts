@@ -62,8 +62,7 @@ export const refusals: Texts['errors']['refusals'] = {
   'too-many-handles': () => 'ハンドルが多すぎます。いくつか削除してください。',
   'too-many-corners': (_, name) =>
     `バーと多角形の角が多すぎます。${name ? `「${name}」の` : ''}角を減らして描いてください。`,
-  'handles-crowded': () =>
-    '近すぎるハンドルが多すぎます。いくつかを離すか、削除してください。',
+  'handles-crowded': () => '近すぎるハンドルが多すぎます。いくつかを離すか、削除してください。',
   'outline-too-long': () =>
     'この輪郭には切れ込みや突起が多すぎます。もっと単純に、または大まかに描いてください。',
   'too-many-sites': () =>

@@ -12,6 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
 
+use crate::rank::sort_by_rank;
+
 /// Greatest number of rows in a group.
 const MAX_WIDTH: usize = 3;
 
@@ -75,7 +77,7 @@ impl Cholesky {
         for (group, later) in &order {
             let of_group = |group: u32| groups[group as usize].iter().map(|&row| pivot[row as usize]);
             let mut below: Vec<u32> = later.iter().flat_map(|&other| of_group(other)).collect();
-            below.sort_unstable();
+            sort_by_rank(&mut below, |&pivot| [pivot.into(), 0]);
             let structure: Vec<u32> = of_group(*group).chain(below.iter().copied()).collect();
             let width = groups[*group as usize].len();
             for at in 0..width {
@@ -206,7 +208,9 @@ fn elimination_order(count: usize, pairs: impl Iterator<Item = (u32, u32)>) -> V
         near[a as usize].insert(b);
         near[b as usize].insert(a);
     }
-    let mut queue: BTreeSet<(usize, u32)> = (0..).zip(&near).map(|(group, list)| (list.len(), group)).collect();
+    let mut queue: BTreeSet<(usize, u32)> = BTreeSet::new();
+    // Unlike `collect`, this needs no sort of its own: see `rank`.
+    queue.extend((0..).zip(&near).map(|(group, list)| (list.len(), group)));
     let mut order = Vec::with_capacity(count);
     while let Some((_, group)) = queue.pop_first() {
         let around = std::mem::take(&mut near[group as usize]);

@@ -15,6 +15,8 @@ use std::{
     ops::{AddAssign, Mul, MulAssign},
 };
 
+use crate::rank::sort_by_rank;
+
 /// An eliminated vertex.
 #[derive(Debug, Clone)]
 struct Pivot {
@@ -43,9 +45,11 @@ impl GroundedLaplacian {
             near[j].push((i as u32, weight));
         }
         for list in &mut near {
-            list.sort_by_key(|&(vertex, _)| vertex);
+            sort_by_rank(list, |&(vertex, _)| [vertex.into(), 0]);
         }
-        let mut queue: BTreeSet<(usize, u32)> = (0..).zip(&near).map(|(vertex, list)| (list.len(), vertex)).collect();
+        let mut queue: BTreeSet<(usize, u32)> = BTreeSet::new();
+        // Unlike `collect`, this needs no sort of its own: see `rank`.
+        queue.extend((0..).zip(&near).map(|(vertex, list)| (list.len(), vertex)));
         let (mut pivots, mut fractions) = (Vec::with_capacity(near.len()), Vec::new());
         let mut merged = Vec::new();
         while let Some((_, vertex)) = queue.pop_first() {

@@ -40,13 +40,14 @@ impl Layout {
 }
 
 impl Formatter for Layout {
-    /// Writes whole numbers without a decimal point, as browsers do.
+    /// Writes whole numbers without a decimal point, as browsers do. Messages need the formatting of the standard
+    /// library anyway: that of serde_json would add twelve kilobytes to a download.
     fn write_f64<W: Write + ?Sized>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
         const LARGEST_EXACT: f64 = 9_007_199_254_740_992.0;
         if value.fract() == 0.0 && value.abs() <= LARGEST_EXACT {
             write!(writer, "{}", value as i64)
         } else {
-            serde_json::ser::CompactFormatter.write_f64(writer, value)
+            write!(writer, "{value:?}")
         }
     }
 

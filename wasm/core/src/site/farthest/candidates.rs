@@ -14,6 +14,7 @@ use super::{
 use crate::{
     distance::PathEnd,
     min_max::{fast_max, fast_min},
+    rank::{descending, sort_by_rank},
     triangulation::NONE,
 };
 
@@ -85,9 +86,7 @@ impl CandidateTriangles {
                 found.push(Candidate { triangle, upper_bound });
             }
         }
-        found.sort_by(|one, other| {
-            other.upper_bound.total_cmp(&one.upper_bound).then(one.triangle.cmp(&other.triangle))
-        });
+        sort_by_rank(&mut found, |one| [descending(one.upper_bound), one.triangle.into()]);
         found
     }
 }

@@ -5,6 +5,8 @@
 
 use glam::DVec2;
 
+use crate::rank::sort_by_rank;
+
 /// Selects one of several equally good steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Fork {
@@ -123,7 +125,7 @@ fn active_constraints(direction: DVec2, constraints: &[Constraint], reach: f64) 
     for at in best {
         chosen.extend(edge(constraints, at, 0..constraints.len(), slack).into_iter().flatten());
     }
-    chosen.sort_unstable();
+    sort_by_rank(&mut chosen, |&at| [at as i64, 0]);
     chosen.dedup();
     Some(chosen.into_iter().map(|at| constraints[at]).collect())
 }

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::{HeldOutline, Moments};
 use crate::{
+    rank::sort_by_rank,
     sample::Samples,
     site::Site,
     weight::{Influence, SparseWeights},
@@ -61,7 +62,9 @@ pub(super) fn parts(
             }
         });
     }
-    parts.sort_by_key(|part| part.dominant);
+    // By the first two sites, and then by the third.
+    sort_by_rank(&mut parts, |part| [part.dominant[2].into(), 0]);
+    sort_by_rank(&mut parts, |part| [part.dominant[0].into(), part.dominant[1].into()]);
     parts.dedup_by(|next, kept| {
         let same = next.dominant == kept.dominant;
         if same {

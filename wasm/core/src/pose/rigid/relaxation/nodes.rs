@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::{super::quadrature, Freedom};
+use crate::rank::sort_by_rank;
 
 /// A node. Lengths are in [units](super::Relaxation::unit), but that of the area.
 #[derive(Debug, Clone)]
@@ -35,7 +36,7 @@ impl Nodes {
     pub(super) fn new(all: Vec<quadrature::Node>, factors: &[f64], freedom: &[Freedom], unit: f64) -> Self {
         let (mut nodes, mut terms) = (Vec::new(), Vec::new());
         for (quadrature::Node { at, area, mut influences }, factor) in all.into_iter().zip(factors) {
-            influences.sort_by_key(|one| freedom[one.site] != Freedom::None);
+            sort_by_rank(&mut influences, |one| [(freedom[one.site] != Freedom::None).into(), 0]);
             let fixed = influences.iter().filter(|one| freedom[one.site] == Freedom::None).count();
             if fixed < influences.len() {
                 terms.extend(influences.iter().map(|one| Term {
