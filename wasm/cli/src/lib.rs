@@ -33,6 +33,7 @@ mod weights;
 mod workers;
 
 use std::io;
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -69,7 +70,9 @@ fn definition() -> clap::Command {
     Arguments::command()
 }
 
-fn main() -> ExitCode {
+/// Runs the command line of this process.
+#[must_use]
+pub fn run() -> ExitCode {
     enter_folder();
     let command = Arguments::parse().command;
     progress::begin();
@@ -102,6 +105,15 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Reads the bytes of a picture file as the command does: for tests of damaged files.
+///
+/// # Errors
+/// The line that the command prints.
+#[doc(hidden)]
+pub fn read_picture(bytes: &[u8]) -> Result<image::RgbaImage, String> {
+    picture::read_from(bytes, Path::new("picture"), None).map(|file| file.pixels).map_err(|error| error.to_string())
 }
 
 /// As WebAssembly, the program starts in the root folder. Relative paths begin at the caller's.
