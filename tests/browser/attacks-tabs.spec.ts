@@ -84,8 +84,8 @@ const DEEDS: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
     await expect.poll(async () => (await editor.shownPose('handle 1')).y).not.toBe(before.y);
   },
   async undoes(editor) {
-    const undo = editor.button(/^Undo: /);
-    if (await undo.isEnabled()) await undo.click();
+    const undo = editor.button('Undo: move handle 1');
+    if (await undo.isVisible()) await undo.click();
   },
   async selects(editor) {
     await editor.handle('handle 1').focus();
