@@ -75,11 +75,18 @@ test('a tab killed at random moments keeps what was stored, and stores nothing b
   }
 });
 
+/** Focuses the handle. A notice that appears after a reload may move it meanwhile. */
+async function focusHandle(editor: Editor): Promise<void> {
+  const handle = editor.handle('handle 1');
+  await handle.focus();
+  await expect(handle).toBeFocused();
+}
+
 /** What a person does in one of two tabs. Each ends once it is shown. */
 const DEEDS: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   async moves(editor) {
     const before = await editor.shownPose('handle 1');
-    await editor.handle('handle 1').focus();
+    await focusHandle(editor);
     await editor.page.keyboard.press(before.y > SIDE / 2 ? 'ArrowUp' : 'ArrowDown');
     await expect.poll(async () => (await editor.shownPose('handle 1')).y).not.toBe(before.y);
   },
@@ -88,7 +95,7 @@ const DEEDS: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
     if (await undo.isVisible()) await undo.click();
   },
   async selects(editor) {
-    await editor.handle('handle 1').focus();
+    await focusHandle(editor);
     await editor.page.keyboard.press('Escape');
   },
   async reloads({ page }) {
