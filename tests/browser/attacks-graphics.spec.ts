@@ -32,7 +32,7 @@ async function openWithHandle(editor: Editor, name: string): Promise<void> {
   await expect(editor.handles).toHaveCount(1);
 }
 
-/** What is done while the context is lost. Each returns once all of it has come to its end. */
+/** The deeds during which the context is lost. Each returns once all of it has come to its end. */
 const MOMENTS: Readonly<Record<string, (editor: Editor, random: () => number) => Promise<Loss>>> = {
   async 'in a drag'(editor, random) {
     const { mouse } = editor.page;

@@ -83,7 +83,7 @@ async function focusHandle(editor: Editor): Promise<void> {
   await expect(handle).toBeFocused();
 }
 
-/** What a person does in one of two tabs. Each ends once it is shown. */
+/** The deeds of a person in one of two tabs. Each ends once it is shown. */
 const DEEDS: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   async moves(editor) {
     const before = await editor.shownPose('handle 1');

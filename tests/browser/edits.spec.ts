@@ -1,5 +1,5 @@
 /**
- * Random sequences of edits: what the editor saves opens as it was, and native code and WebAssembly solve and pose it
+ * Random sequences of edits: saved projects open as they were, and native code and WebAssembly solve and pose them
  * equally, bit for bit. These tests need no page.
  */
 import { spawnSync } from 'node:child_process';

@@ -1,4 +1,4 @@
-//! What holds for every solution, pose and error.
+//! Promises about every solution, pose and error.
 
 use c2warp::glam::DVec2;
 use c2warp::{Error, Solution, pose::Poser, project::Project};

@@ -1,5 +1,5 @@
 /**
- * What a person does first, in any browser: the editor opens, a handle is dragged, the picture is exported, and a
+ * The first steps of a person, in any browser: the editor opens, a handle is dragged, the picture is exported, and a
  * reload has the work again.
  *
  * A private session may refuse to store files, as that of WebKit's driver does. The editor must say so.
@@ -26,7 +26,7 @@ const EDITOR = `document.querySelector('c2-warp')`;
 const POSED = `${EDITOR}.project.handles.find(({ id }) => id === '${HANDLE.id}')?.posed`;
 const TEXT = `${EDITOR}.shadowRoot.textContent.replace(/\\s+/g, ' ')`;
 
-/** Keeps the size of a saved PNG in the page: drivers differ in what they do with downloads. */
+/** Keeps the size of a saved PNG in the page: drivers treat downloads differently. */
 const KEEP_SAVED = `(() => {
   const { createObjectURL } = URL;
   URL.createObjectURL = (blob) => {

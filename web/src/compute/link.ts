@@ -175,7 +175,7 @@ export class Link {
     else pending.reject(reply.kind === 'superseded' ? superseded() : failureError(reply.failure));
   }
 
-  /** Rejects what concerns a picture whose pixels are gone: all requests up to the next picture. */
+  /** Rejects all requests about a picture whose pixels are gone: those up to the next picture. */
   #losePicture(reason: unknown): void {
     for (const [id, { request, reject }] of this.#pending) {
       if (request.name === 'picture') return;
