@@ -7,6 +7,9 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 /** Builds the command as the native tests do, and returns the path of its binary. */
 export const builtCommand = (): string => built('--workspace', '--bin', 'c2warp');
 
+/** Builds the program that solves lines of projects, as the native tests do, and returns the path of its binary. */
+export const builtSolutions = (): string => built('--workspace', '--bin', 'c2warp-solutions');
+
 /** Builds the command of the package, and returns the path of its WebAssembly file. */
 export const builtWasmCommand = (): string =>
   built('--package', 'c2warp-cli', '--target', 'wasm32-wasip1', '--profile', 'portable');

@@ -1,6 +1,6 @@
 /**
  * `npm run test:long`: tests that take too long for `npm test`. These are all random sequences of input while a picture
- * is opened, and the tests of the tables of quality.
+ * is opened, all random edits and attacks, and the tests of the tables of quality.
  */
 import { prepareChromium } from './chromium.mjs';
 import { prepare, prepareRustLints } from './prepare.mjs';
@@ -10,20 +10,16 @@ await main(async () => {
   await prepare();
   await prepareRustLints();
   await prepareChromium();
+  const inBrowser = (/** @type {string[]} */ ...args) =>
+    run(
+      process.execPath,
+      [toolPath('playwright'), 'test', '--config', 'tests/browser/playwright.config.ts', ...args],
+      { env: { LONG_TESTS: '1' } },
+    );
   heading('Random sequences');
-  const sequences = await run(
-    process.execPath,
-    [
-      toolPath('playwright'),
-      'test',
-      '--config',
-      'tests/browser/playwright.config.ts',
-      'editor-early',
-      '--grep',
-      'random sequences',
-    ],
-    { env: { LONG_TESTS: '1' } },
-  );
+  const sequences = await inBrowser('editor-early', '--grep', 'random sequences');
+  heading('Random edits, and attacks');
+  const attacks = await inBrowser('edits', 'attacks');
   heading('Tables of quality');
   const lints = await run('cargo', [
     'clippy',
@@ -35,5 +31,5 @@ await main(async () => {
     'warnings',
   ]);
   const quality = await run('cargo', ['test', '--package', 'c2warp-quality']);
-  if ([sequences, lints, quality].some(({ code }) => code !== 0)) process.exitCode = 1;
+  if ([sequences, attacks, lints, quality].some(({ code }) => code !== 0)) process.exitCode = 1;
 });

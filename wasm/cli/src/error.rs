@@ -96,7 +96,8 @@ pub(crate) enum CliError {
     PictureUnknown { path: PathBuf },
     #[error("{}: this is {name}: save it as PNG, JPEG or WebP", path.display())]
     PictureType { path: PathBuf, name: &'static str },
-    #[error("{}: the picture is damaged or truncated: {reason}", path.display())]
+    // Some reasons end with a line break.
+    #[error("{}: the picture is damaged or truncated: {}", path.display(), reason.to_string().trim_end())]
     PictureDamaged { path: PathBuf, reason: ImageError },
     #[error("{}: {reason}", path.display())]
     Drawing { path: PathBuf, reason: VectorError },

@@ -104,6 +104,40 @@ describe('Link', () => {
     expect(await cells).toBe(BORDERS);
   });
 
+  it('tells each request that the picture is gone, if its successor cannot have it', async () => {
+    const { link, worker, workers } = linked();
+    void link.send('picture', PICTURE);
+    worker(0).reply({ id: 1, kind: 'done', body: null });
+    const failure = { code: 'picture', message: 'the pixels are gone', handles: [] } as const;
+    for (const successor of [1, 2]) {
+      const cells = link.send('cells', { project: '{}' });
+      if (successor === 1) worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
+      worker(successor).reply({ id: 0, kind: 'failed', failure });
+      await expect(cells).rejects.toMatchObject({ code: 'picture' });
+      expect(worker(successor).ended).toBe(true);
+    }
+    expect(workers).toHaveLength(3);
+
+    const again = link.send('picture', PICTURE);
+    expect(worker(3).requests()).toHaveLength(1);
+    worker(3).reply({ id: 4, kind: 'done', body: null });
+    expect(await again).toBeNull();
+  });
+
+  it('sends the next picture to a successor that cannot have the last one', async () => {
+    const { link, worker } = linked();
+    void link.send('picture', PICTURE);
+    worker(0).reply({ id: 1, kind: 'done', body: null });
+    const cells = link.send('cells', { project: '{}' });
+    worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
+    const next = link.send('picture', PICTURE);
+    const failure = { code: 'picture', message: 'the pixels are gone', handles: [] } as const;
+    worker(1).reply({ id: 0, kind: 'failed', failure });
+    await expect(cells).rejects.toMatchObject({ code: 'picture' });
+    worker(1).reply({ id: 3, kind: 'done', body: null });
+    expect(await next).toBeNull();
+  });
+
   it('gives up a request that ends two workers, and serves the next by a third', async () => {
     const { link, worker, workers } = linked();
     const solve = link.send('solve', { project: 'bad' });

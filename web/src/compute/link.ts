@@ -37,6 +37,9 @@ interface Pending {
 
 const DEATHS_ALLOWED = 1;
 
+/** The id of the picture that a new worker gets first. Nobody waits for its answer. */
+const PICTURE_AGAIN = 0;
+
 /** Why a request broke the solver: nearly always for want of memory. */
 const BROKE = {
   picture: 'picture',
@@ -111,7 +114,7 @@ export class Link {
     onProgress?: (stage: ProgressOf<N>) => void,
   ): Promise<Messages[N][1]> {
     if (this.#disposed) return Promise.reject(superseded());
-    const port = this.#port ?? this.#start();
+    const port = this.#port ?? this.#start(name !== 'picture');
     return new Promise((resolve, reject) => {
       const id = ++this.#lastId;
       const request = { id, name, body };
@@ -144,8 +147,12 @@ export class Link {
     this.#pending.clear();
   }
 
-  /** Starts a worker, and sends it the module, the picture, and the pending requests. */
-  #start(): Port {
+  /**
+   * Starts a worker, and sends it the module, the picture, and the pending requests.
+   *
+   * @param again Whether the last picture is needed.
+   */
+  #start(again = true): Port {
     const port = this.#spawn();
     this.#port = port;
     port.onmessage = ({ data }) => this.#receive(data);
@@ -154,8 +161,8 @@ export class Link {
     port.postMessage({ module: this.#module });
     if (this.#later) port.postMessage({ later: this.#later });
     const requests = [...this.#pending.values()].map(({ request }) => request);
-    if (this.#picture && !requests.some(({ name }) => name === 'picture')) {
-      post(port, { id: 0, name: 'picture', body: this.#picture });
+    if (again && this.#picture && !requests.some(({ name }) => name === 'picture')) {
+      post(port, { id: PICTURE_AGAIN, name: 'picture', body: this.#picture });
     }
     for (const request of requests) post(port, request);
     return port;
@@ -174,6 +181,10 @@ export class Link {
       this.#replace(reply.started, reply.message);
       return;
     }
+    if (reply.id === PICTURE_AGAIN && reply.kind === 'failed') {
+      this.#losePicture(failureError(reply.failure));
+      return;
+    }
     const pending = this.#pending.get(reply.id);
     // Replies to abandoned requests are dropped.
     if (!pending) return;
@@ -184,6 +195,17 @@ export class Link {
     this.#pending.delete(reply.id);
     if (reply.kind === 'done') pending.resolve(reply.body);
     else pending.reject(reply.kind === 'superseded' ? superseded() : failureError(reply.failure));
+  }
+
+  /** Rejects all requests about a picture whose pixels are gone: those up to the next picture. */
+  #losePicture(reason: unknown): void {
+    for (const [id, { request, reject }] of this.#pending) {
+      if (request.name === 'picture') return;
+      this.#pending.delete(id);
+      reject(reason);
+    }
+    // Without a picture, it would answer later requests wrongly.
+    this.#stop();
   }
 
   /** @param started the worker had started, so that a request is to blame. */

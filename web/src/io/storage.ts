@@ -23,7 +23,7 @@ export interface StoredValues {
  *
  * @throws DOMException if the browser refuses storage or the quota is exceeded.
  */
-export function inTransaction<T>(
+export async function inTransaction<T>(
   mode: IDBTransactionMode,
   change: (values: StoredValues) => Promise<T>,
 ): Promise<T> {

@@ -86,7 +86,7 @@ impl Shape {
             Self::Bar { rest, posed } => (rest, posed, 2),
             Self::Polygon { rest, posed } => (rest, posed, 3),
         };
-        validate::points(&at.key("rest"), rest, least)?;
+        validate::corners(&at.key("rest"), rest, least)?;
         validate::points(&at.key("posed"), posed, least)?;
         if posed.len() == rest.len() {
             return Ok(());

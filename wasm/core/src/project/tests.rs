@@ -184,6 +184,11 @@ fn errors_name_the_key() {
         (r#""rest": [128, 40.5], "#, "", "handles[0].rest: missing"),
         ("[[60, 200], [120, 220]]", "[[60, 200]]", "handles[1].rest: expected at least 2 points, found 1"),
         (
+            "[[60, 200], [120, 220]]",
+            "[[60, 200], [-7e164, 220]]",
+            "handles[1].rest[1][0]: expected a number from −1e12 to 1e12, found -7e164",
+        ),
+        (
             "[[60, 200], [130, 240]]",
             "[[60, 200], [130, 240], [1, 1]]",
             "handles[1].posed: expected as many points as in rest (2), found 3",

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::error::ProjectError;
 use super::path::Path;
+use crate::{display_number::DisplayNumber, limits::MAX_POSED};
 
 /// A range in words, for messages.
 pub(super) fn whole_numbers(range: &RangeInclusive<u32>) -> String {
@@ -41,6 +42,21 @@ pub(super) fn points(at: &Path<'_>, points: &[DVec2], least: usize) -> Result<()
         return at.refuse(format_args!("expected at least {least} points, found {}", points.len()));
     }
     points.iter().enumerate().try_for_each(|(index, &p)| point(&at.index(index), p))
+}
+
+/// Checks corners at rest: at least `least` points whose lengths and products are finite, too.
+pub(super) fn corners(at: &Path<'_>, corners: &[DVec2], least: usize) -> Result<(), ProjectError> {
+    points(at, corners, least)?;
+    corners.iter().enumerate().try_for_each(|(index, corner)| {
+        let at = at.index(index);
+        corner.to_array().into_iter().enumerate().try_for_each(|(axis, number)| {
+            if number.abs() <= MAX_POSED {
+                return Ok(());
+            }
+            let found = DisplayNumber(number);
+            at.index(axis).refuse(format_args!("expected a number from −{MAX_POSED:e} to {MAX_POSED:e}, found {found}"))
+        })
+    })
 }
 
 /// The number of entries of a grid.

@@ -7,8 +7,10 @@ use std::{collections::HashSet, fmt};
 
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde_path_to_error::{Segment, Segments};
 
-use crate::{display_number::DisplayNumber, project::ProjectError};
+use crate::display_number::DisplayNumber;
+use crate::project::{ProjectError, path::Path};
 
 /// One JSON value.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,15 +33,20 @@ impl Value {
         // Editors on Windows write a byte order mark first. JSON has none.
         let mut json = serde_json::Deserializer::from_str(text.trim_start_matches('\u{feff}'));
         let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
-            let path = error.path().to_string();
-            ProjectError {
-                // serde_path_to_error writes the top as "." and an unknown path as "?".
-                path: path.trim_end_matches(['.', '?']).to_owned(),
-                message: error.into_inner().to_string(),
-            }
+            let path = path_text(Path::Top, error.path().iter());
+            ProjectError { path, message: error.into_inner().to_string() }
         })?;
         json.end().map_err(|error| ProjectError { path: String::new(), message: error.to_string() })?;
         Ok(value)
+    }
+}
+
+/// Writes the rest of a path, as far as it is known.
+fn path_text(at: Path<'_>, mut rest: Segments<'_>) -> String {
+    match rest.next() {
+        Some(Segment::Seq { index }) => path_text(at.index(*index), rest),
+        Some(Segment::Map { key }) => path_text(at.key(key), rest),
+        _ => at.to_string(),
     }
 }
 
@@ -145,6 +152,12 @@ mod tests {
             assert!(Value::parse(text).is_err(), "{text}");
         }
         assert!(Value::parse(&"[".repeat(100_000)).is_err());
+    }
+
+    #[test]
+    fn path_of_a_broken_value_is_one_line() {
+        let error = Value::parse("{\"a\\nb\": [0, {\"c\": (}]}").unwrap_err();
+        assert_eq!(error.path, r#"["a\nb"][1].c"#);
     }
 
     #[test]

@@ -1,0 +1,56 @@
+/** The element opened, bent, exported and closed again and again: memory stays as it is. */
+import { type CDPSession, expect, test } from '@playwright/test';
+import type { C2Warp } from '../../web/src/element';
+import { times } from './attacks';
+
+const ROUNDS = times(500, 18);
+/** After these, everything that is made once is there. */
+const FIRST = times(50, 12);
+/** The part of the first figure by which a later one may be larger. */
+const GROWTH = 0.05;
+const SAMPLE = '/samples/gingerbread.png';
+const PROJECT = '/samples/gingerbread.c2warp.json';
+
+/**
+ * Bytes of objects and buffers, and the nodes of the document, after the collection of all garbage. The browser's own
+ * records of the page, such as timings of its requests, are elsewhere.
+ */
+async function memory(devtools: CDPSession) {
+  await devtools.send('HeapProfiler.collectGarbage');
+  const { usedSize, backingStorageSize } = await devtools.send('Runtime.getHeapUsage');
+  const { nodes } = await devtools.send('Memory.getDOMCounters');
+  return { heap: usedSize, buffers: backingStorageSize, nodes };
+}
+
+test('opening, bending, exporting and closing again and again takes no more memory', async ({ page }) => {
+  test.setTimeout(ROUNDS * 10_000 + 120_000);
+  await page.goto('/plain/');
+  const devtools = await page.context().newCDPSession(page);
+  await page.locator('c2-warp').evaluate((element) => element.remove());
+  const round = () =>
+    page.evaluate(
+      async ({ sample, project }) => {
+        const warp = document.createElement('c2-warp') as C2Warp;
+        document.body.append(warp);
+        await warp.load(sample, project);
+        const [handle] = warp.project.handles;
+        if (handle?.kind !== 'point') throw new Error('The sample begins with a point.');
+        warp.pose([{ id: handle.id, posed: [handle.posed[0] + 20, handle.posed[1] - 20] }]);
+        const { size } = await warp.toBlob();
+        warp.destroy();
+        warp.remove();
+        return size;
+      },
+      { sample: SAMPLE, project: PROJECT },
+    );
+  let first: Awaited<ReturnType<typeof memory>> | undefined;
+  for (let count = 1; count <= ROUNDS; count++) {
+    expect(await round()).toBeGreaterThan(10_000);
+    if (count === FIRST) first = await memory(devtools);
+  }
+  const last = await memory(devtools);
+  for (const kind of ['heap', 'buffers', 'nodes'] as const) {
+    expect(last[kind], kind).toBeLessThanOrEqual((first?.[kind] ?? 0) * (1 + GROWTH));
+  }
+  await expect.poll(() => page.workers().length).toBe(0);
+});
