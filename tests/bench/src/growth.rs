@@ -133,7 +133,8 @@ fn handles_in_star(count: usize) -> Project {
 }
 
 fn star_of(corners: usize, inner: f64) -> Project {
-    let corner = |at: usize| on_circle(at as f64 / corners as f64, if at % 2 == 0 { SIDE / 2.0 } else { inner });
+    let corner =
+        |at: usize| on_circle(at as f64 / corners as f64, if at.is_multiple_of(2) { SIDE / 2.0 } else { inner });
     let mut project = rings([(0..corners).map(corner).collect()]);
     project.handles = (0..6).map(|id| handle(id, on_circle(id as f64 / 6.0, 25.0))).collect();
     project

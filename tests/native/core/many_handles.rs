@@ -2,8 +2,9 @@
 
 use c2warp::{
     Error, Picture, Solution,
+    domain::Domain,
     project::{DomainSpec, Handle, Project},
-    solve,
+    solve, solve_domain,
 };
 use glam::DVec2;
 
@@ -77,7 +78,7 @@ fn handles_crowd_up_to_a_limit() {
 fn an_outline_has_a_greatest_length() {
     let star = |rays: usize| {
         let corner = |at: usize| {
-            let radius = if at % 2 == 0 { 500.0 } else { 30.0 };
+            let radius = if at.is_multiple_of(2) { 500.0 } else { 30.0 };
             DVec2::splat(500.0) + radius * DVec2::from_angle(at as f64 * std::f64::consts::PI / rays as f64)
         };
         let mut project = points([DVec2::splat(500.0)].into_iter());
@@ -88,4 +89,15 @@ fn an_outline_has_a_greatest_length() {
     let error = solved(&star(1000)).expect_err("a limit");
     assert_eq!(error.code(), "outline-too-long");
     assert!(error.to_string().contains("at most 28"), "{error}");
+}
+
+/// The cell of one handle reaches as far as the other, and that of the other almost three times as far.
+#[test]
+fn a_long_cell_beside_a_short_one_is_divided() {
+    let sliver = [(0.0, 0.0), (0.0, 35.5), (3.6e-6, 0.0)].map(DVec2::from).to_vec();
+    let mut project = points([(0.0, 9.0), (0.0, 0.0)].map(DVec2::from).into_iter());
+    (project.samples, project.pose.density) = (100, 0);
+    let solution = solve_domain(&project, &Domain::from_rings(&[sliver]).expect("a domain")).expect("a solution");
+    let divided = solution.sites().iter().all(|site| site.cell_radius < site.support_radius);
+    assert!(divided, "{:#?}", solution.sites());
 }

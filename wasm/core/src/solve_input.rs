@@ -2,7 +2,7 @@
 //!
 //! Cost: O(n log n) in the point handles, and a look at every bone for each; for bars and polygons see `bone`.
 
-use std::{cmp::Ordering, sync::Arc};
+use std::sync::Arc;
 
 use glam::DVec2;
 

@@ -6,9 +6,9 @@
 //!
 //! Each contact is found between two coarse samples, and lies exactly on the border of the cells.
 //!
-//! Cost: each time that real sites are new, a look at every triangle of the coarse mesh. For each sample near a new site
-//! and on the border of a cell, a look at the real sites about as near as its own. For each pair of such samples of two
-//! handles, a look at all sites. Later rounds look at the contacts left and at the new sites.
+//! Cost: each time that real sites are new, a look at every triangle of the coarse mesh. For each sample near a new
+//! site and on the border of a cell, a look at the real sites about as near as its own. For each pair of such samples
+//! of two handles, a look at all sites. Later rounds look at the contacts left and at the new sites.
 //!
 //! Limits: the coarse samples decide where along the border a contact lies: where the edge between two of them crosses
 //! it. So these sites change with the lattice, for example if the picture is rotated or its outline has one more

@@ -43,7 +43,9 @@ pub(super) fn make_room(
         let (site, other) = (&mut voronoi.sites[at], &voronoi.fields[at]);
         let straight = site.rest.distance(rest);
         if straight < site.separation.max(separation).max(site.clearance).max(clearance) {
-            let d = other.distance(triangle, rest);
+            let there = other.distance(triangle, rest);
+            // The field of the other may end before this site, and the field of this one reach the other.
+            let d = if there.is_finite() { there } else { distances.distance(other.triangle, site.rest) };
             site.separation = site.separation.min(d);
             separation = separation.min(d);
             if kind.is_real() {
