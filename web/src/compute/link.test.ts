@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { C2WarpError } from '../error';
 import { Link, type Port } from './link';
 import type { Boot, Extension, Reply, Request } from './messages';
@@ -51,6 +51,8 @@ function linked() {
 }
 
 describe('Link', () => {
+  afterEach(() => void vi.useRealTimers());
+
   it('gives each request its own answer', async () => {
     const { link, worker } = linked();
     const first = link.send('picture', PICTURE);
@@ -68,6 +70,36 @@ describe('Link', () => {
     worker(0).reply({ id: 1, kind: 'failed', failure });
     await expect(solve).rejects.toMatchObject(failure);
     await expect(solve).rejects.toBeInstanceOf(C2WarpError);
+  });
+
+  it('ends a worker that has solved for long, for a newer request alone', async () => {
+    vi.useFakeTimers({ toFake: ['performance'] });
+    const { link, worker, workers } = linked();
+    void link.send('picture', PICTURE).catch(() => {});
+    worker(0).reply({ id: 1, kind: 'done', body: null });
+    const abandonAfter = async (ms: number) => {
+      const solve = link.send('solve', { project: '{}' });
+      vi.advanceTimersByTime(ms);
+      link.abandon('solve');
+      await expect(solve).rejects.toMatchObject({ name: 'AbortError' });
+    };
+    await abandonAfter(900);
+    expect(worker(0).ended).toBe(false);
+    const other = link.send('cells', { project: '{}' });
+    await abandonAfter(1100);
+    expect(worker(0).ended).toBe(false);
+    worker(0).reply({ id: 3, kind: 'done', body: BORDERS });
+    await other;
+    await abandonAfter(1100);
+    expect(worker(0).ended).toBe(true);
+    void link.send('solve', { project: '{}' }).catch(() => {});
+    expect(workers).toHaveLength(2);
+    expect(
+      worker(1)
+        .requests()
+        .map(({ name }) => name),
+    ).toEqual(['picture', 'solve']);
+    link.dispose();
   });
 
   it('asks the source of a picture to send the pixels to each worker', () => {

@@ -32,10 +32,18 @@ interface Pending {
   readonly resolve: (body: Messages[Name][1]) => void;
   readonly reject: (reason: unknown) => void;
   readonly onProgress: ((stage: ProgressOf<Name>) => void) | undefined;
+  /** When it was sent, in milliseconds. */
+  readonly since: number;
   deaths: number;
 }
 
 const DEATHS_ALLOWED = 1;
+
+/**
+ * A worker that has solved for so long is ended by a newer request, in milliseconds. To wait for its next pause could
+ * take longer than a new worker, which has to find the outline again.
+ */
+const PATIENCE = 1000;
 
 /** The id of the picture that a new worker gets first. Nobody waits for its answer. */
 const PICTURE_AGAIN = 0;
@@ -126,18 +134,25 @@ export class Link {
         resolve: (answer) => resolve(answer as Messages[N][1]),
         reject,
         onProgress: onProgress as Pending['onProgress'],
+        since: performance.now(),
         deaths: 0,
       });
     });
   }
 
-  /** Rejects every pending request of this name; the worker drops it at a pause, for the newer request. */
+  /**
+   * Rejects every pending request of this name. The worker drops it at a pause, for the newer request. If it has
+   * worked on it for long, and nobody waits for anything else, it is ended at once.
+   */
   abandon(name: Name): void {
+    let since = Number.POSITIVE_INFINITY;
     for (const [id, pending] of this.#pending) {
       if (pending.request.name !== name) continue;
       this.#pending.delete(id);
+      since = Math.min(since, pending.since);
       pending.reject(superseded());
     }
+    if (this.#pending.size === 0 && performance.now() - since > PATIENCE) this.#stop();
   }
 
   dispose(): void {
