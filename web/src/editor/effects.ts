@@ -191,7 +191,7 @@ export type EditorEffect =
     }
   /** Answered by `export-ended`, unless the export has ended already. */
   | { readonly type: 'cancel-export' }
-  /** Loads the encoder while the person looks at the picture. */
+  /** Loads the encoder and the part of the solver that draws, while the person looks at the picture. */
   | { readonly type: 'prepare-export' }
   | { readonly type: 'copy-pose' | 'paste-pose' }
   | { readonly type: 'use-storage'; readonly key: string | null }

@@ -96,7 +96,10 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'cancel-export': (_, { exports }) => exports.cancel(),
   'find-codecs': (effect, { dispatch }) => findCodecs(effect, dispatch),
   'copy-code': (effect, { dispatch }) => copyCode(effect.code, dispatch),
-  'prepare-export': () => prepareEncoder(),
+  'prepare-export': (_, { solver }) => {
+    prepareEncoder();
+    solver.prepareDrawing();
+  },
   'copy-pose': (_, { clipboard }) => clipboard.copy(),
   'paste-pose': (_, { clipboard }) => clipboard.paste(),
   'use-storage': (effect, { storage }) => storage.use(effect.key),

@@ -7,6 +7,7 @@
 import type { Drawing } from '../compute/drawing';
 import { type ClipMoment, Engine, type FittedProject } from '../compute/engine';
 import type { Filming } from '../compute/filming';
+import { loadedLater } from '../compute/loading';
 import type { DrawingOptions, FilmOptions } from '../compute/messages';
 import { checkedProject } from '../compute/module';
 import type { PixelSource, SolutionData } from '../compute/solution';
@@ -151,6 +152,11 @@ export class Solver {
     } catch {
       return null;
     }
+  }
+
+  /** Loads the part of the solver that draws, while the network is there. The first drawing tells why it is missing. */
+  prepareDrawing(): void {
+    loadedLater().catch(() => {});
   }
 
   /** The warped picture, ready to be drawn: see `Engine.draw`. */
