@@ -21,6 +21,8 @@ pub const MAX_HELD_CORNERS: usize = 1000;
 pub(crate) const MAX_HELD_OUTLINE: usize = 250;
 /// Greatest memory of distance fields in one solve, in bytes. A solve then takes less than a gigabyte.
 pub(crate) const MAX_FIELD_BYTES: usize = 1 << 29;
+/// Greatest memory of the search for farthest points, in bytes.
+pub(crate) const MAX_PIECE_BYTES: usize = 3 << 27;
 /// Greatest absolute number of a pose: a coordinate in pixels, a scale, or a depth.
 pub(crate) const MAX_POSED: f64 = 1e12;
 

@@ -88,6 +88,9 @@ pub(crate) fn insert_virtual_sites(
         } else {
             Vec::new()
         };
+        if inserter.farthest.is_full() {
+            return Err(Error::TooMuchMemory);
+        }
         let divided = points.iter().filter_map(|point| round_point(&inserter.voronoi, point)).collect();
         rounds.push(Round { score: worst, sites: inserter.sites().len(), points: divided });
         if points.is_empty() {
@@ -193,7 +196,9 @@ fn far_points_apart(inserter: &mut SiteInserter, limit: f64) -> Vec<FarPoint> {
         |inserter: &SiteInserter, site: usize, radius: f64| score_rank(radius, &inserter.sites()[site]) > limit;
     let mut points: Vec<FarPoint> = Vec::new();
     for site in 0..inserter.sites().len() {
-        while inserter.farthest.known(site).is_none() && is_beyond(inserter, site, inserter.farthest.radius_bound(site))
+        while !inserter.farthest.is_full()
+            && inserter.farthest.known(site).is_none()
+            && is_beyond(inserter, site, inserter.farthest.radius_bound(site))
         {
             inserter.farthest.refine(&inserter.voronoi, site);
         }

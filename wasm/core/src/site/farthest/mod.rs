@@ -94,6 +94,11 @@ impl FarthestPoints {
         }
     }
 
+    /// Whether the search takes as much memory as it may. Points that it finds from then on may be too near.
+    pub(super) fn is_full(&self) -> bool {
+        self.pieces.are_full()
+    }
+
     /// The farthest points of a cell with all ties, if they are known.
     pub(super) fn known(&self, site: usize) -> Option<&[FarPoint]> {
         match &self.states[site] {

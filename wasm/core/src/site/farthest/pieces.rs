@@ -11,7 +11,7 @@ use super::{
     corner_paths::CornerPaths,
     piece::{PARTS, Piece},
 };
-use crate::{distance::DistanceField, triangulation::NONE};
+use crate::{distance::DistanceField, limits::MAX_PIECE_BYTES, triangulation::NONE};
 
 /// Opened triangles of the coarse mesh, and their parts.
 #[derive(Default)]
@@ -21,11 +21,18 @@ pub(super) struct Pieces {
     roots: Vec<u32>,
     /// The opened triangles.
     opened: Vec<u32>,
+    /// Number of paths in all pieces.
+    paths: usize,
 }
 
 impl Pieces {
     pub(super) fn new(triangles: usize) -> Self {
         Self { roots: vec![NONE; triangles], ..Self::default() }
+    }
+
+    /// Whether the pieces take as much memory as they may. They are not subdivided any more.
+    pub(super) fn are_full(&self) -> bool {
+        self.paths > MAX_PIECE_BYTES / size_of::<CornerPaths>()
     }
 
     pub(super) fn piece(&self, at: u32) -> &Piece {
@@ -43,19 +50,25 @@ impl Pieces {
         if self.roots[triangle as usize] == NONE {
             self.roots[triangle as usize] = self.pieces.len() as u32;
             self.opened.push(triangle);
-            self.pieces.push(Piece::of_triangle(voronoi, triangle));
+            let piece = Piece::of_triangle(voronoi, triangle);
+            self.paths += piece.paths.len();
+            self.pieces.push(piece);
         }
         self.roots[triangle as usize]
     }
 
-    /// The indices of a piece's parts. Subdivides it if necessary. Empty if the parts would be too small to matter.
+    /// The indices of a piece's parts. Subdivides it if necessary. Empty if the parts would be too small to matter, or
+    /// if the pieces [are full](Self::are_full).
     pub(super) fn subdivide(&mut self, voronoi: &Voronoi, at: u32) -> std::ops::Range<u32> {
+        let is_full = self.are_full();
         let piece = self.piece(at);
         let first = match piece.parts {
             Some(first) => first,
             None => {
-                let Some(parts) = piece.divided(voronoi) else { return 0..0 };
+                let Some(parts) = piece.divided(voronoi).filter(|_| !is_full) else { return 0..0 };
                 let (first, piece) = (self.pieces.len() as u32, &mut self.pieces[at as usize]);
+                self.paths += parts.iter().map(|part| part.paths.len()).sum::<usize>();
+                self.paths -= piece.paths.len();
                 piece.sites.retain(|&site| parts.iter().any(|part| part.has(site as usize)));
                 (piece.parts, piece.paths) = (Some(first), Vec::new());
                 self.pieces.extend(parts);
@@ -81,7 +94,12 @@ impl Pieces {
     /// Inserts a site into a piece and its parts. Returns whether it may be the nearest somewhere there.
     fn insert_into(&mut self, at: u32, site: u32, field: &DistanceField, paths: CornerPaths) -> bool {
         let piece = &mut self.pieces[at as usize];
-        let Some(first) = piece.parts else { return piece.insert(site, paths) };
+        let Some(first) = piece.parts else {
+            let before = piece.paths.len();
+            let is_entered = piece.insert(site, paths);
+            self.paths = self.paths + piece.paths.len() - before;
+            return is_entered;
+        };
         if !paths.may_enter(&piece.nearest, &piece.detours) {
             return false;
         }
