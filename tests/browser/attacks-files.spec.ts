@@ -3,7 +3,7 @@ import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { deflateSync } from 'node:zlib';
 import { expect, test } from '@playwright/test';
-import { randomIn, times } from './attacks';
+import { openWithHandle, randomIn, times } from './attacks';
 import { chunk, header } from './corpus/png';
 import { Editor } from './editor';
 import { disc, png } from './files';
@@ -14,14 +14,6 @@ const CUTS = times(50, 3);
 test.beforeEach(({ page }) =>
   page.addInitScript(() => Reflect.deleteProperty(globalThis, 'showOpenFilePicker')),
 );
-
-async function openWithHandle(editor: Editor): Promise<void> {
-  await editor.chooseFile(png('disc.png', disc(SIDE)));
-  await expect(editor.page.getByText('disc.png', { exact: true })).toBeVisible();
-  await editor.page.keyboard.press('p');
-  await editor.page.keyboard.press('Enter');
-  await expect(editor.handles).toHaveCount(1);
-}
 
 /** A PNG with a header of its own, and black pixels of one bit for this many rows. */
 function pngOf(size: readonly [number, number], rows: readonly [width: number, height: number]): Buffer {
@@ -45,7 +37,7 @@ const HOSTILE: Readonly<Record<string, () => Buffer>> = {
 
 test('pictures that are too large, and headers that lie, are refused in one sentence', async ({ page }) => {
   const editor = await Editor.open(page);
-  await openWithHandle(editor);
+  await openWithHandle(editor, 'disc.png', SIDE);
   for (const [title, file] of Object.entries(HOSTILE)) {
     await test.step(title, async () => {
       await editor.chooseFile(png('hostile.png', file()));
@@ -86,7 +78,7 @@ test('a picture whose download is cut at a random byte is told of, and the work 
       element.setAttribute('src', src);
     }, `http://localhost:${port}/${name}.png`);
   const editor = await Editor.open(page);
-  await openWithHandle(editor);
+  await openWithHandle(editor, 'disc.png', SIDE);
   for (let count = 0; count < CUTS; count++) {
     sent = 1 + Math.floor(random() * (whole.length - 1));
     await open(`cut-${count}`);
@@ -110,7 +102,7 @@ test('where the browser denies storage, editing goes on, and the loss is told of
     };
   });
   const editor = await Editor.open(page);
-  await openWithHandle(editor);
+  await openWithHandle(editor, 'disc.png', SIDE);
   await expect(editor.notice).toContainText('Your work is not stored in this browser');
   await expect(editor.notice).toHaveCount(1);
   await editor.button('Dismiss').click();

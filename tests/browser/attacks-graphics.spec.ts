@@ -2,9 +2,8 @@
 import { expect, type JSHandle } from '@playwright/test';
 import { decode } from 'fast-png';
 import { among } from '../../web/src/editor/random';
-import { randomIn, times } from './attacks';
+import { openWithHandle, randomIn, times } from './attacks';
 import { bytes, Editor } from './editor';
-import { disc, png } from './files';
 import { test } from './fixtures';
 
 const LOSSES = times(100, 6);
@@ -21,15 +20,6 @@ async function lose({ page }: Editor): Promise<Loss> {
   });
   await context.evaluate((context) => context?.loseContext());
   return context;
-}
-
-/** Opens a small picture, and places a handle on it. */
-async function openWithHandle(editor: Editor, name: string): Promise<void> {
-  await editor.chooseFile(png(name, disc(SIDE)));
-  await expect(editor.page.getByText(name, { exact: true })).toBeVisible();
-  await editor.page.keyboard.press('p');
-  await editor.page.keyboard.press('Enter');
-  await expect(editor.handles).toHaveCount(1);
 }
 
 /** The deeds during which the context is lost. Each returns once all of it has come to its end. */
@@ -54,7 +44,7 @@ const MOMENTS: Readonly<Record<string, (editor: Editor, random: () => number) =>
 
   async 'while a picture is opened'(editor, random) {
     const name = `${Math.floor(random() * 1e9)}.png`;
-    const [opened, loss] = await Promise.all([openWithHandle(editor, name), lose(editor)]);
+    const [opened, loss] = await Promise.all([openWithHandle(editor, name, SIDE), lose(editor)]);
     expect(opened).toBeUndefined();
     return loss;
   },
@@ -72,7 +62,7 @@ test('a context lost at random moments loses nothing, and is told of in one sent
   test.setTimeout(LOSSES * 20_000 + 120_000);
   const random = randomIn('graphics');
   const editor = await Editor.open(page);
-  await openWithHandle(editor, 'first.png');
+  await openWithHandle(editor, 'first.png', SIDE);
   for (let count = 0; count < LOSSES; count++) {
     const moment = among(Object.keys(MOMENTS), random);
     await test.step(`${count}: ${moment}`, async () => {

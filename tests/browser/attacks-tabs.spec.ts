@@ -1,9 +1,8 @@
 /** Tabs that are killed at random moments, and two tabs on one work. */
 import { expect, type Page, test } from '@playwright/test';
 import { among } from '../../web/src/editor/random';
-import { randomIn, times } from './attacks';
+import { openWithHandle, randomIn, times } from './attacks';
 import { Editor } from './editor';
-import { disc, png } from './files';
 
 const KILLS = times(50, 3);
 const INTERLEAVINGS = times(200, 6);
@@ -24,15 +23,6 @@ async function reopened(page: Page): Promise<Editor> {
   await expect(editor.handle('handle 1')).toBeVisible();
   await expect(editor.solved).toContainText('sample');
   return editor;
-}
-
-/** Opens a disc, and places a handle in its middle. */
-async function openWithHandle(editor: Editor): Promise<void> {
-  await editor.chooseFile(png('disc.png', disc(SIDE)));
-  await expect(editor.page.getByText('disc.png', { exact: true })).toBeVisible();
-  await editor.page.keyboard.press('p');
-  await editor.page.keyboard.press('Enter');
-  await expect(editor.handles).toHaveCount(1);
 }
 
 const storedX = async (editor: Editor) => {
@@ -56,7 +46,7 @@ test('a tab killed at random moments keeps what was stored, and stores nothing b
   test.setTimeout(KILLS * 20_000 + 120_000);
   const random = randomIn('kills');
   let editor = await Editor.open(await prepared(await context.newPage()));
-  await openWithHandle(editor);
+  await openWithHandle(editor, 'disc.png', SIDE);
   for (let count = 0; count < KILLS; count++) {
     const { page } = editor;
     await editor.handle('handle 1').focus();
@@ -112,7 +102,7 @@ test('two tabs on one work, interleaved at random, lose no version', async ({ co
   test.setTimeout(INTERLEAVINGS * 20_000 + 120_000);
   const random = randomIn('tabs');
   const first = await Editor.open(await prepared(await context.newPage()));
-  await openWithHandle(first);
+  await openWithHandle(first, 'disc.png', SIDE);
   await first.page.keyboard.press('ArrowRight');
   await expect.poll(async () => (await first.storedWork()).step).toBe('Move handle 1');
   const tabs = [first, await reopened(await prepared(await context.newPage()))] as const;

@@ -3,6 +3,7 @@
 import { openDocument } from '../../document/document';
 import type { Project } from '../../document/project';
 import { say } from '../../texts/wording';
+import { offers } from '../can_run';
 import type { Emit } from '../effects';
 import { errorWords, ofFreshPicture } from '../error_words';
 import type { EventOf } from '../events';
@@ -140,7 +141,7 @@ export function endTrialOpened(before: EditorState, trial: Trial, emit: Emit): E
   if (trial.carried instanceof Error && state.picture) {
     state = inform(state, say('notices.notCarried', state.picture.name, errorWords(trial.carried)), emit);
   }
-  emit({ type: 'prepare-export' });
+  if (offers(state, 'export')) emit({ type: 'prepare-export' });
   if (trial.request) {
     emit({ type: 'follow-up', event: { type: 'request-ended', request: trial.request, outcome: 'opened' } });
   } else if (restoring) {
