@@ -140,8 +140,12 @@ impl SolveInput {
     /// [`Error::OnHeldBoundary`], [`Error::HeldTooFine`], [`Error::BarTooShort`], [`Error::BarsOverlap`].
     pub(crate) fn locate(&self, prepared: &PreparedDomain) -> Result<LocatedHandles, Error> {
         let PreparedDomain { domain, navigation, .. } = prepared;
-        let diagonal = diagonal(domain.rings());
-        check_length(domain.rings(), MAX_OUTLINE_LENGTH * diagonal)?;
+        let (low, high) = domain.bounds();
+        let diagonal = low.distance(high);
+        let (length, max) = (domain.perimeter(), MAX_OUTLINE_LENGTH * diagonal);
+        if length > max {
+            return Err(Error::OutlineTooLong { length, max });
+        }
         let site = |point: &PointHandle| {
             let (triangle, rest) = navigation.locate(point.rest).ok_or_else(|| point.outside())?;
             Ok(PointSite { rest, triangle, handle: point.handle })
@@ -246,21 +250,6 @@ impl PointHandle {
 fn is_posed_in_bounds(handle: &Handle) -> bool {
     let coordinates = handle.shape.posed().iter().flat_map(DVec2::to_array);
     coordinates.chain([handle.scale, handle.depth]).all(|number| number.abs() <= MAX_POSED)
-}
-
-/// The diagonal of the box around rings.
-fn diagonal(rings: &[Vec<DVec2>]) -> f64 {
-    let bound = |of: fn(DVec2, DVec2) -> DVec2| rings.iter().flatten().copied().reduce(of).unwrap_or_default();
-    bound(DVec2::min).distance(bound(DVec2::max))
-}
-
-/// Refuses rings that are longer than `max` pixels in all.
-fn check_length(rings: &[Vec<DVec2>], max: f64) -> Result<(), Error> {
-    let of_ring = |ring: &Vec<DVec2>| -> f64 {
-        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(one, next)| one.distance(*next)).sum()
-    };
-    let length = rings.iter().map(of_ring).sum();
-    if length > max { Err(Error::OutlineTooLong { length, max }) } else { Ok(()) }
 }
 
 /// Refuses bars and polygons with more segments than the limit of sites. Names the one with the most.

@@ -208,6 +208,11 @@ impl Domain {
         self.rings.iter().map(|ring| signed_area(ring)).sum()
     }
 
+    /// The length of all rings, in pixels.
+    pub(crate) fn perimeter(&self) -> f64 {
+        self.edges().map(|(a, b)| a.distance(b)).sum()
+    }
+
     /// The bounding box: least and greatest coordinates, in pixels.
     #[must_use]
     pub fn bounds(&self) -> (DVec2, DVec2) {

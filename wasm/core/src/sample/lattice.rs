@@ -18,9 +18,7 @@ const CANCELLATION: f64 = 1e-3;
 
 /// The spacing for about `count` points on lattice and outline together.
 pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
-    let area = domain.area();
-    let lengths = domain.edges().map(|(a, b)| a.distance(b));
-    let perimeter: f64 = lengths.sum();
+    let (area, perimeter) = (domain.area(), domain.perimeter());
     let corners: usize = domain.rings().iter().map(Vec::len).sum();
     let wanted = (count as f64 - corners as f64).max(count as f64 / 4.0);
     // With u = 1 / spacing, the outline has perimeter · u points.

@@ -30,7 +30,7 @@ use super::{
 use crate::{
     error::Error,
     min_entry::MinEntry,
-    rank::{from_top, sort_by_rank},
+    rank::{descending, from_top, sort_by_rank},
 };
 
 /// Cells must be smaller than their limit by this share. At the limit the farthest point of a cell has no weight, and
@@ -167,22 +167,7 @@ fn greatest_rank(inserter: &mut SiteInserter, rank: Rank<'_>) -> f64 {
 /// The farthest points of all cells whose rank is tied with the greatest. Their order does not depend on that of the
 /// sites.
 fn tied_farthest_points(inserter: &mut SiteInserter, rank: Rank<'_>, greatest: f64) -> Vec<FarPoint> {
-    let is_tied = |inserter: &SiteInserter, site: usize, radius: f64| {
-        rank(radius, &inserter.sites()[site]) >= greatest - TIE * greatest.abs()
-    };
-    let mut points: Vec<FarPoint> = Vec::new();
-    for site in 0..inserter.sites().len() {
-        while inserter.farthest.known(site).is_none() && is_tied(inserter, site, inserter.farthest.radius_bound(site)) {
-            inserter.farthest.refine(&inserter.voronoi, site);
-        }
-        let farthest = inserter.farthest.known(site).unwrap_or(&[]);
-        for &point in farthest.iter().filter(|point| is_tied(inserter, site, point.distance)) {
-            // A common corner of several cells is a farthest point of each.
-            if points.iter().all(|known| known.at.distance(point.at) > SAME_POINT * point.distance) {
-                points.push(point);
-            }
-        }
-    }
+    let points = far_points(inserter, &|radius, site| rank(radius, site) >= greatest - TIE * greatest.abs());
     spread_out(inserter, points)
 }
 
@@ -192,35 +177,39 @@ fn tied_farthest_points(inserter: &mut SiteInserter, rank: Rank<'_>, greatest: f
 /// So each enters at the distance from its nearest site that it would have if they entered one by one. Their order does
 /// not depend on that of the sites.
 fn far_points_apart(inserter: &mut SiteInserter, limit: f64) -> Vec<FarPoint> {
-    let is_beyond =
-        |inserter: &SiteInserter, site: usize, radius: f64| score_rank(radius, &inserter.sites()[site]) > limit;
-    let mut points: Vec<FarPoint> = Vec::new();
-    for site in 0..inserter.sites().len() {
-        while !inserter.farthest.is_full()
-            && inserter.farthest.known(site).is_none()
-            && is_beyond(inserter, site, inserter.farthest.radius_bound(site))
-        {
-            inserter.farthest.refine(&inserter.voronoi, site);
-        }
-        let farthest = inserter.farthest.known(site).unwrap_or(&[]);
-        points.extend(farthest.iter().filter(|point| is_beyond(inserter, site, point.distance)));
-    }
-    points.sort_by(|a, b| {
-        b.distance.total_cmp(&a.distance).then(a.at.y.total_cmp(&b.at.y)).then(a.at.x.total_cmp(&b.at.x))
-    });
+    let mut points = far_points(inserter, &|radius, site| score_rank(radius, site) > limit);
+    sort_by_rank(&mut points, |point| from_top(point.at));
+    sort_by_rank(&mut points, |point| [descending(point.distance), 0]);
     let mut chosen: Vec<FarPoint> = Vec::new();
     for tied in points.chunk_by(|one, next| next.distance >= one.distance * (1.0 - TIE)) {
-        let mut free: Vec<FarPoint> = Vec::new();
-        for point in tied {
-            // A common corner of several cells is a farthest point of each.
-            let is_new = free.iter().all(|other| other.at.distance(point.at) > SAME_POINT * point.distance);
-            if is_new && chosen.iter().all(|other| other.at.distance(point.at) >= (1.0 - TIE) * point.distance) {
-                free.push(*point);
-            }
-        }
+        let is_free =
+            |point: &&FarPoint| chosen.iter().all(|other| other.at.distance(point.at) >= (1.0 - TIE) * point.distance);
+        let free = tied.iter().filter(is_free).copied().collect();
         chosen.extend(spread_out(inserter, free));
     }
     chosen
+}
+
+/// The farthest points of the cells that are to be divided, by their radius and site. Searches no other cells.
+fn far_points(inserter: &mut SiteInserter, is_divided: &dyn Fn(f64, &Site) -> bool) -> Vec<FarPoint> {
+    let mut points: Vec<FarPoint> = Vec::new();
+    for at in 0..inserter.sites().len() {
+        while !inserter.farthest.is_full()
+            && inserter.farthest.known(at).is_none()
+            && is_divided(inserter.farthest.radius_bound(at), &inserter.sites()[at])
+        {
+            inserter.farthest.refine(&inserter.voronoi, at);
+        }
+        let site = &inserter.sites()[at];
+        let farthest = inserter.farthest.known(at).unwrap_or(&[]);
+        for &point in farthest.iter().filter(|point| is_divided(point.distance, site)) {
+            // A common corner of several cells is a farthest point of each.
+            if points.iter().all(|known| known.at.distance(point.at) > SAME_POINT * point.distance) {
+                points.push(point);
+            }
+        }
+    }
+    points
 }
 
 /// Replaces tied points that crowd each other by one between them or, if that is impossible, by some of them.
