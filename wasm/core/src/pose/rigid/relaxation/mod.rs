@@ -17,7 +17,7 @@ mod nodes;
 mod relaxing;
 mod unknowns;
 
-use std::{collections::BTreeMap, f64::consts::TAU, iter::zip};
+use std::{collections::BTreeMap, f64::consts::TAU, iter::zip, ops::Range};
 
 use glam::{DMat2, DVec2};
 
@@ -35,6 +35,7 @@ use super::{
     quadrature::{Node, Quadrature},
     stiffness::StiffnessField,
 };
+use crate::rows::Rows;
 
 pub(crate) use self::unknowns::Freedom;
 
@@ -267,23 +268,37 @@ pub(super) fn areas_around(nodes: &[Node], sites: usize) -> Vec<f64> {
 
 /// The lower entries of the matrix of Σ area |J|² and of the springs.
 fn preconditioner(level: &Level, unknowns: &Unknowns, rest: &[DVec2]) -> BTreeMap<(u32, u32), f64> {
-    let mut lower: BTreeMap<(u32, u32), f64> = BTreeMap::new();
-    // Unlike `collect`, this needs no sort of its own: see `rank`.
-    lower.extend(level.anchor_stiffness.iter().zip(0..).map(|(&stiffness, at)| ((at, at), stiffness)));
     let mut columns: Vec<(u32, DVec2)> = Vec::new();
+    // Nodes: the area of each, and its columns.
+    let mut of_nodes: Vec<(f64, Range<usize>)> = Vec::new();
     for (node, terms) in level.nodes.iter() {
-        columns.clear();
+        let start = columns.len();
         for term in &terms[node.fixed as usize..] {
             let of_parts = term.of_parts(node.at - rest[term.site as usize]);
             let value = |factors: [f64; 3]| -> DVec2 { (0..3).map(|k| of_parts[k] * factors[k]).sum() };
             let (freedom, first) = unknowns.of(term.site);
             columns.extend((first..).zip(freedom.factors().map(value)));
         }
-        for &(i, by_i) in &columns {
-            for &(j, by_j) in columns.iter().filter(|(j, _)| *j <= i) {
-                *lower.entry((i, j)).or_default() += node.area * by_i.dot(by_j);
+        of_nodes.push((node.area, start..columns.len()));
+    }
+    let rows = level.anchor_stiffness.len();
+    let of_node = |(at, (_, range)): (usize, &(f64, Range<usize>))| {
+        columns[range.clone()].iter().map(move |&(row, by)| (row as usize, (at, by)))
+    };
+    let nodes_of_rows = Rows::from_pairs(rows, || of_nodes.iter().enumerate().flat_map(of_node));
+    let mut lower: BTreeMap<(u32, u32), f64> = BTreeMap::new();
+    // One row at a time: sites that share many nodes would take a search for each pair at each node.
+    let mut sums = vec![None; rows];
+    for (i, &stiffness) in (0..).zip(&level.anchor_stiffness) {
+        sums[i as usize] = Some(stiffness);
+        for &(node, by_i) in nodes_of_rows.row(i as usize) {
+            let (area, range) = &of_nodes[node];
+            for &(j, by_j) in columns[range.clone()].iter().filter(|(j, _)| *j <= i) {
+                *sums[j as usize].get_or_insert(0.0) += area * by_i.dot(by_j);
             }
         }
+        // Unlike `collect`, this needs no sort of its own: see `rank`.
+        lower.extend(sums[..=i as usize].iter_mut().zip(0..).filter_map(|(sum, j)| Some(((i, j), sum.take()?))));
     }
     lower
 }
