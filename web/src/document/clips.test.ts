@@ -22,6 +22,12 @@ describe('clips', () => {
     expect(clipsOf(removeClip(one, 'clip'))).toEqual([]);
   });
 
+  it('leave the project as it was without them', () => {
+    const one = addClip(project, newClip('clip'));
+    expect(removeClip(one, 'clip')).toEqual(project);
+    expect(Object.keys(removeClip(one, 'clip'))).not.toContain('clips');
+  });
+
   it('last at least until the last key, and an hour at most', () => {
     const clip: Clip = { ...newClip('a'), tracks: [{ handle: 'x', keys: [{ time: 0 }, { time: 1.5 }] }] };
     expect([0.2, 1.7, 1e6].map((seconds) => withDuration(clip, seconds).duration)).toEqual([1.5, 1.7, 3600]);

@@ -14,7 +14,9 @@ const NONE: readonly Clip[] = [];
 export const clipNamed = (project: Project, name: string): Clip | undefined =>
   clipsOf(project).find((clip) => clip.name === name);
 
-const withClips = (project: Project, clips: readonly Clip[]): Project => ({ ...project, clips });
+/** Without clips there is no list either, as in a file that was opened. */
+const withClips = ({ clips: _, ...project }: Project, clips: readonly Clip[]): Project =>
+  clips.length > 0 ? { ...project, clips } : project;
 
 /** Adds a clip after those that are there. */
 export const addClip = (project: Project, clip: Clip): Project =>

@@ -208,15 +208,16 @@ export const atRest = (handle: Handle, rotation: Rotation): Handle =>
  * takes the depth of `like`.
  */
 export function posedLike(handle: Handle, like: Handle): Handle {
-  const { rotation, scale, depth } = like;
   const apart = subtract(restMiddle(handle), restMiddle(like));
   const along = (rest: Vec) => roundedVec(add(followed(like, subtract(rest, apart)), apart));
-  return {
-    ...replaced({ ...handle, posed: handle.rest } as Handle, along),
-    rotation,
-    scale,
-    depth,
-  } as Handle;
+  const { posed } = replaced({ ...handle, posed: handle.rest } as Handle, along);
+  return posedAs(handle, { ...like, posed } as Handle);
+}
+
+/** A handle with the pose of another one of the same form. Values that the other one leaves out are left out. */
+export function posedAs(handle: Handle, { posed, rotation, scale, depth }: Handle): Handle {
+  const values = Object.entries({ ...handle, posed, rotation, scale, depth });
+  return Object.fromEntries(values.filter(([, value]) => value !== undefined)) as unknown as Handle;
 }
 
 const restMiddle = (handle: Handle): Vec => lineCentroid(corners(handle, 'rest'), isClosed(handle.kind));

@@ -6,7 +6,7 @@
 import { isSameTime, KEYED_VALUES, type KeyedValue, keyOf, putKeys, trackOf } from './clip_keys';
 import { changeClip, clipNamed } from './clips';
 import { type Document, fileProject, handleById, isSameMoment } from './document';
-import { corners, depthOf, scaleOf } from './handle';
+import { corners, depthOf, posedAs, scaleOf } from './handle';
 import { type HandlePose, handlePoses, withPose } from './handle_poses';
 import type { Clip, Handle, Project } from './project';
 import { placeKey } from './solved';
@@ -87,12 +87,6 @@ const counterpart = ({ handles }: Project, handle: Handle): Handle | undefined =
 const hasSamePose = (a: Handle, b: Handle): boolean =>
   JSON.stringify([a.posed, a.rotation, scaleOf(a), depthOf(a)]) ===
   JSON.stringify([b.posed, b.rotation, scaleOf(b), depthOf(b)]);
-
-/** A handle with the pose of another one of the same form. Values that both lack stay left out. */
-const posedAs = (handle: Handle, { posed, rotation, scale, depth }: Handle): Handle => {
-  const values = Object.entries({ ...handle, posed, rotation, scale, depth });
-  return Object.fromEntries(values.filter(([, value]) => value !== undefined)) as unknown as Handle;
-};
 
 /** Sets a key of a handle. Values that had no key before start from the handle's own pose. */
 function withKey(clip: Clip, handle: Handle, own: Handle, time: number): Clip {
