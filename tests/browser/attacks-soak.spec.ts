@@ -29,30 +29,33 @@ test('opening, bending, exporting and closing again and again takes no more memo
   await page.goto('/plain/');
   const devtools = await page.context().newCDPSession(page);
   await page.locator('c2-warp').evaluate((element) => element.remove());
-  const round = () =>
+  // Each call of a function in the page compiles it anew, and that code stays.
+  const rounds = (count: number) =>
     page.evaluate(
-      async ({ sample, project }) => {
-        const warp = document.createElement('c2-warp') as C2Warp;
-        document.body.append(warp);
-        await warp.load(sample, project);
-        const [handle] = warp.project.handles;
-        if (handle?.kind !== 'point') throw new Error('The sample begins with a point.');
-        warp.pose([{ id: handle.id, posed: [handle.posed[0] + 20, handle.posed[1] - 20] }]);
-        const { size } = await warp.toBlob();
-        warp.destroy();
-        warp.remove();
-        return size;
+      async ({ count, sample, project }) => {
+        const sizes: number[] = [];
+        while (sizes.length < count) {
+          const warp = document.createElement('c2-warp') as C2Warp;
+          document.body.append(warp);
+          await warp.load(sample, project);
+          const [handle] = warp.project.handles;
+          if (handle?.kind !== 'point') throw new Error('The sample begins with a point.');
+          warp.pose([{ id: handle.id, posed: [handle.posed[0] + 20, handle.posed[1] - 20] }]);
+          const { size } = await warp.toBlob();
+          sizes.push(size);
+          warp.destroy();
+          warp.remove();
+        }
+        return Math.min(...sizes);
       },
-      { sample: SAMPLE, project: PROJECT },
+      { count, sample: SAMPLE, project: PROJECT },
     );
-  let first: Awaited<ReturnType<typeof memory>> | undefined;
-  for (let count = 1; count <= ROUNDS; count++) {
-    expect(await round()).toBeGreaterThan(10_000);
-    if (count === FIRST) first = await memory(devtools);
-  }
+  expect(await rounds(FIRST)).toBeGreaterThan(10_000);
+  const first = await memory(devtools);
+  expect(await rounds(ROUNDS - FIRST)).toBeGreaterThan(10_000);
   const last = await memory(devtools);
   for (const kind of ['heap', 'buffers', 'nodes'] as const) {
-    expect(last[kind], kind).toBeLessThanOrEqual((first?.[kind] ?? 0) * (1 + GROWTH));
+    expect(last[kind], kind).toBeLessThanOrEqual(first[kind] * (1 + GROWTH));
   }
   await expect.poll(() => page.workers().length).toBe(KEPT);
 });
