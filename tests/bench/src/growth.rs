@@ -38,7 +38,8 @@ pub const WORST: &[Series] = &[
     Series { name: "handles in a line, 3 px apart", scene: wide_line, counts: &[100, 300] },
     Series { name: "bars among a thousand holes", scene: bars_among_holes, counts: &[10, 100, 500] },
     Series { name: "long rays of a star", scene: star, counts: &[100, 300, 1_000] },
-    Series { name: "handles in a star of 300 rays", scene: handles_in_star, counts: &[10, 50] },
+    Series { name: "handles in a star of 300 rays", scene: handles_in_star, counts: &[10, 50, 100] },
+    Series { name: "wide star", scene: wide_star, counts: &[300, 400, 500, 600, 1000] },
     Series { name: "handles among a thousand holes", scene: handles_among_holes, counts: &[10, 100, 1_000] },
     Series { name: "turns of a spiral", scene: spiral, counts: &[10, 50, 100] },
 ];
@@ -129,6 +130,15 @@ fn handles_in_star(count: usize) -> Project {
     let mut project = star(rays);
     let tip = |id: usize| on_circle(id as f64 * (rays / count) as f64 / rays as f64, SIDE * 0.45);
     project.handles = (0..count).map(|id| handle(id, tip(id))).collect();
+    project
+}
+
+fn wide_star(rays: usize) -> Project {
+    let inner = 500.0 - 282_843.0 / (2.0 * rays as f64) * 0.99;
+    let mut project = star_of(2 * rays, inner);
+    project.pose.density = 0;
+    project.samples = 100_000;
+    project.handles = (0..rays).map(|id| handle(id, on_circle(id as f64 / rays as f64, SIDE * 0.49))).collect();
     project
 }
 
