@@ -137,7 +137,8 @@ impl Solver {
     /// # Errors
     /// [`Error::OutlineTooLong`], [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::HandlesCrowded`],
     /// [`Error::OnHeldBoundary`], [`Error::BarTooShort`], [`Error::BarsOverlap`], [`Error::HeldTooFine`],
-    /// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`]. An error ends the solve; the last solution stays.
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`]. An error ends the solve; the last
+    /// solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
         let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, pending, finished, .. } = self
         else {

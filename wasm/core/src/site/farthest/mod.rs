@@ -99,8 +99,7 @@ impl FarthestPoints {
         self.pieces.steps()
     }
 
-    /// Whether the search takes as much memory as it may, or as many steps. Points that it finds from then on may be too
-    /// near.
+    /// Whether the search takes as much memory as it may, or as many steps. Later points may be too near.
     pub(super) fn is_full(&self) -> bool {
         self.pieces.are_full()
     }
