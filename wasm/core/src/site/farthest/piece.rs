@@ -50,8 +50,14 @@ pub(super) struct Piece {
     pub(super) upper_bound: f64,
     /// Index of the first of its four parts; the others follow it.
     pub(super) parts: Option<u32>,
-    /// The looks at paths that it took to find its sites. Each is compared with some of the others.
+    /// The looks at paths that it took to find its sites.
     pub(super) steps: u64,
+}
+
+/// The looks at paths that it takes to find those of a number of sites that may be the nearest. Each is compared with
+/// some of the others.
+pub(super) fn steps_of_update(sites: usize) -> u64 {
+    (sites + sites * sites / 32) as u64
 }
 
 impl Piece {
@@ -80,7 +86,7 @@ impl Piece {
         let lengths = edge_lengths(&corners);
         let (longest, detours) = (lengths.into_iter().fold(0.0, f64::max), Detours::new(lengths));
         let (nearest, limits, upper_bound) = ([f64::INFINITY; 3], 0, f64::INFINITY);
-        let (parts, steps) = (None, (sites.len() + sites.len() * sites.len() / 64) as u64);
+        let (parts, steps) = (None, steps_of_update(sites.len()));
         let mut piece = Self {
             corners,
             nav_triangles,

@@ -9,7 +9,7 @@
 use super::{
     super::voronoi::Voronoi,
     corner_paths::CornerPaths,
-    piece::{PARTS, Piece},
+    piece::{PARTS, Piece, steps_of_update},
 };
 use crate::{
     distance::DistanceField,
@@ -117,7 +117,7 @@ impl Pieces {
         let piece = &mut self.pieces[at as usize];
         let Some(first) = piece.parts else {
             let before = piece.paths.len();
-            self.steps += before as u64;
+            self.steps += steps_of_update(before);
             let is_entered = piece.insert(site, paths);
             self.paths = self.paths + piece.paths.len() - before;
             return is_entered;
