@@ -13,8 +13,7 @@ use crate::shapes::{SIDE, place, places};
 const MOST_HANDLES: u8 = 6;
 const MOST_CORNERS: usize = 6;
 const MOST_DENSITY: u32 = 40;
-/// The last of the domains.
-const NEEDLE: u8 = 5;
+const LAST_DOMAIN: u8 = 5;
 
 /// Solves handles in one of some domains, and poses them.
 ///
@@ -31,11 +30,10 @@ pub fn attack(bytes: &[u8]) {
 
 fn project(u: &mut Unstructured<'_>) -> Result<Project> {
     let mut project = Project::for_picture(SIDE, SIDE);
-    let kind = u.int_in_range(0..=NEEDLE)?;
+    let kind = u.int_in_range(0..=LAST_DOMAIN)?;
     project.domain = domain(kind);
     project.samples = u.int_in_range(100..=300)?;
-    // A held needle takes thousands of sites towards its tip, and seconds.
-    project.fix_boundary = u.ratio(1, 4)? && kind != NEEDLE;
+    project.fix_boundary = u.ratio(1, 4)?;
     project.loose_parts = if u.arbitrary()? { LooseParts::Follow } else { LooseParts::Stay };
     let weighting = &mut project.weighting;
     weighting.shape_factor = f64::from(u.int_in_range(0..=4_u8)?) / 4.0;

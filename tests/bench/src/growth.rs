@@ -1,8 +1,11 @@
 //! Scenes that grow: handles, holes, corners, islands and bars by powers of ten, and the worst known scenes.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{SQRT_2, TAU};
 
-use c2warp::project::{DomainSpec, Handle, Project};
+use c2warp::{
+    limits::MAX_OUTLINE_LENGTH,
+    project::{DomainSpec, Handle, Project},
+};
 use glam::DVec2;
 
 use crate::cases::{handle, spread};
@@ -38,7 +41,8 @@ pub const WORST: &[Series] = &[
     Series { name: "handles in a line, 3 px apart", scene: wide_line, counts: &[100, 300] },
     Series { name: "bars among a thousand holes", scene: bars_among_holes, counts: &[10, 100, 500] },
     Series { name: "long rays of a star", scene: star, counts: &[100, 300, 1_000] },
-    Series { name: "handles in a star of 300 rays", scene: handles_in_star, counts: &[10, 50] },
+    Series { name: "handles in a star of 300 rays", scene: handles_in_star, counts: &[10, 50, 100] },
+    Series { name: "handles around a wide hub", scene: handles_around_hub, counts: &[300, 600, 1_000] },
     Series { name: "handles among a thousand holes", scene: handles_among_holes, counts: &[10, 100, 1_000] },
     Series { name: "turns of a spiral", scene: spiral, counts: &[10, 50, 100] },
 ];
@@ -129,6 +133,15 @@ fn handles_in_star(count: usize) -> Project {
     let mut project = star(rays);
     let tip = |id: usize| on_circle(id as f64 * (rays / count) as f64 / rays as f64, SIDE * 0.45);
     project.handles = (0..count).map(|id| handle(id, tip(id))).collect();
+    project
+}
+
+/// Rays around a wide hub, as long as an outline may be, with a handle in each: all reach into the hub.
+fn handles_around_hub(rays: usize) -> Project {
+    let inner = SIDE / 2.0 - 0.99 * MAX_OUTLINE_LENGTH * SIDE * SQRT_2 / (2.0 * rays as f64);
+    let mut project = star_of(2 * rays, inner);
+    project.pose.density = 0;
+    project.handles = (0..rays).map(|id| handle(id, on_circle(id as f64 / rays as f64, SIDE * 0.49))).collect();
     project
 }
 

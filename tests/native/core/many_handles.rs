@@ -91,6 +91,51 @@ fn an_outline_has_a_greatest_length() {
     assert!(error.to_string().contains("at most 28"), "{error}");
 }
 
+/// Hundreds of sites are tied in the hub. Each triple of them was a node of the first pose.
+#[test]
+fn a_hundred_handles_in_a_star_are_posed() {
+    let on_circle =
+        |turn: f64, radius: f64| DVec2::splat(500.0) + radius * DVec2::from_angle(turn * std::f64::consts::TAU);
+    let corner = |at: usize| on_circle(at as f64 / 600.0, if at.is_multiple_of(2) { 500.0 } else { 30.0 });
+    let mut project = points((0..100).map(|at| on_circle(f64::from(at) / 100.0, 450.0)));
+    project.domain = Some(DomainSpec::polygon(vec![(0..600).map(corner).collect()]));
+    let solution = solved(&project).expect("a solution");
+    let bytes = solution.poser().to_bytes().len();
+    assert!(bytes < 10_000_000, "{bytes} bytes");
+    assert!(solution.pose(&project).is_ok());
+}
+
+/// Cells along a spike that is narrower than rounding are divided without end.
+#[test]
+fn a_solve_has_a_greatest_number_of_steps() {
+    let spike = [(-87.0, -46.0), (0.0, 9.0), (1.16e-9, 9.000_000_000_09), (0.0, 0.0)].map(DVec2::from).to_vec();
+    let mut project = points([(0.0, 0.5), (0.0, 0.0)].map(DVec2::from).into_iter());
+    (project.samples, project.pose.density) = (100, 0);
+    let error = solve_domain(&project, &Domain::from_rings(&[spike]).expect("a domain")).expect_err("a limit");
+    assert_eq!(error.code(), "too-much-work");
+    assert!(error.to_string().contains("more than 100000000 steps"), "{error}");
+}
+
+#[test]
+fn bars_have_no_more_pieces_than_sites() {
+    let step = f64::from(SIDE) / 100.0;
+    let square =
+        |at: DVec2, side: f64| [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|corner| at + corner * side).to_vec();
+    let hole = |at: u32| square(DVec2::new(f64::from(at % 100) + 0.25, f64::from(at / 100) * 25.0) * step, step / 2.0);
+    let holes = (0..400).map(hole).filter(|hole| hole[0].y > 0.0);
+    let rings = std::iter::once(square(DVec2::ZERO, f64::from(SIDE))).chain(holes);
+    let mut project = points(std::iter::empty());
+    project.domain = Some(DomainSpec::polygon(rings.collect()));
+    // 30 bars across each of three rows of 100 holes.
+    project.handles = (0..90)
+        .map(|at| {
+            let y = f64::from(at / 30 + 1) * 25.0 * step + (f64::from(at % 30) + 0.5) / 30.0 * step / 2.0;
+            Handle::bar(at.to_string(), [DVec2::new(1.0, y), DVec2::new(f64::from(SIDE) - 1.0, y)])
+        })
+        .collect();
+    assert_eq!(solved(&project).expect_err("a limit").code(), "too-many-sites");
+}
+
 /// The cell of one handle reaches as far as the other, and that of the other almost three times as far.
 #[test]
 fn a_long_cell_beside_a_short_one_is_divided() {

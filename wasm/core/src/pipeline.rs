@@ -48,7 +48,7 @@ pub(crate) fn sample_coarsely(
 /// Partitions the domain into the cells of real and virtual sites (sections III-B and IV-A).
 ///
 /// # Errors
-/// [`Error::TooManySites`], [`Error::TooMuchMemory`].
+/// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`].
 pub(crate) fn partition(
     propagation: &mut Propagation,
     prepared: &PreparedDomain,
@@ -65,12 +65,15 @@ pub(crate) fn partition(
     inserter.measure_cells();
     // Upper bounds of the radii: the obstacles that extended fields reach only reduce them.
     let radii = support_radii(&input.weighting, inserter.sites());
-    inserter.extend_fields(&radii);
+    inserter.extend_fields(&radii)?;
     Ok(inserter.into_partition(rounds))
 }
 
 /// Computes the weights of the samples (eq. 2), the cell graph, the harmonic fields (eq. 4), and the mesh in drawing
 /// order.
+///
+/// # Errors
+/// [`Error::TooMuchMemory`] if the samples have more than [`MAX_WEIGHTS`](crate::limits::MAX_WEIGHTS) weights.
 pub(crate) fn compute_weights(
     propagation: &mut Propagation,
     prepared: Arc<PreparedDomain>,
@@ -78,7 +81,7 @@ pub(crate) fn compute_weights(
     located: LocatedHandles,
     samples: Samples,
     partition: Partition,
-) -> Solution {
+) -> Result<Solution, Error> {
     let LocatedHandles { skeleton, outside, .. } = located;
     let Partition { mut sites, mut fields, rounds } = partition;
     let navigation = &prepared.navigation;
@@ -92,7 +95,7 @@ pub(crate) fn compute_weights(
         Continuity::C2 => penumbrae(propagation, navigation, &sites, &fields),
     };
     let functions = WeightFunctions::new(navigation, &sites, (fields, penumbrae), &skeleton, basis);
-    let SampleWeights { mut weights, phi_sums, nearest } = functions.of_samples(navigation, &samples);
+    let SampleWeights { mut weights, phi_sums, nearest } = functions.of_samples(navigation, &samples)?;
     let quadrature =
         (input.mode == PoseMode::Rigid).then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
     let poser = Poser::new(PoserInput {
@@ -117,7 +120,7 @@ pub(crate) fn compute_weights(
     }
     weights.push_copies(&samples.skirt.owners);
     leading.extend(samples.skirt.owners.iter().map(|&owner| leading[owner as usize]).collect::<Vec<_>>());
-    Solution {
+    Ok(Solution {
         background: prepared.background_size.map(|size| StaticBackground::new(&samples, size)).unwrap_or_default(),
         samples: samples.len(),
         feather: samples.feather.clone(),
@@ -134,7 +137,7 @@ pub(crate) fn compute_weights(
         prepared,
         #[cfg(feature = "raster")]
         fill: None,
-    }
+    })
 }
 
 /// Sets r_i (eq. 3), and how far point handles precede others.

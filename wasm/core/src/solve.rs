@@ -60,7 +60,7 @@ pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Erro
     let (mut sampling, mut propagation) = (SamplingCache::default(), Propagation::default());
     let (samples, coarse) = pipeline::sample(&mut sampling, &prepared, &located, &input);
     let partition = pipeline::partition(&mut propagation, &prepared, &coarse, &located, &input)?;
-    Ok(pipeline::compute_weights(&mut propagation, prepared, &input, located, samples, partition))
+    pipeline::compute_weights(&mut propagation, prepared, &input, located, samples, partition)
 }
 
 /// Solves a project in one call on a mesh of the caller. Its vertices are the samples, and the only vertices of the
@@ -77,7 +77,7 @@ pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error
     let coarse = pipeline::sample_coarsely(&prepared, &located, &input);
     let mut propagation = Propagation::default();
     let partition = pipeline::partition(&mut propagation, &prepared, &coarse, &located, &input)?;
-    Ok(pipeline::compute_weights(&mut propagation, prepared, &input, located, mesh.samples(), partition))
+    pipeline::compute_weights(&mut propagation, prepared, &input, located, mesh.samples(), partition)
 }
 
 /// Intrinsic distances in a project's domain from one point to others, in pixels; `None` if no path connects them.

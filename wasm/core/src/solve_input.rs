@@ -137,7 +137,8 @@ impl SolveInput {
     ///
     /// # Errors
     /// [`Error::OutlineTooLong`], [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::HandlesCrowded`],
-    /// [`Error::OnHeldBoundary`], [`Error::HeldTooFine`], [`Error::BarTooShort`], [`Error::BarsOverlap`].
+    /// [`Error::OnHeldBoundary`], [`Error::HeldTooFine`], [`Error::BarTooShort`], [`Error::BarsOverlap`],
+    /// [`Error::TooManySites`].
     pub(crate) fn locate(&self, prepared: &PreparedDomain) -> Result<LocatedHandles, Error> {
         let PreparedDomain { domain, navigation, .. } = prepared;
         let (low, high) = domain.bounds();
@@ -165,6 +166,10 @@ impl SolveInput {
             }
         }
         let (skeleton, outside) = Skeleton::new(&self.polylines, domain, navigation, self.fix_boundary)?;
+        // Each bone has a site.
+        if points.len() + skeleton.bones.len() > MAX_SITES {
+            return Err(Error::TooManySites);
+        }
         self.check_distances_to_bones(&skeleton)?;
         Ok(LocatedHandles { points, skeleton, outside })
     }

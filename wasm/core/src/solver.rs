@@ -137,7 +137,8 @@ impl Solver {
     /// # Errors
     /// [`Error::OutlineTooLong`], [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::HandlesCrowded`],
     /// [`Error::OnHeldBoundary`], [`Error::BarTooShort`], [`Error::BarsOverlap`], [`Error::HeldTooFine`],
-    /// [`Error::TooManySites`], [`Error::TooMuchMemory`]. An error ends the solve; the last solution stays.
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`]. An error ends the solve; the last
+    /// solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
         let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, pending, finished, .. } = self
         else {
@@ -167,7 +168,7 @@ impl Solver {
             }
             Progress::Partitioned { located, samples, partition } => {
                 let prepared = Arc::clone(prepared);
-                let solution = pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
+                let solution = pipeline::compute_weights(propagation, prepared, &input, located, samples, partition)?;
                 #[cfg(feature = "raster")]
                 let solution = Solution { fill: self.fill.behind(key), ..solution };
                 *finished = Some(FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) });

@@ -11,6 +11,7 @@ import { say, type Wording, worded } from '../texts/wording';
 const ENDS_STEP: readonly string[] = [
   TOO_MUCH,
   'too-much-memory',
+  'too-much-work',
   'too-many-sites',
   'nothing-to-fill-from',
   'held-too-fine',

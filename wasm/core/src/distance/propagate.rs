@@ -41,6 +41,8 @@ pub(crate) struct Propagation {
     order: Vec<(u32, u32)>,
     /// The corners at which paths of the last field bend, in the order of their distance.
     bends: Vec<Bend>,
+    /// Number of windows and corners of all fields so far.
+    steps: u64,
 }
 
 /// A corner at which shortest paths bend, and the side that only paths around it see.
@@ -112,6 +114,11 @@ impl Propagation {
         self.bends.clear();
     }
 
+    /// The steps that all fields have taken so far: windows carried through a triangle, and corners.
+    pub(crate) fn steps(&self) -> u64 {
+        self.steps
+    }
+
     /// The corners at which paths of the last field bend.
     pub(super) fn bends(&self) -> &[Bend] {
         &self.bends
@@ -146,6 +153,7 @@ impl Wavefront<'_> {
     fn propagate(&mut self, triangle: NavTriangle, source: DVec2) {
         self.start(triangle, source);
         while let Some(MinEntry { key: distance, item: event }) = self.memory.queue.pop() {
+            self.memory.steps += 1;
             if event < CORNER_BIT {
                 self.cross(self.memory.pending[event as usize]);
             } else {

@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     error::Error,
-    limits::{MAX_CORNERS, MAX_HELD_OUTLINE},
+    limits::{MAX_CORNERS, MAX_HELD_OUTLINE, MAX_OUTLINE_LENGTH},
     picture::Picture,
 };
 
@@ -96,8 +96,10 @@ impl Outline {
             });
         }
         let Bounds { most_corners: most, tolerances } = *bounds;
-        // Simplification keeps at least three corners of each ring.
-        let may_fit = |rings: &[Ring]| (1..=most / 3).contains(&rings.len());
+        // Simplification keeps at least three corners of each ring. Noise has a point on each pixel: with a pixel for
+        // each point, its contour is longer than any outline may be.
+        let longest = MAX_OUTLINE_LENGTH * libm::hypot(picture.width().into(), picture.height().into());
+        let may_fit = |rings: &[Ring]| (1..=most / 3).contains(&rings.len()) && corners(rings) as f64 <= longest;
         for &(tolerance, detail) in tolerances.iter().filter(|_| may_fit(&traced)) {
             let rings = simplified(&traced, tolerance);
             if corners(&rings) <= most {

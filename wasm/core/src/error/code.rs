@@ -4,7 +4,7 @@ use super::Error;
 
 impl Error {
     /// All codes that [`code`](Self::code) returns.
-    pub const CODES: [&'static str; 30] = [
+    pub const CODES: [&'static str; 31] = [
         "project",
         "picture",
         "picture-mismatch",
@@ -27,6 +27,7 @@ impl Error {
         "too-many-corners",
         "too-many-sites",
         "too-much-memory",
+        "too-much-work",
         "held-too-fine",
         "unsupported",
         "pose",
@@ -63,6 +64,7 @@ impl Error {
     /// | `too-many-corners` | more corners of bars and polygons than supported |
     /// | `too-many-sites` | a scene that needs more sites than supported |
     /// | `too-much-memory` | a scene that needs more memory than a browser has |
+    /// | `too-much-work` | a scene that takes more steps than supported |
     /// | `held-too-fine` | a fixed boundary with too many sharp corners |
     /// | `unsupported` | a setting or handle that point clouds do not support |
     /// | `pose` | a pose with other handles, with too large numbers, or of another solution |
@@ -109,6 +111,7 @@ impl Error {
             Self::PointOutside { .. } => "point-outside",
             Self::TooManySites => "too-many-sites",
             Self::TooMuchMemory => "too-much-memory",
+            Self::TooMuchWork => "too-much-work",
             Self::HeldTooFine { .. } => "held-too-fine",
             Self::MeshTriangle { .. }
             | Self::MeshTooFine { .. }

@@ -410,6 +410,14 @@ pub enum Error {
          lower pose.density"
     )]
     TooMuchMemory,
+    /// Algorithm 1 takes too many steps: hundreds of cells meet in one place, or an outline has parts too narrow for
+    /// sites.
+    #[error(
+        "the scene takes more than {max} steps to solve: use fewer bars, polygons or handles, simplify the outline, or \
+         lower pose.density",
+        max = limits::MAX_STEPS
+    )]
+    TooMuchWork,
     /// A boundary that is held has too many sharp corners.
     #[error(
         "the fixed boundary has {corners} sharp corners, but at most {max} are supported: draw it with fewer, or set \

@@ -15,7 +15,7 @@ use super::{
 use crate::{
     distance::{DistanceField, NavTriangle, Navigation, Propagation},
     error::Error,
-    limits::MAX_FIELD_BYTES,
+    limits::{MAX_FIELD_BYTES, MAX_STEPS},
     project::Continuity,
     sample::CoarseSamples,
 };
@@ -42,7 +42,9 @@ pub(crate) struct SiteInserter<'a> {
     propagation: &'a mut Propagation,
     /// Whether shortest paths in a support must be unique.
     is_unique: bool,
-    /// Memory of the fields of all sites, in bytes, when they were inserted.
+    /// Steps of all fields before the first one here.
+    steps_before: u64,
+    /// Memory of the fields of all sites, in bytes.
     field_bytes: usize,
     /// Coarse samples: an upper bound for the distance of each to its nearest site, once those announced are inserted.
     expected: Vec<f64>,
@@ -61,6 +63,7 @@ impl<'a> SiteInserter<'a> {
             voronoi: Voronoi::new(navigation, coarse),
             farthest,
             obstacles,
+            steps_before: propagation.steps(),
             propagation,
             is_unique: continuity == Continuity::C2,
             field_bytes: 0,
@@ -97,10 +100,24 @@ impl<'a> SiteInserter<'a> {
         self.expected = graph.distances_from_any(&mesh.vertices, sites.flat_map(corners));
     }
 
+    /// # Errors
+    /// - [`Error::TooMuchMemory`] if the fields of all sites exceed [`MAX_FIELD_BYTES`], or the search for farthest
+    ///   points its limit.
+    /// - [`Error::TooMuchWork`] if both have taken more than [`MAX_STEPS`].
+    pub(super) fn check_bounds(&self) -> Result<(), Error> {
+        if self.propagation.steps() - self.steps_before + self.farthest.steps() > MAX_STEPS {
+            return Err(Error::TooMuchWork);
+        }
+        if self.field_bytes > MAX_FIELD_BYTES || self.farthest.is_full() {
+            return Err(Error::TooMuchMemory);
+        }
+        Ok(())
+    }
+
     /// Inserts a site at a point of the domain.
     ///
     /// # Errors
-    /// [`Error::TooMuchMemory`] if the fields of all sites exceed [`MAX_FIELD_BYTES`].
+    /// Those of [`check_bounds`](Self::check_bounds).
     pub(super) fn insert(&mut self, rest: DVec2, triangle: NavTriangle, kind: SiteKind) -> Result<(), Error> {
         let (navigation, coarse) = (self.voronoi.navigation, self.voronoi.coarse);
         let island = navigation.island_of(triangle);
@@ -110,9 +127,7 @@ impl<'a> SiteInserter<'a> {
         let factor = if reaches_beyond_cell { FIELD_REACH } else { 1.0 };
         let field = SiteField { island, triangle, distances: self.field(rest, triangle, factor * reach) };
         self.field_bytes += field.distances.bytes();
-        if self.field_bytes > MAX_FIELD_BYTES {
-            return Err(Error::TooMuchMemory);
-        }
+        self.check_bounds()?;
         let Room { separation, clearance, in_acute_joint } =
             make_room(&mut self.voronoi, self.obstacles, self.propagation, (rest, kind, &field));
         let (cell_radius, support_radius, precedence_radius) = (0.0, 0.0, 0.0);
@@ -173,14 +188,20 @@ impl<'a> SiteInserter<'a> {
     /// Extends each site's field to at least its radius in `radii`, and reduces the site's room by the obstacles found.
     ///
     /// Sites of one body do not limit each other, so the nearest other site may be many cells away.
-    pub(crate) fn extend_fields(&mut self, radii: &[f64]) {
+    ///
+    /// # Errors
+    /// Those of [`check_bounds`](Self::check_bounds).
+    pub(crate) fn extend_fields(&mut self, radii: &[f64]) -> Result<(), Error> {
         for (site, &radius) in radii.iter().enumerate() {
             if radius > self.voronoi.fields[site].distances.bound() {
                 let distances = self.field(self.voronoi.sites[site].rest, self.voronoi.fields[site].triangle, radius);
+                self.field_bytes += distances.bytes() - self.voronoi.fields[site].distances.bytes();
+                self.check_bounds()?;
                 self.voronoi.sites[site].unique_reach = self.unique_reach(&distances);
                 extend_field(&mut self.voronoi, self.obstacles, site, distances);
             }
         }
+        Ok(())
     }
 
     /// The sites with their fields, and the rounds that inserted them.

@@ -69,7 +69,7 @@ impl Tessellation {
     /// Inserts the real sites from top to bottom: those of point handles, and those along the chains.
     ///
     /// # Errors
-    /// [`Error::TooManySites`], [`Error::TooMuchMemory`].
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`].
     pub(crate) fn insert_real_sites(&mut self, inserter: &mut SiteInserter, points: &[PointSite]) -> Result<(), Error> {
         let navigation = inserter.voronoi.navigation;
         let of_points = points.iter().map(|&PointSite { rest, triangle, handle }| {
@@ -89,7 +89,7 @@ impl Tessellation {
     /// Inserts sites on chains until no gap is too large.
     ///
     /// # Errors
-    /// [`Error::TooManySites`], [`Error::TooMuchMemory`].
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`].
     pub(super) fn refine(&mut self, inserter: &mut SiteInserter) -> Result<(), Error> {
         let navigation = inserter.voronoi.navigation;
         loop {
@@ -109,7 +109,7 @@ impl Tessellation {
     /// virtual sites.
     ///
     /// # Errors
-    /// [`Error::TooManySites`], [`Error::TooMuchMemory`].
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`].
     pub(super) fn insert_virtual(&mut self, inserter: &mut SiteInserter, points: &[FarPoint]) -> Result<usize, Error> {
         let (mut sites, mut count) = (Vec::new(), 0);
         for point in points {

@@ -62,7 +62,7 @@ const MANY_SITES: usize = 500;
 /// Returns the rounds: their scores are the curve of figure 3 (right). The last one inserts nothing.
 ///
 /// # Errors
-/// [`Error::TooManySites`], [`Error::TooMuchMemory`].
+/// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`].
 pub(crate) fn insert_virtual_sites(
     inserter: &mut SiteInserter,
     tessellation: &mut Tessellation,
@@ -88,9 +88,7 @@ pub(crate) fn insert_virtual_sites(
         } else {
             Vec::new()
         };
-        if inserter.farthest.is_full() {
-            return Err(Error::TooMuchMemory);
-        }
+        inserter.check_bounds()?;
         let divided = points.iter().filter_map(|point| round_point(&inserter.voronoi, point)).collect();
         rounds.push(Round { score: worst, sites: inserter.sites().len(), points: divided });
         if points.is_empty() {

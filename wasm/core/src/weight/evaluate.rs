@@ -19,6 +19,7 @@ use super::{
 use crate::{
     bone::Skeleton,
     distance::{NavTriangle, Navigation, Penumbrae},
+    error::Error,
     rank::sort_by_rank,
     rows::Rows,
     sample::Samples,
@@ -185,7 +186,10 @@ impl WeightFunctions {
     /// The weights of all samples.
     ///
     /// Cost: see [`sweep`]. A look at every site for each sample that no support covers; there should be none.
-    pub(crate) fn of_samples(&self, navigation: &Navigation, samples: &Samples) -> SampleWeights {
+    ///
+    /// # Errors
+    /// [`Error::TooMuchMemory`] if they are more than [`MAX_WEIGHTS`](crate::limits::MAX_WEIGHTS).
+    pub(crate) fn of_samples(&self, navigation: &Navigation, samples: &Samples) -> Result<SampleWeights, Error> {
         let mut swept = sweep(samples, &self.basis, |triangle| {
             self.reaching_in(triangle).iter().map(|Reaching { site, windows, penumbrae }| ReachingSite {
                 site: *site,
@@ -194,7 +198,7 @@ impl WeightFunctions {
                 windows: self.fields[*site as usize].distances.windows(windows.clone()),
                 penumbrae: (!penumbrae.is_empty()).then(|| (&self.penumbrae[*site as usize], penumbrae.clone())),
             })
-        });
+        })?;
         self.bodies.redistribute_rows(&samples.mesh.vertices, &mut swept.weights);
         let islands: HashSet<usize> = self.fields.iter().map(|field| field.island).collect();
         for sample in (0..samples.len()).filter(|&sample| swept.phi_sums[sample] == 0.0) {
@@ -207,7 +211,7 @@ impl WeightFunctions {
                 swept.nearest[sample] = nearest.1;
             }
         }
-        swept
+        Ok(swept)
     }
 
     fn reaching_in(&self, triangle: NavTriangle) -> &[Reaching] {
@@ -251,7 +255,7 @@ mod tests {
         let fields = solution.functions.fields().to_vec();
         let basis = Basis::new(5, Filling::default());
         let functions = WeightFunctions::new(navigation, &sites, (fields, Vec::new()), &Skeleton::default(), basis);
-        let SampleWeights { phi_sums, nearest, .. } = functions.of_samples(navigation, &samples);
+        let SampleWeights { phi_sums, nearest, .. } = functions.of_samples(navigation, &samples).unwrap();
         for (&p, &nearest) in samples.mesh.vertices.iter().zip(&nearest) {
             let on_island = sites.iter().filter(|site| (site.rest.x > 50.0) == (p.x > 50.0));
             let distances = on_island.map(|site| site.rest.distance(p));

@@ -13,6 +13,8 @@ use glam::DVec2;
 use super::{Basis, SparseWeights, precedence::kept};
 use crate::{
     distance::{NavTriangle, Penumbrae, WINDOW_SLACK, Window},
+    error::Error,
+    limits::MAX_WEIGHTS,
     sample::Samples,
     triangulation::NONE,
 };
@@ -62,11 +64,14 @@ struct Column {
 }
 
 /// The weights of all samples. `reaching` returns the sites whose supports reach into a triangle, ascending.
+///
+/// # Errors
+/// [`Error::TooMuchMemory`] for more than [`MAX_WEIGHTS`] weights.
 pub(super) fn sweep<'a, R: Iterator<Item = ReachingSite<'a>>>(
     samples: &Samples,
     basis: &Basis,
     reaching: impl Fn(NavTriangle) -> R,
-) -> SampleWeights {
+) -> Result<SampleWeights, Error> {
     let count = samples.len();
     let mut swept = SampleWeights {
         weights: SparseWeights::with_capacity(count),
@@ -92,9 +97,12 @@ pub(super) fn sweep<'a, R: Iterator<Item = ReachingSite<'a>>>(
             }
             give_precedence(&mut columns[..used], batch.count, basis);
             swept.push_rows(&mut columns[..used], batch.count);
+            if swept.weights.weights().len() > MAX_WEIGHTS {
+                return Err(Error::TooMuchMemory);
+            }
         }
     }
-    swept
+    Ok(swept)
 }
 
 impl Batch {

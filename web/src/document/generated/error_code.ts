@@ -24,6 +24,7 @@ export type ErrorCode =
   | 'too-many-corners'
   | 'too-many-sites'
   | 'too-much-memory'
+  | 'too-much-work'
   | 'held-too-fine'
   | 'unsupported'
   | 'pose'

@@ -61,7 +61,7 @@ describe('a step that the solver breaks at', () => {
   });
 
   it('is taken back for any refusal, with the words of the editor', () => {
-    for (const code of ['too-much-memory', 'too-many-sites', 'held-too-fine'] as const) {
+    for (const code of ['too-much-memory', 'too-much-work', 'too-many-sites', 'held-too-fine'] as const) {
       const runtime = opened();
       runtime.dispatch({ type: 'boundary-switched', held: true });
       runtime.refuse(new C2WarpError(code, 'lower pose.density, or set fix_boundary to false'));

@@ -74,6 +74,8 @@ export const refusals: Texts['errors']['refusals'] = {
     'Die Griffe liegen zu nah beieinander, oder es sind zu viele: einige auseinanderrücken oder eine gröbere Feinheit wählen.',
   'too-much-memory': () =>
     'Das braucht mehr Speicher, als ein Browser hat: weniger Griffe verwenden oder eine gröbere Feinheit wählen.',
+  'too-much-work': () =>
+    'Das ist zu verwickelt, um es in wenigen Sekunden zu lösen: weniger Griffe verwenden oder einen einfacheren Umriss.',
   'held-too-fine': () =>
     'Dieser Umriss hat zu viele Ecken, um festgehalten zu werden: einen einfacheren zeichnen oder ihn sich bewegen lassen.',
   unsupported: (detail) => `Eine Einstellung des Projekts wird nicht unterstützt: ${detail}`,

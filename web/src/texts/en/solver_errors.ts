@@ -101,6 +101,9 @@ export const refusals = {
   'too-much-memory': refusal(
     () => 'This needs more memory than a browser has: use fewer handles, or less detail.',
   ),
+  'too-much-work': refusal(
+    () => 'This is too intricate to solve in a few seconds: use fewer handles, or a simpler outline.',
+  ),
   'held-too-fine': refusal(
     () => 'This outline has too many corners to be held: draw a simpler one, or let it move.',
   ),

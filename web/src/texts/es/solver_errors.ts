@@ -78,6 +78,8 @@ export const refusals: Texts['errors']['refusals'] = {
     'Los puntos de control están demasiado juntos o son demasiados: hay que separar algunos o usar menos detalle.',
   'too-much-memory': () =>
     'Esto necesita más memoria de la que tiene un navegador: hay que usar menos puntos de control o menos detalle.',
+  'too-much-work': () =>
+    'Esto es demasiado intrincado para resolverlo en unos segundos: hay que usar menos puntos de control o un contorno más sencillo.',
   'held-too-fine': () =>
     'Este contorno tiene demasiadas esquinas para sujetarlo: hay que dibujar uno más simple o dejar que se mueva.',
   unsupported: (detail) => `No se admite un ajuste del proyecto: ${detail}`,

@@ -77,6 +77,8 @@ export const refusals: Texts['errors']['refusals'] = {
     'Les poignées sont trop proches les unes des autres, ou trop nombreuses : écartez-en, ou réduisez le détail.',
   'too-much-memory': () =>
     'Cela demande plus de mémoire qu’un navigateur n’en a : utilisez moins de poignées, ou moins de détail.',
+  'too-much-work': () =>
+    'C’est trop complexe pour être résolu en quelques secondes : utilisez moins de poignées, ou un contour plus simple.',
   'held-too-fine': () =>
     'Ce contour a trop de sommets pour être maintenu : tracez-en un plus simple, ou laissez-le bouger.',
   unsupported: (detail) => `Un réglage du projet n’est pas pris en charge : ${detail}`,

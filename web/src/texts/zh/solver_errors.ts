@@ -59,6 +59,7 @@ export const refusals: Texts['errors']['refusals'] = {
   'outline-too-long': () => '此轮廓的缝隙和尖刺太多：请画一个较简单或较粗略的轮廓。',
   'too-many-sites': () => '控制点彼此太近，或数量太多：请将一些移开，或降低精细度。',
   'too-much-memory': () => '所需内存超出浏览器所能提供的内存：请减少控制点，或降低精细度。',
+  'too-much-work': () => '此场景过于复杂，无法在几秒内求解：请减少控制点，或使用较简单的轮廓。',
   'held-too-fine': () => '此轮廓的角点太多，无法固定：请画一个较简单的轮廓，或让它移动。',
   unsupported: (detail) => `项目中有不受支持的设置：${detail}`,
   pose: (detail) => `姿势无效：${detail}`,

@@ -14,11 +14,16 @@ use super::{
 use crate::distance::NavTriangle;
 
 /// Local maxima in a flat piece: the greatest, and others if they may be as far as `known`. Empty if no ascent
-/// converges.
-pub(super) fn maxima(voronoi: &Voronoi, piece: &Piece, site: usize, known: f64) -> Vec<FarPoint> {
-    let ascend_from = |from: DVec2| {
+/// converges. Adds the looks at cones to `steps`.
+pub(super) fn maxima(voronoi: &Voronoi, piece: &Piece, site: usize, known: f64, steps: &mut u64) -> Vec<FarPoint> {
+    let mut ascend_from = |from: DVec2| {
         let limit = piece.upper_bound + piece.longest;
-        let maxima = ascend(&piece.corners, from, |p, cones| list_cones(voronoi, piece, site, (p, limit), cones));
+        let maxima = ascend(&piece.corners, from, |p, cones| {
+            list_cones(voronoi, piece, site, (p, limit), cones);
+            // Each cone is compared with all before it, and each own cone with all others.
+            let (own, all) = (cones.own.len(), cones.own.len() + cones.others.len());
+            *steps += (piece.sites.len() + all * all / 16 + own * all) as u64;
+        });
         maxima.into_iter().filter_map(|p| point_of_cell(voronoi, piece, site, p))
     };
     let mut maxima: Vec<FarPoint> = ascend_from(piece.corners.iter().sum::<DVec2>() / 3.0).collect();

@@ -94,7 +94,12 @@ impl FarthestPoints {
         }
     }
 
-    /// Whether the search takes as much memory as it may. Points that it finds from then on may be too near.
+    /// The steps of all searches so far.
+    pub(super) fn steps(&self) -> u64 {
+        self.pieces.steps()
+    }
+
+    /// Whether the search takes as much memory as it may, or as many steps. Later points may be too near.
     pub(super) fn is_full(&self) -> bool {
         self.pieces.are_full()
     }

@@ -50,6 +50,14 @@ pub(super) struct Piece {
     pub(super) upper_bound: f64,
     /// Index of the first of its four parts; the others follow it.
     pub(super) parts: Option<u32>,
+    /// The looks at paths that it took to find its sites.
+    pub(super) steps: u64,
+}
+
+/// The looks at paths that it takes to find those of a number of sites that may be the nearest. Each is compared with
+/// some of the others.
+pub(super) fn steps_of_update(sites: usize) -> u64 {
+    (sites + sites * sites / 32) as u64
 }
 
 impl Piece {
@@ -78,10 +86,25 @@ impl Piece {
         let lengths = edge_lengths(&corners);
         let (longest, detours) = (lengths.into_iter().fold(0.0, f64::max), Detours::new(lengths));
         let (nearest, limits, upper_bound) = ([f64::INFINITY; 3], 0, f64::INFINITY);
-        let parts = None;
-        let mut piece =
-            Self { corners, nav_triangles, sites, paths, nearest, walls, limits, longest, detours, upper_bound, parts };
+        let (parts, steps) = (None, steps_of_update(sites.len()));
+        let mut piece = Self {
+            corners,
+            nav_triangles,
+            sites,
+            paths,
+            nearest,
+            walls,
+            limits,
+            longest,
+            detours,
+            upper_bound,
+            parts,
+            steps,
+        };
         piece.update_bounds();
+        // Of hundreds of sites nearby, few are left.
+        piece.sites.shrink_to_fit();
+        piece.paths.shrink_to_fit();
         piece
     }
 

@@ -9,9 +9,13 @@
 use super::{
     super::voronoi::Voronoi,
     corner_paths::CornerPaths,
-    piece::{PARTS, Piece},
+    piece::{PARTS, Piece, steps_of_update},
 };
-use crate::{distance::DistanceField, limits::MAX_PIECE_BYTES, triangulation::NONE};
+use crate::{
+    distance::DistanceField,
+    limits::{MAX_PIECE_BYTES, MAX_STEPS},
+    triangulation::NONE,
+};
 
 /// Opened triangles of the coarse mesh, and their parts.
 #[derive(Default)]
@@ -23,6 +27,8 @@ pub(super) struct Pieces {
     opened: Vec<u32>,
     /// Number of paths in all pieces.
     paths: usize,
+    /// Number of looks at a path so far.
+    steps: u64,
 }
 
 impl Pieces {
@@ -30,9 +36,19 @@ impl Pieces {
         Self { roots: vec![NONE; triangles], ..Self::default() }
     }
 
-    /// Whether the pieces take as much memory as they may. They are not subdivided any more.
+    /// Whether the pieces take as much memory as they may, or as many steps. They are not subdivided any more.
     pub(super) fn are_full(&self) -> bool {
-        self.paths > MAX_PIECE_BYTES / size_of::<CornerPaths>()
+        self.paths > MAX_PIECE_BYTES / size_of::<CornerPaths>() || self.steps > MAX_STEPS
+    }
+
+    /// Number of looks at a path so far.
+    pub(super) fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Counts more looks at paths.
+    pub(super) fn count(&mut self, steps: u64) {
+        self.steps += steps;
     }
 
     pub(super) fn piece(&self, at: u32) -> &Piece {
@@ -52,6 +68,7 @@ impl Pieces {
             self.opened.push(triangle);
             let piece = Piece::of_triangle(voronoi, triangle);
             self.paths += piece.paths.len();
+            self.steps += voronoi.sites.len() as u64 + piece.steps;
             self.pieces.push(piece);
         }
         self.roots[triangle as usize]
@@ -65,7 +82,11 @@ impl Pieces {
         let first = match piece.parts {
             Some(first) => first,
             None => {
-                let Some(parts) = piece.divided(voronoi).filter(|_| !is_full) else { return 0..0 };
+                if is_full {
+                    return 0..0;
+                }
+                let Some(parts) = piece.divided(voronoi) else { return 0..0 };
+                self.steps += parts.iter().map(|part| part.steps).sum::<u64>();
                 let (first, piece) = (self.pieces.len() as u32, &mut self.pieces[at as usize]);
                 self.paths += parts.iter().map(|part| part.paths.len()).sum::<usize>();
                 self.paths -= piece.paths.len();
@@ -96,6 +117,7 @@ impl Pieces {
         let piece = &mut self.pieces[at as usize];
         let Some(first) = piece.parts else {
             let before = piece.paths.len();
+            self.steps += steps_of_update(before);
             let is_entered = piece.insert(site, paths);
             self.paths = self.paths + piece.paths.len() - before;
             return is_entered;

@@ -31,15 +31,19 @@ pub(super) fn farthest_points(
     let mut search = Search { candidates, open: BinaryHeap::new() };
     while let Some(at) = search.next(voronoi, pieces, site) {
         let piece = pieces.piece(at);
-        if !tied(piece.upper_bound, greatest) {
+        if !tied(piece.upper_bound, greatest) || pieces.are_full() {
             break;
         }
-        let mut maxima_found = Vec::new();
+        let (mut maxima_found, mut steps) = (Vec::new(), piece.paths.len() as u64);
         if piece.is_flat() {
-            if piece.upper_bound_of(site).is_none_or(|upper_bound| !tied(upper_bound, greatest)) {
+            let may_have = piece.upper_bound_of(site).is_some_and(|upper_bound| tied(upper_bound, greatest));
+            if may_have {
+                maxima_found = maxima(voronoi, piece, site, greatest, &mut steps);
+            }
+            pieces.count(steps);
+            if !may_have {
                 continue;
             }
-            maxima_found = maxima(voronoi, piece, site, greatest);
         }
         if maxima_found.is_empty() {
             pieces.subdivide(voronoi, at).for_each(|part| search.push(pieces, part, site));

@@ -16,11 +16,15 @@ const TIE: f64 = 1e-9;
 /// Number of dominant sites that identify a part. With two, folds between the nodes go unnoticed. With four, or with
 /// the order of the weights, poses are hardly better.
 const DOMINANT_COUNT: usize = 3;
+/// Greatest number of tied sites that divide a sample. In the hub of a star, hundreds are tied, and have millions of
+/// triples. Symmetric scenes seldom tie more than eight.
+const MAX_TIED: usize = 12;
 
 /// The sites with the largest weights: the first one, then the next two in ascending order; [`NO_SITE`] if fewer
-/// reach.
+/// reach, [`MANY_SITES`] if more than [`MAX_TIED`] are tied.
 type DominantSites = [u32; DOMINANT_COUNT];
 const NO_SITE: u32 = u32::MAX;
+const MANY_SITES: u32 = u32::MAX - 1;
 
 /// A part of the picture.
 #[derive(Debug)]
@@ -30,9 +34,9 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// The site with the largest weight, if any reaches.
+    /// The site with the largest weight, if any reaches, and if not many are tied.
     pub(super) fn site(&self) -> Option<usize> {
-        (self.dominant[0] != NO_SITE).then_some(self.dominant[0] as usize)
+        (self.dominant[0] < MANY_SITES).then_some(self.dominant[0] as usize)
     }
 }
 
@@ -93,6 +97,16 @@ fn divide(
         take([first, second.min(third), second.max(third)], area);
         return;
     }
+    if count > MAX_TIED {
+        let mut next = dominant;
+        next[known..].fill(MANY_SITES);
+        if known == 0 {
+            // One of them tells two hubs apart.
+            next[1] = tied().next().map_or(NO_SITE, |one| one.site as u32);
+        }
+        take(next, area);
+        return;
+    }
     for one in tied() {
         let mut next = dominant;
         next[known] = one.site as u32;
@@ -114,4 +128,35 @@ pub(super) fn areas(samples: &Samples) -> Vec<f64> {
     };
     samples.mesh.visit_polygons(|_| true, share_out);
     areas
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parts of a sample that all of these sites move alike.
+    fn parts_of_tied(sites: usize) -> Vec<DominantSites> {
+        let weight = 1.0 / sites as f64;
+        let row: Vec<Influence> = (0..sites).map(|site| Influence { site, weight, gradient: DVec2::ZERO }).collect();
+        let (mut parts, mut areas) = (Vec::new(), 0.0);
+        divide(&row, [NO_SITE; DOMINANT_COUNT], 0, 1.0, &mut |dominant, area| {
+            parts.push(dominant);
+            areas += area;
+        });
+        assert!((areas - 1.0).abs() < 1e-12);
+        parts
+    }
+
+    #[test]
+    fn a_sample_counts_for_each_triple_of_few_tied_sites() {
+        assert_eq!(parts_of_tied(4).len(), 4 * 3 * 2);
+    }
+
+    /// Hundreds of tied sites have millions of triples.
+    #[test]
+    fn a_sample_of_many_tied_sites_is_one_part() {
+        for sites in [MAX_TIED + 1, 300] {
+            assert_eq!(parts_of_tied(sites), [[MANY_SITES, 0, MANY_SITES]]);
+        }
+    }
 }
