@@ -5,7 +5,7 @@ use std::fmt;
 use c2warp::{
     Picture,
     project::Project,
-    rig::{Rig, RigPicture},
+    rig::{Posable, Rig, RigPicture},
 };
 use js_sys::{Error as JsError, Function};
 use wasm_bindgen::prelude::*;
@@ -37,6 +37,6 @@ pub fn bake(
         // Nothing can be done about a listener that fails.
         let _ = tell.call1(&JsValue::NULL, &part.into());
     };
-    let rig = Rig::bake_telling(&project, &solution, picture, &mut tell);
+    let rig = Rig::bake_telling(&project, &solution, picture, Posable::WithoutSolver, &mut tell);
     rig.and_then(|rig| rig.to_bytes()).map_err(|reason| refused(&reason))
 }

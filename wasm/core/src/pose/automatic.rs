@@ -28,6 +28,15 @@ impl Automatic {
         Self { edges: effective_links(sites, graph, harmonic), adjacent: adjacent(sites, graph, harmonic) }
     }
 
+    /// Pseudo-edges with weights, and pairs of adjacent handles.
+    pub(super) fn parts(&self) -> (&[(u32, u32, f64)], &[[u32; 2]]) {
+        (&self.edges, &self.adjacent)
+    }
+
+    pub(super) fn from_parts(edges: Vec<(u32, u32, f64)>, adjacent: Vec<[u32; 2]>) -> Self {
+        Self { edges, adjacent }
+    }
+
     /// Whether data that were read from bytes are consistent.
     pub(super) fn is_whole(&self, is_real: impl Fn(u32) -> bool, handles: usize) -> bool {
         self.edges.iter().all(|&(i, j, _)| is_real(i) && is_real(j))
