@@ -235,6 +235,29 @@ fn handles_that_turn_by_themselves_are_posed_by_the_solver() {
     }
 }
 
+/// The layout of published rigs: these stay readable.
+#[test]
+fn a_published_rig_is_posed_as_when_it_was_baked() {
+    let file = include_bytes!("../../../web/src/player/fixtures/solved.c2rig");
+    let places = include_str!("../../../web/src/player/fixtures/solved.csv");
+    let rig = Rig::from_bytes(file).expect("a rig");
+    let poser = rig.poser().expect("the rigid mode");
+    let mut poses: Vec<HandlePose> = poser.handles().iter().map(HandlePose::from).collect();
+    assert_eq!(poses.iter().map(|pose| pose.posed.len()).collect::<Vec<_>>(), [1, 3, 4]);
+    assert_eq!(poses[0].rotation, Rotation::Auto);
+    poses[0].posed = vec![[7.0, 12.0].into()];
+    poses[1].posed = [[14.0, 4.0], [20.0, 3.0], [26.0, 4.0]].map(DVec2::from).to_vec();
+    let found = rig.vertices_posed_with(&poser.motions(&poses).expect("a pose"));
+    // By `c2warp map`, at the vertices of the rig.
+    let place = |line: &str| {
+        let (x, y) = line.split_once(',').expect("two numbers");
+        DVec2::new(x.parse().expect("a number"), y.parse().expect("a number"))
+    };
+    let expected: Vec<DVec2> = places.lines().skip(1).map(place).collect();
+    assert_eq!(found.len(), expected.len());
+    assert!(found.iter().zip(&expected).all(|(a, b)| a.distance(*b) <= CLOSE));
+}
+
 #[test]
 fn poses_of_other_handles_are_refused() {
     let (project, solution) = moving("gingerbread", PoseMode::Rigid, Blend::Rigid);

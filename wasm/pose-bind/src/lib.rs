@@ -6,7 +6,7 @@ use c2warp::{deform::HandlePose, pose::Motion, rig::RigPoser};
 use js_sys::Error as JsError;
 use wasm_bindgen::prelude::*;
 
-/// What poses the handles of a rig.
+/// Poses the handles of a rig.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct SectionPoser {

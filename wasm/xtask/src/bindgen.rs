@@ -60,7 +60,7 @@ const LATER: &[&str] = &[
 /// The name of a solver's files, also of its benchmark's.
 pub(crate) const SOLVER: &str = "c2warp";
 
-/// The modules that pages load: the solver, the makers of films and of other exports, and what poses baked rigs.
+/// The modules that pages load: the solver, the makers of films and of other exports, and the poser of baked rigs.
 pub(crate) fn page_modules() -> [Module<'static>; 4] {
     let solver =
         Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER, later: LATER };

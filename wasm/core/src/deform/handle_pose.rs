@@ -21,9 +21,11 @@ pub struct HandlePose {
 const HEAD: usize = 4;
 
 impl HandlePose {
-    /// The poses in a flat array, which crosses the border to another language in one piece. Each handle has the number
-    /// n of its corners (1 for a point), rotation, scale, depth, and n × 2 coordinates. The rotation is in degrees, and
-    /// NaN is automatic. `None` for an array that ends within a handle.
+    /// The poses in a flat array, which crosses the border to another language in one piece. `None` for an array that
+    /// ends within a handle.
+    ///
+    /// Each handle has the number n of its corners (1 for a point), rotation, scale, depth, and n × 2 coordinates. The
+    /// rotation is in degrees, and NaN is automatic.
     #[must_use]
     pub fn from_numbers(mut numbers: &[f64]) -> Option<Vec<Self>> {
         let mut poses = Vec::new();

@@ -18,23 +18,14 @@ use crate::{
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Automatic {
     /// Pairs of neighbouring real sites, at least one of them a point handle, with a weight.
-    edges: Vec<(u32, u32, f64)>,
+    pub(super) edges: Vec<(u32, u32, f64)>,
     /// Pairs of handles whose regions of the cell graph are adjacent.
-    adjacent: Vec<[u32; 2]>,
+    pub(super) adjacent: Vec<[u32; 2]>,
 }
 
 impl Automatic {
     pub(super) fn new(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Self {
         Self { edges: effective_links(sites, graph, harmonic), adjacent: adjacent(sites, graph, harmonic) }
-    }
-
-    /// Pseudo-edges with weights, and pairs of adjacent handles.
-    pub(super) fn parts(&self) -> (&[(u32, u32, f64)], &[[u32; 2]]) {
-        (&self.edges, &self.adjacent)
-    }
-
-    pub(super) fn from_parts(edges: Vec<(u32, u32, f64)>, adjacent: Vec<[u32; 2]>) -> Self {
-        Self { edges, adjacent }
     }
 
     /// Whether data that were read from bytes are consistent.

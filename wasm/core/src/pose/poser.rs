@@ -385,7 +385,7 @@ impl Poser {
     }
 }
 
-/// What the handles leave free of a site's motion.
+/// The part of a site's motion that the handles leave free.
 pub(super) fn freedom(kind: SiteKind, skeleton: &Skeleton) -> Freedom {
     match kind {
         SiteKind::Virtual => Freedom::Whole,

@@ -1,4 +1,4 @@
-//! What a poser is made of, for the file of a rig.
+//! The parts of a poser, for the file of a rig.
 
 use glam::DVec2;
 
@@ -9,7 +9,7 @@ use crate::{
     site::SiteKind,
 };
 
-/// What a poser is made of, besides handles and bones.
+/// The parts of a poser besides handles and bones.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PoserParts {
     /// Places of the sites, and what they are.
@@ -32,14 +32,14 @@ impl Poser {
             Some(rigid) => Some(rigid.parts()?),
             None => None,
         };
-        let (pseudo_edges, adjacent) = self.automatic.parts();
+        let Automatic { edges, adjacent } = &self.automatic;
         let of_virtual = self.harmonic.iter().zip(&self.kinds).filter(|(_, kind)| !kind.is_real());
         Some(PoserParts {
             rest: self.rest.to_vec(),
             kinds: self.kinds.clone(),
             harmonic: of_virtual.map(|(row, _)| row.clone()).collect(),
-            pseudo_edges: pseudo_edges.to_vec(),
-            adjacent: adjacent.to_vec(),
+            pseudo_edges: edges.clone(),
+            adjacent: adjacent.clone(),
             rigid,
         })
     }
@@ -70,7 +70,7 @@ impl Poser {
             skeleton: skeleton.clone(),
             solved: handles.iter().map(solved).collect(),
             harmonic,
-            automatic: Automatic::from_parts(parts.pseudo_edges.clone(), parts.adjacent.clone()),
+            automatic: Automatic { edges: parts.pseudo_edges.clone(), adjacent: parts.adjacent.clone() },
             rigid: parts.rigid.as_ref().map(|parts| Rigid::from_parts(freedom, parts)),
             picture: DVec2::ZERO,
             displacement: None,

@@ -86,7 +86,7 @@ fn not_posed(reason: Error) -> BakeError {
     BakeError::Pose { clip: String::new(), seconds: 0.0, reason }
 }
 
-/// What poses the handles, with some poses of them and the exact motions in these.
+/// The means to pose the handles, with some poses of them and the exact motions in these.
 struct Poses<'a> {
     kind: PosesKind<'a>,
     probes: Vec<(Vec<Handle>, Vec<Motion>)>,
@@ -140,7 +140,7 @@ impl<'a> Poses<'a> {
                 let rounded = |fineness: u8| Posing::of(poser, handles, PosingBits::of(fineness, *side));
                 let is_close = |posing: &Posing| {
                     let poser = posing.poser();
-                    let motions = |handles: &[Handle]| poser.motions_of(handles);
+                    let motions = |handles: &[Handle]| poser.motions(handles).expect("handles with a pose");
                     self.error(skins, blend, SHARE_TOLERANCE, motions) <= SHARE_TOLERANCE
                 };
                 // Where a pose jumps no steps are fine enough.

@@ -1,4 +1,4 @@
-//! What the sites of a rig move by.
+//! The sources that the sites of a rig move by.
 
 use super::{
     bytes::{Reader, Writer},
@@ -7,7 +7,7 @@ use super::{
 };
 use crate::site::SiteKind;
 
-/// What a site moves by.
+/// The cause of a site's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Driven {
     /// Others around it.
@@ -18,7 +18,7 @@ pub(super) enum Driven {
     Source(u32),
 }
 
-/// What sites of these kinds move by.
+/// The causes for sites of these kinds.
 pub(super) fn driven_by(kinds: &[SiteKind], sources: &Sources) -> Vec<Driven> {
     let handles = sources.handles.len() as u32;
     let driven = |kind: &SiteKind| match *kind {
@@ -54,7 +54,7 @@ pub(super) fn write_driven(driven: &[Driven], to: &mut Writer) {
     }
 }
 
-/// Reads what a number of sites move by.
+/// Reads those of a number of sites.
 pub(super) fn read_driven(from: &mut Reader<'_>, sources: &Sources, sites: usize) -> Result<Vec<Driven>, RigError> {
     from.expect(from.has(Some(sites)), "end too early")?;
     let mut driven = Vec::with_capacity(sites);

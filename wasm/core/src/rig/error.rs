@@ -20,7 +20,7 @@ pub enum RigPart {
     Displacements,
     /// Handles and their shares in the motions of sites.
     Shares,
-    /// Handles and what poses them in the rigid mode.
+    /// Handles and their solver.
     Posing,
     /// A clip.
     Clip,

@@ -9,7 +9,7 @@
 //!
 //! - `sequence`: the exact motions of a clip. `order`: the drawing order along it. `bake`: the choice of steps.
 //! - `sources`, `driven`, `shares`: what a page poses the handles by, in the harmonic mode.
-//! - `posing`, `rig_poser`: what it poses them by otherwise, with a module that has the solver. `probes`: poses that
+//! - `posing`, `rig_poser`: the same with a solver, for all other rigs. `probes`: poses that
 //!   steps are chosen by.
 //! - `mesh`, `clip`: the content. `bytes`, `file`: numbers as bytes, and the sections with their checksum.
 //!
@@ -197,10 +197,10 @@ impl Rig {
         Some(&sources.handles)
     }
 
-    /// What poses the handles. `None` if that needs no solver, and if the rig cannot be posed.
+    /// The solver that poses the handles. `None` if that needs no solver, and if the rig cannot be posed.
     #[must_use]
     pub fn poser(&self) -> Option<RigPoser> {
-        self.posing.as_ref().map(Posing::poser)
+        self.posing.as_ref().map(RigPoser::new)
     }
 
     /// The vertices with the handles posed as given, in the order of [`handles`](Self::handles). `None` for other

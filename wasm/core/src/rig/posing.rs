@@ -1,4 +1,4 @@
-//! Handles whose poses need a solver, and all that it needs: in the rigid mode, and with handles that turn by themselves.
+//! Handles whose poses need a solver, and all that it needs: in the rigid mode, and where handles turn by themselves.
 //!
 //! It is the content of a [`Poser`], in the coarsest steps that leave its poses as they are.
 //!
@@ -11,7 +11,6 @@ use super::{
     driven::{driven_by, kinds_of, read_driven, write_driven},
     error::RigError,
     mesh::{read_places, shares, write_places},
-    rig_poser::RigPoser,
     sources::{Sources, turns_by_itself},
     steps::{round, value},
 };
@@ -88,10 +87,9 @@ impl Posing {
     }
 
     /// Poses the handles.
-    pub(super) fn poser(&self) -> RigPoser {
+    pub(super) fn poser(&self) -> Poser {
         let Sources { handles, skeleton } = &self.sources;
-        let poser = Poser::from_parts(&self.parts, skeleton, handles).expect("they are checked before");
-        RigPoser::new(poser, handles.clone())
+        Poser::from_parts(&self.parts, skeleton, handles).expect("they are checked before")
     }
 
     pub(super) fn write(&self, to: &mut Writer) {
@@ -435,8 +433,8 @@ fn read_rows(from: &mut Reader<'_>, rows: usize, limit: usize) -> Result<Vec<Vec
     Ok(read)
 }
 
-/// Pairs in ascending order, the lesser first: by how much that is greater than the one before, and by how much the
-/// other one is greater than it, minus 1.
+/// Pairs in ascending order, the lesser number first. It is written minus that of the pair before. The greater one is
+/// written minus the lesser one, minus 1.
 fn write_pairs(pairs: impl Iterator<Item = [u32; 2]>, to: &mut Writer) {
     let mut before = 0;
     for [i, j] in pairs {

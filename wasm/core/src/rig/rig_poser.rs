@@ -22,8 +22,8 @@ pub struct RigPoser {
 }
 
 impl RigPoser {
-    pub(super) fn new(poser: Poser, handles: Vec<Handle>) -> Self {
-        Self { poser, handles }
+    pub(super) fn new(posing: &Posing) -> Self {
+        Self { poser: posing.poser(), handles: posing.sources.handles.clone() }
     }
 
     /// Reads the unpacked section `POSR` of a rig: see `web/docs/rig-format.md`. Its handles are numbered from 0.
@@ -34,18 +34,13 @@ impl RigPoser {
         let mut from = Reader::new(RigPart::Posing, section);
         let posing = Posing::read(&mut from, None, None)?.ok_or_else(|| from.wrong("have an unknown format"))?;
         from.end()?;
-        Ok(posing.poser())
+        Ok(Self::new(&posing))
     }
 
     /// The handles, posed as in the project.
     #[must_use]
     pub fn handles(&self) -> &[Handle] {
         &self.handles
-    }
-
-    /// The motions with handles that have a pose in the solution.
-    pub(super) fn motions_of(&self, handles: &[Handle]) -> Vec<Motion> {
-        self.poser.motions(handles).expect("handles with a pose")
     }
 
     /// The motions of all sites with the handles posed, one pose for each in their order.

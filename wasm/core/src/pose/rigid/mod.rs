@@ -69,7 +69,7 @@ pub(super) struct Rigid {
     stiff_links: OnceLock<Vec<(u32, u32, f64)>>,
 }
 
-/// What the rigid mode is made of, besides the sites.
+/// The parts of the rigid mode besides the sites.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RigidParts {
     /// Pairs of sites, the lesser first, with their weights.
