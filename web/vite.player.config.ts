@@ -1,4 +1,4 @@
-/** Builds the player of rigs, in dist/player: one module without workers. What poses rigs by the solver is loaded later. */
+/** Builds the player of rigs, in dist/player: one module without workers. The solver is loaded later. */
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './scripts/licences.mjs';

@@ -325,9 +325,7 @@ test('handles of the rigid mode are posed as in the editor', async ({ page }, in
   expect(close).toBeGreaterThan(0.99);
 });
 
-test('readers pose handles of the rigid mode by pointer and by keyboard, on a strict page', async ({
-  page,
-}) => {
+test('readers pose handles of the rigid mode on a strict page, also by keys', async ({ page }) => {
   const policy =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types 'none'";
   const body = `<!doctype html><title>Strict</title><script type="module" src="/player/c2warp-player.js"></script>

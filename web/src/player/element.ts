@@ -57,7 +57,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   #posed: readonly Handle[] | undefined;
   /** The same as a clip; undefined while the solver loads. */
   #posedClip: RigClip | undefined;
-  /** What poses the present rig; null while the solver loads, and for a rig that cannot be posed. */
+  /** The poser of the present rig; null while the solver loads, and for a rig that cannot be posed. */
   #poser: Poser | null = null;
   #time = 0;
   #rate = 1;

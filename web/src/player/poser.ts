@@ -1,4 +1,4 @@
-/** What poses a rig: sums of the motions of handles, or the solver in a module. */
+/** Poses of a rig: by sums of the motions of handles, or by the solver in a module. */
 import { C2WarpError } from '../error';
 import { NUMBERS } from './clip';
 import { type PosedSites, posedSites } from './posing';
@@ -11,7 +11,7 @@ export type Poser = (handles: readonly Handle[]) => PosedSites;
 
 const loading = new WeakMap<Rig, Promise<Poser>>();
 
-/** What poses a rig at once; null if it needs the module, or cannot be posed. */
+/** The poser of a rig that is there at once; null if it needs the module, or cannot be posed. */
 export const ownPoser = ({ shares, rest }: Rig): Poser | null =>
   shares && ((handles) => posedSites(shares, handles, rest));
 

@@ -1,4 +1,4 @@
-/** The handles of a rig, and what its sites move by: see web/docs/rig-format.md. */
+/** The handles of a rig, and the sources that its sites move by: see web/docs/rig-format.md. */
 import type { Bytes } from './bytes';
 
 export type Place = readonly [number, number];

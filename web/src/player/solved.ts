@@ -3,7 +3,7 @@ import type { Bytes } from './bytes';
 import { readSources, type Sources } from './shares';
 
 export interface Solved extends Sources {
-  /** What the module reads. */
+  /** The module reads it. */
   readonly section: Uint8Array;
 }
 
