@@ -216,9 +216,10 @@ fn handles_are_posed_by_the_solver_in_the_rigid_mode() {
     ] {
         let (mut project, solution) = moving_as(scene, PoseMode::Rigid, blend, fix_boundary);
         let rig = baked_posable(&project, &solution);
-        // The rigid mode has several minima. Next to where a pose jumps, it may end elsewhere.
+        // The rigid mode has several minima. Next to where a pose jumps, as among bars in a held outline, it may end a
+        // little elsewhere.
         let errors = errors_of_drags(&mut project, &solution, &rig);
-        assert!(errors[0] <= 1.0 && errors[1] <= CLOSE, "{scene}: {errors:?}");
+        assert!(errors[0] <= 0.5 && errors[errors.len() / 5] <= CLOSE, "{scene}: {errors:?}");
     }
 }
 
