@@ -167,7 +167,7 @@ const posable = (): Project => ({
 });
 
 /** The rig of a project. */
-function baked(project: Project): Buffer {
+function baked(project: Project, ...options: readonly string[]): Buffer {
   writeFileSync(join(folder, 'other.c2warp.json'), JSON.stringify(project));
   const args = [
     'bake',
@@ -176,6 +176,7 @@ function baked(project: Project): Buffer {
     join(SAMPLES, 'gingerbread.png'),
     '-o',
     'other.c2rig',
+    ...options,
   ];
   const { stderr } = spawnSync(builtCommand(), args, { cwd: folder, encoding: 'utf8' });
   expect(stderr).toBe('');
@@ -249,9 +250,9 @@ test('handles are posed without a solver, as in the editor, until the clip plays
   expect(after.find(({ id }) => id === 'head')?.posed).toEqual([512, 260]);
 });
 
-test('a rig of the rigid mode says that it cannot be posed', async ({ page }) => {
+test('a rig that was baked without poses says that it cannot be posed', async ({ page }) => {
   await open(page);
-  await added(page, { src: '/wave.c2rig' }, 'loadeddata');
+  await added(page, { src: '/wave.c2rig', posable: '' }, 'loadeddata');
   const said = await player(page).evaluate((element) => {
     const player = element as C2WarpPlayer;
     try {
@@ -261,7 +262,124 @@ test('a rig of the rigid mode says that it cannot be posed', async ({ page }) =>
     }
     return [];
   });
-  expect(said).toEqual([0, 'this rig cannot be posed: its poses need the solver, as in the rigid mode']);
+  expect(said).toEqual([0, 'this rig cannot be posed: it was baked without the poses of its handles']);
+});
+
+/** Addresses of what the page loads for poses by the solver. */
+function solverRequests(page: Page): string[] {
+  const asked: string[] = [];
+  page.on('request', (request) => {
+    const { pathname } = new URL(request.url());
+    if (/module_poser|\.wasm$/.test(pathname)) asked.push(pathname);
+  });
+  return asked;
+}
+
+/** The sample in the rigid mode, with a head that turns by itself. */
+const solved = (): Project => ({
+  ...project,
+  pose: { mode: 'rigid', blend: 'rigid', density: 100 },
+  handles: project.handles.map((handle) => ({
+    ...handle,
+    rotation: handle.id === 'head' ? ('auto' as const) : 0,
+    scale: 1,
+    depth: 0,
+  })),
+});
+
+test('handles of the rigid mode are posed as in the editor', async ({ page }, info) => {
+  const posed = solved();
+  const asked = solverRequests(page);
+  await open(page, { 'solved.c2rig': baked({ ...posed, clips }, '--posable') });
+  await added(page, { src: '/solved.c2rig' }, 'loadeddata');
+  // Nothing more is loaded before it is needed.
+  expect(asked).toEqual([]);
+  const changes = [
+    { id: 'left-hand', posed: [170, 400] as [number, number], rotation: 40 },
+    { id: 'head', posed: [560, 220] as [number, number], depth: 1 },
+  ];
+  const handles = await player(page).evaluate((element, changes) => {
+    const player = element as C2WarpPlayer;
+    player.pose(changes);
+    return player.handles;
+  }, changes);
+  const expected = posed.handles.map((handle) => {
+    const change = changes.find(({ id }) => id === handle.id);
+    return change ? { ...handle, ...change } : handle;
+  });
+  expect(handles).toEqual(expected);
+  // Grips show that the solver is there.
+  await player(page).evaluate((element) => {
+    (element as C2WarpPlayer).posable = true;
+  });
+  await expect(player(page).locator('[part=handle]')).toHaveCount(posed.handles.length);
+  expect(asked).toEqual(['/player/module_poser.js', '/player/pose_bg.wasm']);
+  const editor = await page.evaluate(
+    async (project) =>
+      harness.drawnTwice(project, await (await fetch('/samples/gingerbread.png')).blob(), 0.5),
+    { ...posed, handles: expected } as Project,
+  );
+  const { mean, close, opaque } = await difference(await drawn(page, 512), editor.webgl, info);
+  expect(opaque).toBeGreaterThan(10_000);
+  expect(mean).toBeLessThanOrEqual(1);
+  expect(close).toBeGreaterThan(0.99);
+});
+
+test('readers pose handles of the rigid mode on a strict page, also by keys', async ({ page }) => {
+  const policy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types 'none'";
+  const body = `<!doctype html><title>Strict</title><script type="module" src="/player/c2warp-player.js"></script>
+<c2-warp-player src="/solved.c2rig" posable alt="A gingerbread man" width="1024" height="1280"></c2-warp-player>`;
+  const rig = baked({ ...solved(), clips }, '--posable');
+  await page.route('**/solved.c2rig', (route) => route.fulfill({ body: rig }));
+  await page.route('**/strict.html', (route) =>
+    route.fulfill({ body, contentType: 'text/html', headers: { 'content-security-policy': policy } }),
+  );
+  const problems: string[] = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error') problems.push(message.text());
+  });
+  page.on('pageerror', (error) => problems.push(error.message));
+  await page.goto('/strict.html');
+  const hand = player(page).getByRole('button', { name: 'left hand' });
+  await expect(hand).toBeVisible();
+  const posed = () =>
+    player(page).evaluate(
+      (element) => (element as C2WarpPlayer).handles.find(({ id }) => id === 'left-hand')?.posed,
+    );
+  const before = (await posed()) as [number, number];
+  const scale = await player(page).evaluate((element) => element.getBoundingClientRect().width / 1024);
+  const box = await hand.boundingBox();
+  const [x, y] = [(box?.x ?? 0) + 22, (box?.y ?? 0) + 22];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 10, y - 20, { steps: 4 });
+  await page.mouse.up();
+  const [px, py] = (await posed()) as [number, number];
+  expect(Math.abs(px - (before[0] + 10 / scale))).toBeLessThan(1);
+  expect(Math.abs(py - (before[1] - 20 / scale))).toBeLessThan(1);
+  await hand.focus();
+  await page.keyboard.press('Shift+ArrowRight');
+  const [kx, ky] = (await posed()) as [number, number];
+  expect([kx - px, ky - py].map((by) => by.toFixed(3))).toEqual(['10.000', '0.000']);
+  expect(problems).toEqual([]);
+});
+
+test('clips play on without the solver, and one sentence says why nothing can be posed', async ({ page }) => {
+  await open(page, { 'solved.c2rig': baked({ ...solved(), clips }, '--posable') });
+  await page.evaluate(() => {
+    const { fetch } = globalThis;
+    globalThis.fetch = (input, init) =>
+      String(input).endsWith('pose_bg.wasm')
+        ? Promise.resolve(new Response('', { status: 404 }))
+        : fetch(input, init);
+  });
+  const said = await added(page, { src: '/solved.c2rig', posable: '' }, 'error');
+  expect(said).toMatch(/^The handles cannot be posed: the server answers 404 for \S+pose_bg\.wasm\.$/);
+  await expect(player(page).locator('[part=handle]')).toHaveCount(0);
+  await player(page).evaluate((element) => (element as C2WarpPlayer).play());
+  await expect.poll(async () => (await state(page)).currentTime).toBeGreaterThan(0);
+  expect((await heard(page)).filter((type) => type === 'error')).toEqual(['error']);
 });
 
 test('readers take handles by pointer and by keyboard, also from a clip', async ({ page }) => {
@@ -315,7 +433,7 @@ test('readers take handles by pointer and by keyboard, also from a clip', async 
   expect(await posed('left-hand')).toEqual([124, 516]);
   const grips = await new AxeBuilder({ page }).include('c2-warp-player').analyze();
   expect(grips.violations).toEqual([]);
-  // Rigs of the rigid mode offer none.
+  // Rigs that were baked without poses offer none.
   await player(page).evaluate((element) => {
     (element as C2WarpPlayer).src = '/wave.c2rig';
     return new Promise((resolve) => element.addEventListener('loadeddata', resolve, { once: true }));
@@ -561,7 +679,7 @@ test('a hundred players share one context, and recover from its loss', async ({ 
   await expect.poll(drawn).toBe(100);
 });
 
-test('the player has no WebAssembly', async ({ request }) => {
+test('the script of the player has no WebAssembly', async ({ request }) => {
   const script = await (await request.get('/player/c2warp-player.js')).body();
   expect(script.toString()).not.toContain('WebAssembly');
 });

@@ -24,6 +24,11 @@ export const BUDGETS = [
   { name: 'first rig, map or SVG: scripts', files: ['element/rig_file.js', 'element/exporter.js'], most: 10 },
   { name: 'first rig, map or SVG: module', files: ['element/c2warp_export_bg.wasm'], most: 750 },
   { name: 'player', files: ['player/c2warp-player.js'], most: 15 },
+  {
+    name: 'player that poses in the rigid mode',
+    files: ['player/c2warp-player.js', 'player/module_poser.js', 'player/pose_bg.wasm'],
+    most: 120,
+  },
   { name: 'core in Node, without the solver', files: ['core/node.js'], most: 28 },
   { name: 'core in pages, without the solver', files: ['core/core.js'], most: 18 },
   { name: 'script of the command', files: ['core/command.js'], most: 1 },

@@ -35,7 +35,7 @@ export const trimmed = () => ({
       const shader = JSON.parse(code.slice(code.indexOf('"'), code.lastIndexOf('"') + 1));
       return { code: `export default ${JSON.stringify(trimmedShader(shader))}`, map: null };
     }
-    if (/\/generated\/(c2warp|c2warp_export|film)\.js$/.test(id))
+    if (/\/generated\/(c2warp|c2warp_export|film|pose)\.js$/.test(id))
       return { code: trimmedGlue(code), map: null };
     if (/\/ui\/style\/\w+\.ts$/.test(id)) return { code: trimmedSheets(code), map: null };
     return /\/ui\/(export\/)?\w+\.ts$/.test(id) ? { code: trimmedMarkup(code), map: null } : null;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use c2warp::rig::{Rig, RigPicture};
+use c2warp::rig::{Posable, Rig, RigPicture};
 use image::codecs::webp::WebPEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
@@ -21,6 +21,9 @@ pub(crate) struct Arguments {
     /// The output file, or - for standard output
     #[arg(short, long, value_name = "OUT.c2rig")]
     output: PathBuf,
+    /// Readers may pose the handles in the rigid mode, too. The file grows by some 100 kB
+    #[arg(long)]
+    posable: bool,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
@@ -31,9 +34,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let output = loaded.output(&arguments.output)?;
     let solution = loaded.solve()?;
     let picture = RigPicture { width, height, file: smaller(loaded.picture_file()) };
+    let posable = if arguments.posable { Posable::Always } else { Posable::WithoutSolver };
     let mut tell = |part: f64| progress::show(&format!("baking {:.0} %", 100.0 * part));
-    let rig =
-        Rig::bake_telling(&loaded.project, &solution, picture, &mut tell).map_err(|reason| loaded.not_baked(reason))?;
+    let rig = Rig::bake_telling(&loaded.project, &solution, picture, posable, &mut tell)
+        .map_err(|reason| loaded.not_baked(reason))?;
     let file = rig.to_bytes().map_err(|reason| loaded.not_baked(reason))?;
     output.write(|writer| writer.write_all(&file))
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use c2warp::{
     Picture,
     project::Project,
-    rig::{Rig, RigPicture},
+    rig::{Posable, Rig, RigPicture},
 };
 use js_sys::{Error as JsError, Function};
 use wasm_bindgen::prelude::*;
@@ -14,8 +14,8 @@ use crate::solution::solution;
 
 /// Solves a project, and bakes its clips.
 ///
-/// `rgba` is straight, rows from top to bottom. `picture_file` is a PNG, WebP or JPEG file of the same picture. `tell`
-/// gets the part that is done, from 0 to 1.
+/// `rgba` is straight, rows from top to bottom. `picture_file` is a PNG, WebP or JPEG file of the same picture.
+/// `posable`: readers may pose the handles in the rigid mode, too. `tell` gets the part that is done, from 0 to 1.
 ///
 /// # Errors
 /// For a project that cannot be solved with this picture, and for clips that no rig can hold.
@@ -26,17 +26,19 @@ pub fn bake(
     height: u32,
     rgba: &[u8],
     picture_file: Vec<u8>,
+    posable: bool,
     tell: &Function,
 ) -> Result<Vec<u8>, JsError> {
     let refused = |reason: &dyn fmt::Display| JsError::new(&reason.to_string());
     let project = Project::from_json(project_json).map_err(|reason| refused(&reason))?;
     let picture = Picture::new(width, height, rgba).map_err(|reason| refused(&reason))?;
     let solution = solution(&project, &picture).map_err(|reason| refused(&reason))?;
+    let posable = if posable { Posable::Always } else { Posable::WithoutSolver };
     let picture = RigPicture { width, height, file: picture_file };
     let mut tell = |part: f64| {
         // Nothing can be done about a listener that fails.
         let _ = tell.call1(&JsValue::NULL, &part.into());
     };
-    let rig = Rig::bake_telling(&project, &solution, picture, &mut tell);
+    let rig = Rig::bake_telling(&project, &solution, picture, posable, &mut tell);
     rig.and_then(|rig| rig.to_bytes()).map_err(|reason| refused(&reason))
 }

@@ -1,4 +1,4 @@
-//! `xtask bindgen`: the editor's WebAssembly modules with their TypeScript glue, or one of another crate.
+//! `xtask bindgen`: the WebAssembly modules of pages with their TypeScript glue, or one of another crate.
 //!
 //! Builds crates for `wasm32-unknown-unknown` and passes the results to `wasm-bindgen`. That is a library here, in
 //! the version that the crates are compiled with. So nothing must be installed, and versions always match. Takes half a
@@ -60,19 +60,21 @@ const LATER: &[&str] = &[
 /// The name of a solver's files, also of its benchmark's.
 pub(crate) const SOLVER: &str = "c2warp";
 
-/// The modules that the editor loads: the solver, and the makers of films and of other exports when they are needed.
-pub(crate) fn editor_modules() -> [Module<'static>; 3] {
+/// The modules that pages load: the solver, the makers of films and of other exports, and the poser of baked rigs.
+pub(crate) fn page_modules() -> [Module<'static>; 4] {
     let solver =
         Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER, later: LATER };
     let film =
         Module { package: "c2warp-film-bind", output: Path::new("web/src/io/generated"), name: "film", later: &[] };
     let export = Module { package: "c2warp-export-bind", output: solver.output, name: "c2warp_export", later: &[] };
-    [solver, film, export]
+    let pose =
+        Module { package: "c2warp-pose-bind", output: Path::new("web/src/player/generated"), name: "pose", later: &[] };
+    [solver, film, export, pose]
 }
 
 /// The solver in another folder.
 pub(crate) fn solver_in(output: &Path) -> Module<'_> {
-    let [solver, ..] = editor_modules();
+    let [solver, ..] = page_modules();
     Module { output, ..solver }
 }
 

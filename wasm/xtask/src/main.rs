@@ -20,7 +20,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Builds WebAssembly modules and their glue: without options, the editor's
+    /// Builds WebAssembly modules and their glue: without options, those of pages
     Bindgen {
         /// Builds quickly, and keeps the names of functions
         #[arg(long)]
@@ -54,7 +54,7 @@ fn main() -> ExitCode {
                     let module = bindgen::Module { package, output, name: bindgen::SOLVER, later: &[] };
                     bindgen::run(&root, &[module], profile)
                 }
-                _ => bindgen::run(&root, &bindgen::editor_modules(), profile),
+                _ => bindgen::run(&root, &bindgen::page_modules(), profile),
             };
             built.map_err(|error| error.to_string())
         }

@@ -10,6 +10,8 @@ export interface WebRigOrder {
   readonly kind: 'web-rig';
   /** A PNG, WebP or JPEG file of the picture. */
   readonly file: Bytes;
+  /** Whether readers may pose the handles in any mode. */
+  readonly posable: boolean;
 }
 
 /** A rig for a game engine. */

@@ -155,6 +155,8 @@ export type EditorEffect =
   | {
       readonly type: 'export-rig';
       readonly name: string;
+      /** Whether readers may pose the handles in any mode. */
+      readonly posable: boolean;
       readonly project: Project;
       readonly picture: Picture;
     }

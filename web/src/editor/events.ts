@@ -302,6 +302,8 @@ type FileEvent =
       readonly loss: EngineLoss;
     }
   | { readonly type: 'map-choice-made'; readonly choice: Partial<MapChoices> }
+  /** Whether readers of the exported rig may pose the handles. */
+  | { readonly type: 'posable-chosen'; readonly posable: boolean }
   /** The code that shows the exported rig is asked for. */
   | { readonly type: 'code-asked' }
   /** `copied`: whether the browser took it to the clipboard. */

@@ -86,6 +86,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       codecs: null,
       awaitsCodecs: false,
       code: null,
+      posable: false,
       engine: DEFAULT_ENGINE,
       measured: null,
       maps: DEFAULT_MAPS,

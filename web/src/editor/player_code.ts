@@ -5,10 +5,20 @@ import { stem } from './picture';
 /** The name of the file that an export for the web gets. */
 export const rigName = (picture: string): string => `${stem(picture)}.c2rig`;
 
-/** Two lines of HTML: the player's script, and the player. @param picture The name of the picture's file. */
-export function playerCode({ image, clips = [] }: Project, picture: string): string {
+/**
+ * Two lines of HTML: the player's script, and the player.
+ *
+ * @param picture The name of the picture's file.
+ * @param posable Whether readers may pose the handles.
+ */
+export function playerCode(
+  { image, handles, clips = [] }: Project,
+  picture: string,
+  posable: boolean,
+): string {
   const [first] = clips;
-  const flags = first ? ` autoplay${first.loop === 'none' ? '' : ' loop'}` : '';
+  const plays = first ? ` autoplay${first.loop === 'none' ? '' : ' loop'}` : '';
+  const flags = posable && handles.length > 0 ? `${plays} posable` : plays;
   const alt = stem(picture).replaceAll(/[-_\s]+/g, ' ');
   const src = encodeURIComponent(rigName(picture));
   return `<script type="module" src="player/c2warp-player.js"></script>

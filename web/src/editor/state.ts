@@ -159,6 +159,8 @@ export interface ExportState {
   readonly awaitsCodecs: boolean;
   /** Whether the browser took the code of a web page to the clipboard; null before it was asked for. */
   readonly code: 'copied' | 'blocked' | null;
+  /** Whether readers of a web page may pose the handles. */
+  readonly posable: boolean;
   readonly engine: EngineChoices;
   /** The loss of the last rig for an engine, with its project and choices. */
   readonly measured: {

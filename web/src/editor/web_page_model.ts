@@ -10,16 +10,19 @@ export interface WebPageModel {
   readonly copying: ExportState['code'];
   /** The number of clips. */
   readonly clips: number;
-  /** Whether pages can pose the handles: that needs no solver in the harmonic mode. */
-  readonly posable: boolean;
+  /** Whether readers may pose the handles; null without handles. */
+  readonly posable: boolean | null;
+  /** Whether that needs the solver: the harmonic mode does not. */
+  readonly solver: boolean;
 }
 
 export function webPageModel(state: EditorState): WebPageModel {
   const project = filedProject(state);
   const { handles, clips = [], pose } = project;
-  const posable =
-    pose?.mode === 'harmonic' && handles.length > 0 && handles.every(({ rotation }) => rotation !== 'auto');
+  const solver = pose?.mode !== 'harmonic' || handles.some(({ rotation }) => rotation === 'auto');
   const name = state.picture?.name ?? '';
-  const { code: copying } = state.exporting;
-  return { code: playerCode(project, name), file: rigName(name), copying, clips: clips.length, posable };
+  const { code: copying, posable: chosen } = state.exporting;
+  const posable = handles.length > 0 ? chosen : null;
+  const code = playerCode(project, name, chosen);
+  return { code, file: rigName(name), copying, clips: clips.length, posable, solver };
 }

@@ -12,6 +12,8 @@ import { type Grips, gripsOf } from './grips';
 import { handlesAt } from './handles_at';
 import type { Loaded } from './library';
 import { fileHandle, type HandlePose, type PosedHandle, posedClip, posedHandles } from './posed';
+import { ownPoser, type Poser, solverOf } from './poser';
+import type { Rig } from './rig';
 import { type Screen, screenOf } from './screen';
 import type { Handle } from './shares';
 import { Source } from './source';
@@ -53,6 +55,10 @@ export class C2WarpPlayer extends PlayerAttributes {
   #clip: RigClip | undefined;
   /** The handles as a page posed them, in place of the clip. */
   #posed: readonly Handle[] | undefined;
+  /** The same as a clip; undefined while the solver loads. */
+  #posedClip: RigClip | undefined;
+  /** The poser of the present rig; null while the solver loads, and for a rig that cannot be posed. */
+  #poser: Poser | null = null;
   #time = 0;
   #rate = 1;
   #paused = true;
@@ -67,7 +73,12 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#grips = gripsOf(this, {
       moved: (id, [x, y]) =>
         this.#alter(id, ({ posed }) => ({ posed: posed.map(([px, py]) => [px + x, py + y] as const) })),
-      reset: (id) => this.#alter(id, ({ rest }) => ({ posed: rest, rotation: 0, scale: 1 })),
+      reset: (id) =>
+        this.#alter(id, ({ rest, rotation }) => ({
+          posed: rest,
+          rotation: rotation === 'auto' ? rotation : 0,
+          scale: 1,
+        })),
       ended: () => this.dispatchEvent(new Event('change', { bubbles: true })),
     });
     this.#source = new Source({
@@ -76,7 +87,7 @@ export class C2WarpPlayer extends PlayerAttributes {
       },
       shown: (loaded) => this.#begun(loaded),
       left: () => {
-        [this.#clip, this.#posed] = [undefined, undefined];
+        [this.#clip, this.#posed, this.#poser] = [undefined, undefined, null];
         this.#screen.showPicture(null);
         this.#grips.show(null, null);
       },
@@ -150,21 +161,19 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   /**
    * Poses handles in place of the clip, which pauses, until it plays or a time is set. Takes the handles of a project,
-   * or ids with changes.
+   * or ids with changes. A rig whose poses need the solver loads it at the first pose, and shows the pose then.
    *
    * @param handles Places in pixels of the picture, degrees, and factors of the size.
    * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
-   * @throws C2WarpError if the rig is not there yet, or its poses need the solver.
+   * @throws C2WarpError if the rig is not there yet, or cannot be posed.
    */
   pose(handles: readonly HandlePose[]): void {
     if (!this.#source.loaded) throw new C2WarpError('no-picture', 'there is no rig yet that could be posed');
-    const { shares } = this.#source.loaded.rig;
-    if (!shares)
-      throw new C2WarpError(
-        'rig',
-        'this rig cannot be posed: its poses need the solver, as in the rigid mode',
-      );
-    this.#pose(posedHandles(this.#handles(), handles));
+    const { shares, solved } = this.#source.loaded.rig;
+    if (!(shares || solved))
+      throw new C2WarpError('rig', 'this rig cannot be posed: it was baked without the poses of its handles');
+    this.#pose(posedHandles(this.#handles(), handles, solved !== null));
+    this.#loadSolver();
   }
 
   /** Seconds. A clip that alternates lasts there and back. NaN until the rig is there. */
@@ -242,15 +251,38 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   /** The handles as they are shown. */
   #handles(): readonly Handle[] {
-    const { shares, rest } = this.#source.loaded?.rig ?? {};
-    if (this.#posed || !shares || !rest || !this.#clip) return this.#posed ?? [];
-    return handlesAt(shares, motionAt(this.#clip, rest.length / 2, frameAt(this.#clip, this.#time)), rest);
+    const { shares, solved, rest } = this.#source.loaded?.rig ?? {};
+    const sources = shares ?? solved;
+    if (this.#posed || !sources || !rest || !this.#clip) return this.#posed ?? [];
+    return handlesAt(sources, motionAt(this.#clip, rest.length / 2, frameAt(this.#clip, this.#time)), rest);
   }
 
   #pose(handles: readonly Handle[]): void {
+    const { rig } = this.#source.loaded ?? {};
+    this.#posedClip = rig && this.#poser ? posedClip(rig, this.#poser(handles)) : undefined;
     this.pause();
     this.#posed = handles;
     this.#ask();
+  }
+
+  /** Loads the solver if the rig needs it. Then a pose that waits for it is shown, and grips are. */
+  async #loadSolver(): Promise<void> {
+    const { rig } = this.#source.loaded ?? {};
+    if (!rig?.solved || this.#poser) return;
+    const isShown = (of: Rig) => of === this.#source.loaded?.rig;
+    try {
+      const poser = await solverOf(rig, rig.solved);
+      if (!isShown(rig)) return;
+      this.#poser = poser;
+      if (this.#posed) this.#pose(this.#posed);
+      this.#offer();
+    } catch (thrown) {
+      if (!isShown(rig)) return;
+      // Clips play on.
+      this.#posed = undefined;
+      this.#tell(asC2WarpError(thrown));
+      this.#ask();
+    }
   }
 
   /** A reader changes the pose of a handle. */
@@ -262,13 +294,14 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   /** Shows grips, or none. */
   #offer(): void {
+    if (this.posable) this.#loadSolver();
     // An image has no parts for screen readers.
     this.#internals.role = this.#hasGrips ? 'group' : 'img';
     this.#ask();
   }
 
   get #hasGrips(): boolean {
-    return this.posable && Boolean(this.#source.loaded?.rig.shares);
+    return this.posable && this.#poser !== null;
   }
 
   #begin(): void {
@@ -311,6 +344,7 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   #begun({ rig }: Loaded): void {
     this.#screen.showPicture(rig);
+    this.#poser = ownPoser(rig);
     this.#offer();
     this.#time = 0;
     this.#choose();
@@ -333,6 +367,10 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   #fail(error: C2WarpError): void {
     this.#error = error;
+    this.#tell(error);
+  }
+
+  #tell(error: C2WarpError): void {
     this.dispatchEvent(new ErrorEvent('error', { error, message: error.message }));
   }
 
@@ -370,7 +408,7 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   #draw(): void {
     const loaded = this.#source.loaded;
-    const clip = loaded && this.#posed ? posedClip(loaded.rig, this.#posed) : this.#clip;
+    const clip = (this.#posed && this.#posedClip) ?? this.#clip;
     const { context } = this.#screen;
     const view = loaded && this.#screen.viewOf(loaded.rig);
     if (!loaded || !clip || !context || !view) return;

@@ -12,7 +12,7 @@ export interface C2WarpPlayerEventMap {
   readonly ratechange: Event;
   /** The clip has played to its end. */
   readonly ended: Event;
-  /** The rig or the clip cannot be shown. `error` is a `C2WarpError`, `message` a sentence for people. */
+  /** The rig, the clip or a pose cannot be shown. `error` is a `C2WarpError`, `message` a sentence for people. */
   readonly error: ErrorEvent;
   /** With `posable`: a reader poses a handle. @bubbles */
   readonly input: Event;

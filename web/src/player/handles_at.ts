@@ -1,14 +1,14 @@
 /** The poses of handles that a clip has at a frame, from the motions of their sites. */
 import { linearOf, type MotionNumber } from './clip';
-import type { Handle, Place, Shares } from './shares';
+import type { Handle, Place, Sources } from './shares';
 
 /**
  * Depths are those of the project: a clip has its drawing orders instead.
  *
  * @param rest Sites × 2.
  */
-export function handlesAt(shares: Shares, motion: MotionNumber, rest: Float64Array): readonly Handle[] {
-  const { handles, bones, driven } = shares;
+export function handlesAt(sources: Sources, motion: MotionNumber, rest: Float64Array): readonly Handle[] {
+  const { handles, bones, driven } = sources;
   const siteOf = (source: number) => driven.indexOf(source + 2);
   const numbersOf = (site: number) => [0, 1, 2, 3, 4, 5].map((index) => motion(site, index));
   /** Where a site takes a place near it. */
@@ -36,6 +36,8 @@ export function handlesAt(shares: Shares, motion: MotionNumber, rest: Float64Arr
     const [angle = 0, xx = 0, , yy = 0] = numbersOf(first);
     const posed = handle.rest.map((place, corner) => moved(sites[corner] ?? first, place));
     const scale = handle.kind === 'point' ? Math.exp((xx + yy) / 2) : handle.scale;
+    // Such a site is also stretched as its surroundings are.
+    if (handle.rotation === 'auto') return { ...handle, posed };
     return { ...handle, posed, rotation: (angle * 180) / Math.PI, scale };
   });
 }

@@ -1,7 +1,7 @@
 /** Poses that pages give, in the words of project files, and the motions that they make: a clip of one frame. */
 import type { RigClip } from './clip';
 import { depthOrder } from './depth_order';
-import { posedSites } from './posing';
+import type { PosedSites } from './posing';
 import type { Rig } from './rig';
 import type { Handle, Place } from './shares';
 
@@ -24,16 +24,23 @@ export function fileHandle({ rest, posed, ...handle }: Handle): PosedHandle {
   return { ...handle, rest: corners(rest), posed: corners(posed) };
 }
 
-/** @throws RangeError that names the handle; TypeError without a list. */
-export function posedHandles(handles: readonly Handle[], poses: readonly HandlePose[]): readonly Handle[] {
+/**
+ * @param turns whether handles may turn by themselves.
+ * @throws RangeError that names the handle; TypeError without a list.
+ */
+export function posedHandles(
+  handles: readonly Handle[],
+  poses: readonly HandlePose[],
+  turns: boolean,
+): readonly Handle[] {
   if (!Array.isArray(poses)) throw new TypeError('pose: expected a list of handles');
   const changes = new Map<string, HandlePose>(poses.map((pose) => [pose.id, pose]));
   for (const id of changes.keys())
     if (!handles.some((handle) => handle.id === id)) throw new RangeError(`there is no handle "${id}"`);
-  return handles.map((handle) => changed(handle, changes.get(handle.id) ?? handle));
+  return handles.map((handle) => changed(handle, changes.get(handle.id) ?? handle, turns));
 }
 
-function changed(handle: Handle, pose: HandlePose | Handle): Handle {
+function changed(handle: Handle, pose: HandlePose | Handle, turns: boolean): Handle {
   const { id } = handle;
   const check = (isRight: boolean, key: string, wanted: string) => {
     if (!isRight) throw new RangeError(`${id}: ${key}: expected ${wanted}`);
@@ -52,16 +59,18 @@ function changed(handle: Handle, pose: HandlePose | Handle): Handle {
     'posed',
     count === 1 ? 'two numbers' : `${count} places of two numbers`,
   );
-  check(Number.isFinite(rotation), 'rotation', 'degrees, since turning by itself needs the solver');
+  check(
+    Number.isFinite(rotation) || (turns && rotation === 'auto'),
+    'rotation',
+    turns ? 'degrees or "auto"' : 'degrees, since turning by itself needs the solver',
+  );
   check(Number.isFinite(scale) && scale > 0, 'scale', 'a number above 0');
   check(Number.isFinite(depth), 'depth', 'a number');
   return { ...handle, posed: places.map(([x, y]): Place => [x, y]), rotation, scale, depth };
 }
 
-/** The rig with handles posed, as a clip of one frame. The rig must have shares. */
-export function posedClip(rig: Rig, handles: readonly Handle[]): RigClip {
-  if (!rig.shares) throw new TypeError('the rig has no shares');
-  const { motions, depths } = posedSites(rig.shares, handles, rig.rest);
+/** The rig with posed sites, as a clip of one frame. */
+export function posedClip(rig: Rig, { motions, depths }: PosedSites): RigClip {
   // Parts may cross anywhere.
   const orders = [{ frame: 0, crosses: true, triangles: depthOrder(rig, depths) }];
   return { name: '', duration: 0, end: 0, lastFrame: 0, keys: Uint32Array.of(0), motions, orders };

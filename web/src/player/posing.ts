@@ -26,6 +26,8 @@ const MIN_STRETCH = 1e-9;
 const MIN_RATIO = 0.1;
 const TURN = 2 * Math.PI;
 
+/** A handle that turns by itself needs the solver. */
+const radians = (rotation: number | 'auto') => (rotation === 'auto' ? 0 : (rotation * Math.PI) / 180);
 const minus = ([ax, ay]: Place, [bx, by]: Place): Place => [ax - bx, ay - by];
 const between = ([ax, ay]: Place, [bx, by]: Place, fraction: number): Place => [
   ax + fraction * (bx - ax),
@@ -56,7 +58,7 @@ function passedOn(numbers: readonly number[]): readonly number[] {
 
 function pointSource({ rest, posed, rotation, scale, depth }: Handle): Source {
   const stretch = Math.log(scale);
-  const numbers = [(rotation * Math.PI) / 180, stretch, 0, stretch];
+  const numbers = [radians(rotation), stretch, 0, stretch];
   return {
     anchor: rest[0] as Place,
     posed: posed[0] as Place,
@@ -81,7 +83,7 @@ function boneSource(bone: Bone, handles: readonly Handle[], joints: readonly Pla
   const before = minus(b, a);
   const after = minus(d, c);
   const stretched = Math.hypot(...after);
-  const whole = (handle.rotation * Math.PI) / 180;
+  const whole = radians(handle.rotation);
   const angle = Math.atan2(cross(before, after), dot(before, after));
   const hasLength = stretched >= NO_LENGTH;
   const log = (stretch: number) => Math.log(Math.max(MIN_STRETCH, stretch));

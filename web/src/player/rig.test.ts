@@ -2,13 +2,17 @@ import { readFileSync } from 'node:fs';
 import { crc32, deflateRawSync, inflateRawSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { cycleOf, frameAt, orderAt, type RigClip, STRIDE, writeMotions } from './clip';
-import { posedClip, posedHandles } from './posed';
+import init, { SectionPoser } from './generated/pose';
+import { type HandlePose, posedClip, posedHandles } from './posed';
+import { ownPoser, posesOf, sitesOf } from './poser';
 import { type Rig, readRig } from './rig';
 
 /** Made by `c2warp bake` from a picture of 24 × 18 px with two handles, of which one moves. */
 const FILE = fixture('wave.c2rig');
 /** The same picture in the harmonic mode, with two points and a bar. */
 const POSABLE = fixture('posable.c2rig');
+/** A picture of 40 × 30 px in the rigid mode, with a point that turns by itself, a bar and a polygon. */
+const SOLVED = fixture('solved.c2rig');
 const HEADER = 24;
 const ROW = 12;
 
@@ -43,11 +47,18 @@ function packed(change: (sections: Uint8Array[]) => void, of = FILE): Uint8Array
   return new Uint8Array(all);
 }
 
+/** A rig that needs no solver, posed. */
+function posedBy(rig: Rig, poses: readonly HandlePose[]): RigClip {
+  const sites = ownPoser(rig)?.(posedHandles(rig.shares?.handles ?? [], poses, false));
+  if (!sites) throw new Error('the rig needs the solver');
+  return posedClip(rig, sites);
+}
+
 /** Whether a file is read. Any failure but a sentence for people fails the test. */
 const isRead = (file: Uint8Array<ArrayBuffer>) =>
   readRig(file).then(
     (rig) => {
-      const clips = rig.shares ? [...rig.clips, posedClip(rig, rig.shares.handles)] : rig.clips;
+      const clips = rig.shares ? [...rig.clips, posedBy(rig, [])] : rig.clips;
       for (const clip of clips)
         writeMotions(clip, rig.rest, clip.lastFrame / 3, new Float32Array(rig.rest.length * STRIDE));
       return true;
@@ -76,10 +87,21 @@ function posedVertices({ positions, rows, entries, rest }: Rig, clip: RigClip): 
   });
 }
 
+/** The places are those of a file by `c2warp map`, at the vertices of the rig. */
+function expectPlaces(found: readonly number[][], file: string): void {
+  const [, ...lines] = Buffer.from(fixture(file)).toString().trim().split('\n');
+  const expected = lines.map((line) => line.split(',').map(Number));
+  expect(found.length).toBe(expected.length);
+  for (const [vertex, [x = 0, y = 0]] of found.entries()) {
+    const [ex = 0, ey = 0] = expected[vertex] ?? [];
+    expect(Math.hypot(x - ex, y - ey), `vertex ${vertex}`).toBeLessThan(0.1);
+  }
+}
+
 describe('posed handles', () => {
   it('take every vertex to its place', async () => {
     const rig = await readRig(POSABLE);
-    const handles = posedHandles(rig.shares?.handles ?? [], [
+    const clip = posedBy(rig, [
       { id: 'left', posed: [5, 12], rotation: -30, scale: 1.5 },
       {
         id: 'top',
@@ -91,21 +113,12 @@ describe('posed handles', () => {
         scale: 0.8,
       },
     ]);
-    // By `c2warp map`, at the vertices of the rig.
-    const [, ...lines] = Buffer.from(fixture('posed.csv')).toString().trim().split('\n');
-    const expected = lines.map((line) => line.split(',').map(Number));
-    const found = posedVertices(rig, posedClip(rig, handles));
-    expect(found.length).toBe(expected.length);
-    for (const [vertex, [x = 0, y = 0]] of found.entries()) {
-      const [ex = 0, ey = 0] = expected[vertex] ?? [];
-      expect(Math.hypot(x - ex, y - ey), `vertex ${vertex}`).toBeLessThan(0.1);
-    }
+    expectPlaces(posedVertices(rig, clip), 'posed.csv');
   });
 
   it('are drawn by their depths', async () => {
     const rig = await readRig(POSABLE);
-    const orderOf = (depth: number) =>
-      posedClip(rig, posedHandles(rig.shares?.handles ?? [], [{ id: 'left', depth }])).orders[0]?.triangles;
+    const orderOf = (depth: number) => posedBy(rig, [{ id: 'left', depth }]).orders[0]?.triangles;
     expect(orderOf(0)).toBeNull();
     const [front, behind] = [orderOf(1), orderOf(-1)];
     expect([...(front ?? [])].sort((a, b) => a - b)).toEqual([...(front ?? [])].map((_, at) => at));
@@ -113,6 +126,39 @@ describe('posed handles', () => {
     const x = (triangle = 0) => places[2 * (rig.triangles[3 * triangle] ?? 0)] ?? 0;
     expect(x(front?.at(-1))).toBeLessThan(12);
     expect(x(behind?.[0])).toBeLessThan(12);
+  });
+});
+
+describe('poses by the solver', () => {
+  it('take every vertex to its place', async () => {
+    const rig = await readRig(SOLVED);
+    const wasm = readFileSync(new URL('./generated/pose_bg.wasm', import.meta.url));
+    await init({ module_or_path: wasm });
+    const poser = new SectionPoser(rig.solved?.section ?? new Uint8Array());
+    const handles = posedHandles(
+      rig.solved?.handles ?? [],
+      [
+        { id: 'left', posed: [7, 12], rotation: 'auto' },
+        {
+          id: 'top',
+          posed: [
+            [14, 4],
+            [20, 3],
+            [26, 4],
+          ],
+        },
+      ],
+      true,
+    );
+    const clip = posedClip(rig, sitesOf(poser.motions(posesOf(handles)), rig.rest.length / 2));
+    expectPlaces(posedVertices(rig, clip), 'solved.csv');
+  });
+
+  it('are skipped in a later format', async () => {
+    const later = packed((sections) => {
+      sections[4] = Uint8Array.of(2, 99);
+    }, SOLVED);
+    expect((await readRig(later)).solved).toBeNull();
   });
 });
 

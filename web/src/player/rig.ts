@@ -5,6 +5,7 @@ import { type RigClip, readClip } from './clip';
 import { sectionsOf } from './file';
 import { type Mesh, readDisplaced, readMesh, readWeights, type Weights } from './mesh';
 import { readShares, type Shares } from './shares';
+import { readSolved, type Solved } from './solved';
 
 export interface Rig extends Mesh, Weights {
   /** Of the picture, pixels. */
@@ -18,6 +19,8 @@ export interface Rig extends Mesh, Weights {
   readonly displaced: Float32Array;
   /** Null where poses of handles need a solver. */
   readonly shares: Shares | null;
+  /** Null where they need none, and for a rig that cannot be posed. */
+  readonly solved: Solved | null;
   /** The file of the picture. */
   readonly picture: Uint8Array<ArrayBuffer>;
   /** At least one. */
@@ -31,7 +34,9 @@ export interface Rig extends Mesh, Weights {
  */
 export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   const { sections, isDisplaced } = await sectionsOf(file);
-  const tags = isDisplaced ? /^(HEAD|PICT|MESH|WGHT|DISP|SHAR|CLIP)$/ : /^(HEAD|PICT|MESH|WGHT|SHAR|CLIP)$/;
+  const tags = isDisplaced
+    ? /^(HEAD|PICT|MESH|WGHT|DISP|SHAR|POSR|CLIP)$/
+    : /^(HEAD|PICT|MESH|WGHT|SHAR|POSR|CLIP)$/;
   const known = sections.filter(({ tag }) => tags.test(tag));
   const next = (wanted: string, part: string) => {
     const { tag, data } = known.shift() ?? {};
@@ -58,10 +63,14 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   const displaced = isDisplaced
     ? read('DISP', 'the displacement', (from) => readDisplaced(from, mesh))
     : mesh.positions;
+  // The module reads the rest.
+  const readSection = (section: Uint8Array) =>
+    readSolved(bytesOf('the poses', section), section, head.handles, sites);
   const shares =
     known[0]?.tag === 'SHAR'
       ? read('SHAR', 'the shares', (from) => readShares(from, head.handles, sites))
       : null;
+  const solved = known[0]?.tag === 'POSR' ? readSection(next('POSR', 'the poses')) : null;
   const clips: RigClip[] = [];
   do {
     const clip = read('CLIP', 'a clip', (from) => readClip(from, sites, mesh.triangles.length / 3));
@@ -69,5 +78,5 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
       throw new C2WarpError('rig', 'This rig is damaged: two clips have one name.');
     clips.push(clip);
   } while (known.length > 0);
-  return { ...head, ...mesh, ...weights, displaced, shares, picture, clips };
+  return { ...head, ...mesh, ...weights, displaced, shares, solved, picture, clips };
 }

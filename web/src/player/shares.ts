@@ -1,4 +1,4 @@
-/** The handles of a rig, and their shares in the motions of its sites: see web/docs/rig-format.md. */
+/** The handles of a rig, and the sources that its sites move by: see web/docs/rig-format.md. */
 import type { Bytes } from './bytes';
 
 export type Place = readonly [number, number];
@@ -9,8 +9,8 @@ export interface Handle {
   readonly kind: 'point' | 'bar' | 'polygon';
   readonly rest: readonly Place[];
   readonly posed: readonly Place[];
-  /** Degrees. */
-  readonly rotation: number;
+  /** Degrees. A handle that turns by itself needs the solver. */
+  readonly rotation: number | 'auto';
   readonly scale: number;
   readonly depth: number;
 }
@@ -39,20 +39,30 @@ export interface Share {
   along: number;
 }
 
-export interface Shares {
+/** Handles, the bones of bars and polygons, and the sites that these move. */
+export interface Sources {
   readonly handles: readonly Handle[];
   readonly joints: readonly (readonly Anchor[])[];
   readonly bones: readonly Bone[];
   /** For each site 0: virtual. 1: it stays. 2 + k: it is one of source k. */
   readonly driven: Uint32Array;
+}
+
+export interface Shares extends Sources {
   /** One for each virtual site. */
   readonly rows: readonly (readonly Share[])[];
 }
 
+const UNKNOWN = 'name a handle or bone that there is not';
+
 const KINDS = ['point', 'bar', 'polygon'] as const;
 
-export function readShares(from: Bytes, names: readonly string[], sites: number): Shares {
-  const list = <Item>(length: number, item: () => Item) => Array.from({ length }, item);
+const list = <Item>(length: number, item: () => Item) => Array.from({ length }, item);
+
+const isSource = ({ handles, bones }: Omit<Sources, 'driven'>, source: number) =>
+  source < handles.length ? handles[source]?.kind === 'point' : source < handles.length + bones.length;
+
+export function readSources(from: Bytes, names: readonly string[], sites: number): Sources {
   const float = () => {
     const number = from.float();
     from.check(Number.isFinite(number), 'have a number that is none');
@@ -90,17 +100,22 @@ export function readShares(from: Bytes, names: readonly string[], sites: number)
     from.check(a[0] !== b[0] || a[1] !== b[1], 'have a bone without a length');
     return { ...at, rest: [a, b], joints: [joint(), joint()], beyond: pair(), beside: pair() };
   });
-  const check = (source: number) => {
-    const isThere =
-      source < handles.length ? handles[source]?.kind === 'point' : source < handles.length + bones.length;
-    from.check(isThere, 'name a handle or bone that there is not');
-    return source;
-  };
   from.check(from.has(sites), 'end too early');
   const driven = Uint32Array.from({ length: sites }, () => {
     const kind = from.varint();
-    return kind < 2 ? kind : check(kind - 2) + 2;
+    from.check(kind < 2 || isSource({ handles, joints, bones }, kind - 2), UNKNOWN);
+    return kind;
   });
+  return { handles, joints, bones, driven };
+}
+
+export function readShares(from: Bytes, names: readonly string[], sites: number): Shares {
+  const sources = readSources(from, names, sites);
+  const { handles, driven } = sources;
+  const check = (source: number) => {
+    from.check(isSource(sources, source), UNKNOWN);
+    return source;
+  };
   const bits = from.byte();
   from.check(bits <= 24, 'are too fine');
   const whole = 2 ** bits;
@@ -133,5 +148,5 @@ export function readShares(from: Bytes, names: readonly string[], sites: number)
     part.along = from.varint() / whole;
     from.check(part.along <= 1, 'come from beyond a bone');
   }
-  return { handles, joints, bones, driven, rows };
+  return { ...sources, rows };
 }

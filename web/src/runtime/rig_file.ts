@@ -8,11 +8,12 @@ import { rigPicture } from './rig_picture';
 export async function rigFile(
   project: Project,
   picture: { readonly file: Blob; readonly pixels: PixelSource },
+  posable: boolean,
   signal: AbortSignal,
   onProgress: (fraction: number) => void,
 ): Promise<Blob> {
   const file = await rigPicture(picture.file, picture.pixels, signal);
   return new Blob([
-    await solvedExport({ kind: 'web-rig', file }, project, picture.pixels, signal, onProgress),
+    await solvedExport({ kind: 'web-rig', file, posable }, project, picture.pixels, signal, onProgress),
   ]);
 }

@@ -15,7 +15,7 @@ export const exportRig = (
 ): Promise<string | null> => saveFile(rig(order, pictures, following), order.name, 'rig');
 
 async function rig(
-  { project, picture }: Order,
+  { project, picture, posable }: Order,
   pictures: Pictures,
   { signal, onProgress }: ExportFollowing,
 ): Promise<Blob> {
@@ -23,7 +23,7 @@ async function rig(
   const { rigFile } = await import('./rig_file').catch((cause: unknown) => {
     throw notLoaded(cause);
   });
-  return rigFile(project, { file: picture.file as Blob, pixels }, signal, onProgress);
+  return rigFile(project, { file: picture.file as Blob, pixels }, posable, signal, onProgress);
 }
 
 /** Where the clipboard is blocked, the person can copy the code by hand. */

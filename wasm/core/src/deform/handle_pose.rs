@@ -17,7 +17,28 @@ pub struct HandlePose {
     pub depth: f64,
 }
 
+/// Numbers of a handle before its corners.
+const HEAD: usize = 4;
+
 impl HandlePose {
+    /// The poses in a flat array, which crosses the border to another language in one piece. `None` for an array that
+    /// ends within a handle.
+    ///
+    /// Each handle has the number n of its corners (1 for a point), rotation, scale, depth, and n × 2 coordinates. The
+    /// rotation is in degrees, and NaN is automatic.
+    #[must_use]
+    pub fn from_numbers(mut numbers: &[f64]) -> Option<Vec<Self>> {
+        let mut poses = Vec::new();
+        while let Some((&[corners, rotation, scale, depth], rest)) = numbers.split_first_chunk::<HEAD>() {
+            let (coordinates, rest) = rest.split_at_checked(2_usize.saturating_mul(corners as usize))?;
+            let posed = coordinates.as_chunks::<2>().0.iter().copied().map(DVec2::from_array).collect();
+            let rotation = if rotation.is_nan() { Rotation::Auto } else { Rotation::Degrees(rotation) };
+            poses.push(Self { posed, rotation, scale, depth });
+            numbers = rest;
+        }
+        numbers.is_empty().then_some(poses)
+    }
+
     /// Whether the handle is a bar or polygon.
     pub(super) fn is_line(&self) -> bool {
         self.posed.len() > 1

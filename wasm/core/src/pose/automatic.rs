@@ -18,9 +18,9 @@ use crate::{
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Automatic {
     /// Pairs of neighbouring real sites, at least one of them a point handle, with a weight.
-    edges: Vec<(u32, u32, f64)>,
+    pub(super) edges: Vec<(u32, u32, f64)>,
     /// Pairs of handles whose regions of the cell graph are adjacent.
-    adjacent: Vec<[u32; 2]>,
+    pub(super) adjacent: Vec<[u32; 2]>,
 }
 
 impl Automatic {

@@ -24,6 +24,8 @@ mod numeric;
 mod poser;
 #[cfg(feature = "poser-bytes")]
 mod poser_bytes;
+#[cfg(feature = "rig")]
+mod poser_parts;
 mod rigid;
 mod solved_handle;
 mod strain;
@@ -35,6 +37,8 @@ pub use motion::Motion;
 pub(crate) use motion::turn;
 pub use poser::Poser;
 pub(crate) use poser::PoserInput;
-pub(crate) use rigid::{Quadrature, StiffnessField};
+#[cfg(feature = "rig")]
+pub(crate) use poser_parts::PoserParts;
+pub(crate) use rigid::{Node, Quadrature, RigidParts, StiffnessField, StiffnessMask};
 pub(crate) use solved_handle::SolvedHandle;
 pub use strain::Strain;

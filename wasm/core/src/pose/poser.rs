@@ -76,16 +76,7 @@ pub(crate) struct PoserInput<'a> {
 impl Poser {
     pub(crate) fn new(input: PoserInput<'_>) -> Self {
         let PoserInput { sites, graph, harmonic, skeleton, handles: solved, mode, quadrature, stiffness, .. } = input;
-        let freedom = |site: &Site| match site.kind {
-            SiteKind::Virtual => Freedom::Whole,
-            SiteKind::Point { .. } => Freedom::Linear,
-            SiteKind::Bone { bone, .. } if !skeleton.bones[bone as usize].of_loop => {
-                let [a, b] = skeleton.bones[bone as usize].rest;
-                Freedom::Across((b - a).normalize())
-            }
-            SiteKind::Bone { .. } | SiteKind::Boundary => Freedom::None,
-        };
-        let freedom = sites.iter().map(freedom).collect();
+        let freedom = sites.iter().map(|site| freedom(site.kind, &skeleton)).collect();
         let rigid = match mode {
             PoseMode::Harmonic => None,
             PoseMode::Rigid => Some(Rigid::new(freedom, graph.iter(), quadrature, stiffness)),
@@ -235,6 +226,29 @@ impl Poser {
         Ok(motions)
     }
 
+    /// Whether data that were read from bytes are consistent.
+    pub(super) fn is_whole(&self) -> bool {
+        let sites = self.rest.len();
+        let real = |site: u32| self.kinds.get(site as usize).is_some_and(|kind| kind.is_real());
+        let known = |kind: &SiteKind| match *kind {
+            SiteKind::Point { handle } => {
+                self.solved.get(handle as usize).is_some_and(|solved| solved.shape == ShapeKind::Point)
+            }
+            SiteKind::Bone { handle, bone } => {
+                (handle as usize) < self.solved.len() && (bone as usize) < self.skeleton.bones.len()
+            }
+            SiteKind::Boundary | SiteKind::Virtual => true,
+        };
+        self.kinds.len() == sites
+            && self.harmonic.len() == sites
+            && self.harmonic.iter().flatten().all(|&(site, _)| real(site))
+            && self.automatic.is_whole(real, self.solved.len())
+            && self.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
+            && self.displacement.as_ref().is_none_or(|field| field.is_whole())
+            && self.skeleton.is_consistent(self.solved.len())
+            && self.kinds.iter().all(known)
+    }
+
     /// Whether the rotation of each site is free.
     fn are_free(&self, handles: &[Handle]) -> Vec<bool> {
         let is_free = |kind: &SiteKind| match kind {
@@ -368,6 +382,19 @@ impl Poser {
             weight * handle.map_or(0.0, |handle| logs[handle])
         };
         self.harmonic.iter().map(|row| libm::exp(row.iter().map(log).sum())).collect()
+    }
+}
+
+/// The part of a site's motion that the handles leave free.
+pub(super) fn freedom(kind: SiteKind, skeleton: &Skeleton) -> Freedom {
+    match kind {
+        SiteKind::Virtual => Freedom::Whole,
+        SiteKind::Point { .. } => Freedom::Linear,
+        SiteKind::Bone { bone, .. } if !skeleton.bones[bone as usize].of_loop => {
+            let [a, b] = skeleton.bones[bone as usize].rest;
+            Freedom::Across((b - a).normalize())
+        }
+        SiteKind::Bone { .. } | SiteKind::Boundary => Freedom::None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! A poser as bytes, for another process of the same version.
 
 use super::poser::Poser;
-use crate::{error::Error, project::ShapeKind, site::SiteKind};
+use crate::error::Error;
 
 impl Poser {
     /// The poser as bytes, for [`Poser::from_bytes`] of the same version.
@@ -25,25 +25,6 @@ impl Poser {
         }
         let (rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement) = all;
         let poser = Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid, picture, displacement };
-        let sites = poser.rest.len();
-        let real = |site: u32| poser.kinds.get(site as usize).is_some_and(|kind| kind.is_real());
-        let known = |kind: &SiteKind| match *kind {
-            SiteKind::Point { handle } => {
-                poser.solved.get(handle as usize).is_some_and(|solved| solved.shape == ShapeKind::Point)
-            }
-            SiteKind::Bone { handle, bone } => {
-                (handle as usize) < poser.solved.len() && (bone as usize) < poser.skeleton.bones.len()
-            }
-            SiteKind::Boundary | SiteKind::Virtual => true,
-        };
-        let whole = poser.kinds.len() == sites
-            && poser.harmonic.len() == sites
-            && poser.harmonic.iter().flatten().all(|&(site, _)| real(site))
-            && poser.automatic.is_whole(real, poser.solved.len())
-            && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
-            && poser.displacement.as_ref().is_none_or(|field| field.is_whole())
-            && poser.skeleton.is_consistent(poser.solved.len())
-            && poser.kinds.iter().all(known);
-        if whole { Ok(poser) } else { Err(Error::PoserBytes) }
+        if poser.is_whole() { Ok(poser) } else { Err(Error::PoserBytes) }
     }
 }

@@ -1,15 +1,17 @@
 //! Baking: from a solution to a rig with steps as coarse as the accuracy allows.
 
-use std::sync::Arc;
+use std::{ops::RangeInclusive, sync::Arc};
 
 use glam::DVec2;
 
 use super::{
-    Rig, RigPicture,
+    Posable, Rig, RigPicture,
     clip::{MotionBits, RigClip},
     error::BakeError,
     mesh::{Mesh, Weights},
     order::{Order, Orders},
+    posing::{Posing, PosingBits},
+    probes::{drags, scattered},
     progress::Progress,
     sequence::{Comparison, MotionSequence},
     shares::{ExactShares, Shares},
@@ -17,7 +19,7 @@ use super::{
 };
 use crate::{
     error::Error,
-    pose::Motion,
+    pose::{Motion, Poser},
     project::{Blend, Handle, Project},
     solution::Solution,
     weight::SparseWeights,
@@ -32,6 +34,12 @@ const MESH_TOLERANCE: f64 = 0.03;
 const MOTION_TOLERANCE: f64 = 0.05;
 /// The part of it for places, weights and shares together, in poses of the handles.
 const SHARE_TOLERANCE: f64 = 0.05;
+/// How far handles are moved in these poses, as a fraction of the longest side: where motions are sums, and where the
+/// solver makes them.
+const SHARE_REACH: f64 = 0.5;
+const DRAG_REACH: f64 = 0.25;
+/// Bits of weights at the nodes of the rigid mode. With 14, drags of the samples that do not jump are all close.
+const FINENESS: RangeInclusive<u8> = 10..=14;
 
 /// Angles and strains act at a distance: their steps are so many bits finer than those of translations.
 const FINER: u8 = 6;
@@ -50,60 +58,115 @@ pub(super) fn bake(
     project: &Project,
     solution: &Solution,
     picture: RigPicture,
+    posable: Posable,
     tell: &mut dyn FnMut(f64),
 ) -> Result<Rig, BakeError> {
     let progress = &mut Progress::new(MotionSequence::count_frames(project, solution)?, tell);
     let blend = project.pose.blend;
     let sequences = MotionSequence::all(project, solution, progress)?;
-    let posable = Posable::of(project, solution)?;
+    let poses = Poses::of(project, solution, posable)?;
     let is_still = project.handles.is_empty() && solution.poser().displacement().is_none();
     let drawn = if is_still { whole(&picture) } else { drawn(solution) };
-    let (mesh, weights) = rounded_mesh(&drawn, &sequences, posable.as_ref(), blend)?;
+    let (mesh, weights) = rounded_mesh(&drawn, &sequences, poses.as_ref(), blend)?;
     let stored = mesh.skin(&weights);
     let clip = |sequence: &MotionSequence| {
         let orders = if is_still { Order::of_mesh() } else { orders(solution, &drawn, sequence, blend, progress) };
         rounded_clip([&drawn.skin, &stored], sequence, blend, orders, progress)
     };
     let clips = sequences.iter().map(clip).collect::<Result<_, _>>()?;
-    let shares = posable.map(|posable| posable.rounded([&drawn.skin, &stored], blend)).transpose()?;
+    let rounded = poses.map(|poses| poses.rounded([&drawn.skin, &stored], blend)).transpose()?;
+    let (shares, posing) = rounded.unwrap_or_default();
     // Shares name the handles in the order in which they were solved.
     let handles = solution.poser().as_solved(&project.handles).map_err(not_posed)?;
     let handles = handles.iter().map(|handle| handle.id.clone()).collect();
-    Ok(Rig { picture, blend, edges: project.edges, handles, shares, clips, mesh, weights })
+    Ok(Rig { picture, blend, edges: project.edges, handles, shares, posing, clips, mesh, weights })
 }
 
 fn not_posed(reason: Error) -> BakeError {
     BakeError::Pose { clip: String::new(), seconds: 0.0, reason }
 }
 
-/// Shares with some poses of the handles, and the exact motions in these.
-struct Posable {
-    shares: ExactShares,
+/// The means to pose the handles, with some poses of them and the exact motions in these.
+struct Poses<'a> {
+    kind: PosesKind<'a>,
     probes: Vec<(Vec<Handle>, Vec<Motion>)>,
 }
 
-impl Posable {
-    /// `None` where poses need a solver.
-    fn of(project: &Project, solution: &Solution) -> Result<Option<Self>, BakeError> {
+enum PosesKind<'a> {
+    Shares(ExactShares),
+    /// The longest side of the picture is for the steps of gradients.
+    Solver {
+        poser: &'a Poser,
+        handles: Vec<Handle>,
+        side: u32,
+    },
+}
+
+impl<'a> Poses<'a> {
+    /// `None` for a rig that is not to be posed.
+    fn of(project: &Project, solution: &'a Solution, posable: Posable) -> Result<Option<Self>, BakeError> {
         let poser = solution.poser();
         let handles = poser.as_solved(&project.handles).map_err(not_posed)?;
-        let Some(shares) = ExactShares::of(poser, &handles) else { return Ok(None) };
-        let reach = f64::from(project.image.width.max(project.image.height)) / 2.0;
+        let side = project.image.width.max(project.image.height);
+        let reach = f64::from(side);
+        let (kind, probes) = match (ExactShares::of(poser, &handles), posable) {
+            (Some(shares), _) => {
+                let probes = scattered(shares.handles(), SHARE_REACH * reach);
+                (PosesKind::Shares(shares), probes)
+            }
+            (None, Posable::Always) if !handles.is_empty() => {
+                let handles = handles.into_owned();
+                let probes = drags(&handles, DRAG_REACH * reach);
+                (PosesKind::Solver { poser, handles, side }, probes)
+            }
+            (None, _) => return Ok(None),
+        };
         let exact = |handles: Vec<Handle>| poser.motions(&handles).map(|motions| (handles, motions));
-        let probes = shares.probes(reach).into_iter().map(exact).collect::<Result<_, _>>().map_err(not_posed)?;
-        Ok(Some(Self { shares, probes }))
+        let probes = probes.into_iter().map(exact).collect::<Result<_, _>>().map_err(not_posed)?;
+        Ok(Some(Self { kind, probes }))
     }
 
-    fn rounded(&self, [exact, stored]: [&Skin; 2], blend: Blend) -> Result<Shares, BakeError> {
-        let places: Vec<_> = self.probes.iter().map(|(_, motions)| exact.posed(motions, blend)).collect();
-        let is_close = |shares: &Shares| {
-            self.probes.iter().zip(&places).all(|((handles, _), places)| {
-                let motions = shares.motions(&stored.rest, handles);
-                greatest_distance(places, &stored.posed(&motions, blend)) <= SHARE_TOLERANCE
-            })
-        };
-        let found = (10..=24).map(|bits| self.shares.rounded(bits)).find(is_close);
-        found.ok_or(BakeError::TooFar { clip: String::new() })
+    fn rounded(&self, skins: [&Skin; 2], blend: Blend) -> Result<(Option<Shares>, Option<Posing>), BakeError> {
+        let too_far = || BakeError::TooFar { clip: String::new() };
+        match &self.kind {
+            PosesKind::Shares(shares) => {
+                let error = |shares: &Shares| {
+                    self.error(skins, blend, SHARE_TOLERANCE, |handles| shares.motions(&skins[1].rest, handles))
+                };
+                let found = (10..=24).map(|bits| shares.rounded(bits)).find(|shares| error(shares) <= SHARE_TOLERANCE);
+                Ok((Some(found.ok_or_else(too_far)?), None))
+            }
+            PosesKind::Solver { poser, handles, side } => {
+                let rounded = |fineness: u8| Posing::of(poser, handles, PosingBits::of(fineness, *side));
+                let is_close = |posing: &Posing| {
+                    let poser = posing.poser();
+                    let motions = |handles: &[Handle]| poser.motions(handles).expect("handles with a pose");
+                    self.error(skins, blend, SHARE_TOLERANCE, motions) <= SHARE_TOLERANCE
+                };
+                // Where a pose jumps no steps are fine enough.
+                let found = FINENESS.filter_map(rounded).find(is_close).or_else(|| rounded(*FINENESS.end()));
+                Ok((None, Some(found.ok_or_else(too_far)?)))
+            }
+        }
+    }
+
+    /// The greatest distance of a vertex from its place in any probe. Above `most` it is that of the first such probe.
+    fn error(
+        &self,
+        [exact, stored]: [&Skin; 2],
+        blend: Blend,
+        most: f64,
+        motions: impl Fn(&[Handle]) -> Vec<Motion>,
+    ) -> f64 {
+        let mut greatest = 0.0_f64;
+        for (handles, exact_motions) in &self.probes {
+            let [found, wanted] = [stored.posed(&motions(handles), blend), exact.posed(exact_motions, blend)];
+            greatest = greatest.max(greatest_distance(&wanted, &found));
+            if greatest > most {
+                break;
+            }
+        }
+        greatest
     }
 }
 
@@ -151,10 +214,10 @@ fn drawn(solution: &Solution) -> Drawn {
 fn rounded_mesh(
     drawn: &Drawn,
     sequences: &[MotionSequence],
-    posable: Option<&Posable>,
+    poses: Option<&Poses<'_>>,
     blend: Blend,
 ) -> Result<(Mesh, Weights), BakeError> {
-    let probes = || posable.iter().flat_map(|posable| posable.probes.iter().map(|(_, motions)| motions));
+    let probes = || poses.iter().flat_map(|poses| poses.probes.iter().map(|(_, motions)| motions));
     let is_close = |skin: &Skin, tolerance: f64| {
         sequences.iter().flat_map(MotionSequence::sampled).chain(probes()).all(|motions| {
             greatest_distance(&drawn.skin.posed(motions, blend), &skin.posed(motions, blend)) <= tolerance

@@ -20,6 +20,8 @@ pub enum RigPart {
     Displacements,
     /// Handles and their shares in the motions of sites.
     Shares,
+    /// Handles and their solver.
+    Posing,
     /// A clip.
     Clip,
 }
@@ -34,6 +36,7 @@ impl RigPart {
             Self::Weights => "the weights",
             Self::Displacements => "the displacement",
             Self::Shares => "the shares",
+            Self::Posing => "the poses",
             Self::Clip => "a clip",
         }
     }

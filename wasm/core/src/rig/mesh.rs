@@ -131,7 +131,7 @@ impl Mesh {
     }
 }
 
-fn write_places(places: &[[i32; 2]], to: &mut Writer) {
+pub(super) fn write_places(places: &[[i32; 2]], to: &mut Writer) {
     for axis in 0..2 {
         let mut before = 0_i32;
         for place in places {
@@ -141,7 +141,7 @@ fn write_places(places: &[[i32; 2]], to: &mut Writer) {
     }
 }
 
-fn read_places(from: &mut Reader<'_>, count: usize) -> Result<Vec<[i32; 2]>, RigError> {
+pub(super) fn read_places(from: &mut Reader<'_>, count: usize) -> Result<Vec<[i32; 2]>, RigError> {
     let mut places = vec![[0; 2]; count];
     for axis in 0..2 {
         let mut before = 0_i32;

@@ -8,7 +8,9 @@
 //! second.
 //!
 //! - `sequence`: the exact motions of a clip. `order`: the drawing order along it. `bake`: the choice of steps.
-//! - `sources`, `shares`: what a page poses the handles by, in the harmonic mode.
+//! - `sources`, `driven`, `shares`: what a page poses the handles by, in the harmonic mode.
+//! - `posing`, `rig_poser`: the same with a solver, for all other rigs. `probes`: poses that
+//!   steps are chosen by.
 //! - `mesh`, `clip`: the content. `bytes`, `file`: numbers as bytes, and the sections with their checksum.
 //!
 //! Cost: baking poses every frame once, and blends all vertices some six times a frame. Clips last up to ten minutes,
@@ -17,11 +19,15 @@
 mod bake;
 mod bytes;
 mod clip;
+mod driven;
 mod error;
 mod file;
 mod mesh;
 mod order;
+mod posing;
+mod probes;
 mod progress;
+mod rig_poser;
 mod sequence;
 mod shares;
 mod skin;
@@ -34,14 +40,17 @@ use glam::DVec2;
 
 pub use clip::RigClip;
 pub use error::{BakeError, RigError, RigPart};
+pub use rig_poser::RigPoser;
 
 use self::{
     bytes::{Reader, Writer},
     file::{DISPLACED, Section, Tag, packed, unpacked},
     mesh::{Mesh, Weights},
+    posing::Posing,
     shares::Shares,
 };
 use crate::{
+    pose::Motion,
     project::{Blend, Handle, Project},
     solution::Solution,
 };
@@ -52,6 +61,7 @@ const MESH: Tag = *b"MESH";
 const WEIGHTS: Tag = *b"WGHT";
 const DISPLACEMENTS: Tag = *b"DISP";
 const SHARES: Tag = *b"SHAR";
+const POSING: Tag = *b"POSR";
 const CLIP: Tag = *b"CLIP";
 
 /// A picture that moves, for pages without a solver.
@@ -79,9 +89,20 @@ pub struct Rig {
     edges: bool,
     handles: Vec<String>,
     shares: Option<Shares>,
+    posing: Option<Posing>,
     clips: Vec<RigClip>,
     mesh: Mesh,
     weights: Weights,
+}
+
+/// Which rigs have handles that a page can pose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Posable {
+    /// Those of the harmonic mode, unless a handle turns by itself. They are hardly larger than without.
+    #[default]
+    WithoutSolver,
+    /// All with handles. In the rigid mode the file grows by some 80 kB for 150 sites.
+    Always,
 }
 
 /// The picture of a rig.
@@ -104,10 +125,11 @@ impl Rig {
     ///   clips of more than eight million motions of sites together;
     /// - [`BakeError::TooFar`] if 32 bits are too few for the motions.
     pub fn bake(project: &Project, solution: &Solution, picture: RigPicture) -> Result<Self, BakeError> {
-        Self::bake_telling(project, solution, picture, &mut |_| {})
+        Self::bake_telling(project, solution, picture, Posable::default(), &mut |_| {})
     }
 
-    /// As [`bake`](Self::bake), and tells the part that is done, from 0 to 1, about a hundred times.
+    /// As [`bake`](Self::bake) with handles that can be posed, and tells the part that is done, from 0 to 1, about a
+    /// hundred times.
     ///
     /// # Errors
     /// As [`bake`](Self::bake).
@@ -115,9 +137,10 @@ impl Rig {
         project: &Project,
         solution: &Solution,
         picture: RigPicture,
+        posable: Posable,
         tell: &mut dyn FnMut(f64),
     ) -> Result<Self, BakeError> {
-        bake::bake(project, solution, picture, tell)
+        bake::bake(project, solution, picture, posable, tell)
     }
 
     /// The picture.
@@ -166,21 +189,38 @@ impl Rig {
         self.mesh.skin(&self.weights).posed(&motions, self.blend)
     }
 
-    /// The handles, posed as in the project. `None` if poses of handles need a solver: in the rigid mode, and with
-    /// handles that turn by themselves.
+    /// The handles, posed as in the project. `None` if the rig cannot be posed.
     #[must_use]
     pub fn handles(&self) -> Option<&[Handle]> {
-        self.shares.as_ref().map(|shares| &shares.sources.handles[..])
+        let without_solver = self.shares.as_ref().map(|shares| &shares.sources);
+        let sources = without_solver.or_else(|| self.posing.as_ref().map(|posing| &posing.sources))?;
+        Some(&sources.handles)
+    }
+
+    /// The solver that poses the handles. `None` if that needs no solver, and if the rig cannot be posed.
+    #[must_use]
+    pub fn poser(&self) -> Option<RigPoser> {
+        self.posing.as_ref().map(RigPoser::new)
     }
 
     /// The vertices with the handles posed as given, in the order of [`handles`](Self::handles). `None` for other
-    /// handles, and where poses need a solver.
+    /// handles, and for rigs that need [a solver](Self::vertices_posed_with).
     #[must_use]
     pub fn vertices_posed_by(&self, handles: &[Handle]) -> Option<Vec<DVec2>> {
         let shares = self.shares.as_ref().filter(|shares| shares.sources.fit(handles))?;
         let skin = self.mesh.skin(&self.weights);
         let motions = shares.motions(&skin.rest, handles);
         Some(skin.posed(&motions, self.blend))
+    }
+
+    /// The vertices with these motions of the sites.
+    ///
+    /// # Panics
+    /// If they are not as many as the sites.
+    #[must_use]
+    pub fn vertices_posed_with(&self, motions: &[Motion]) -> Vec<DVec2> {
+        assert_eq!(motions.len(), self.sites(), "one motion for each site");
+        self.mesh.skin(&self.weights).posed(motions, self.blend)
     }
 
     /// The indices of the triangles in the drawing order at a frame of a clip.
@@ -214,6 +254,7 @@ impl Rig {
             sections.push(written(DISPLACEMENTS, &|to| self.mesh.write_displacements(to)));
         }
         sections.extend(self.shares.iter().map(|shares| written(SHARES, &|to| shares.write(to))));
+        sections.extend(self.posing.iter().map(|posing| written(POSING, &|to| posing.write(to))));
         sections.extend(self.clips.iter().map(|clip| written(CLIP, &|to| clip.write(to, self.sites()))));
         packed(if is_displaced { DISPLACED } else { 1 }, &sections)
     }
@@ -227,7 +268,7 @@ impl Rig {
         let is_displaced = version == DISPLACED;
         // Sections of other names belong to later versions.
         sections.retain(|Section { tag, .. }| {
-            [HEAD, PICTURE, MESH, WEIGHTS, SHARES, CLIP].contains(tag) || is_displaced && *tag == DISPLACEMENTS
+            [HEAD, PICTURE, MESH, WEIGHTS, SHARES, POSING, CLIP].contains(tag) || is_displaced && *tag == DISPLACEMENTS
         });
         let head = next(&mut sections, HEAD, RigPart::Head)?;
         let picture = next(&mut sections, PICTURE, RigPart::Picture)?;
@@ -253,6 +294,15 @@ impl Rig {
             let mut from = Reader::new(RigPart::Shares, &shares);
             rig.shares = Some(Shares::read(&mut from, &rig.handles, rig.sites())?);
             from.end()?;
+        }
+        if sections.front().is_some_and(|section| section.tag == POSING) {
+            let posing = next(&mut sections, POSING, RigPart::Posing)?;
+            let mut from = Reader::new(RigPart::Posing, &posing);
+            rig.posing = Posing::read(&mut from, Some(&rig.handles), Some(rig.sites()))?;
+            // A later format is as good as none: clips play on.
+            if rig.posing.is_some() {
+                from.end()?;
+            }
         }
         for Section { tag, bytes } in sections {
             let mut from = Reader::new(RigPart::Clip, &bytes);
@@ -287,6 +337,7 @@ impl Rig {
             edges: flags & 2 != 0,
             handles,
             shares: None,
+            posing: None,
             clips: Vec::new(),
             mesh: Mesh {
                 place_bits: 0,
@@ -314,26 +365,32 @@ mod tests {
 
     use super::*;
     use crate::{
+        deform::HandlePose,
         picture::Picture,
-        project::{Clip, Displacement, Ease, Handle, Key, Looping, Track},
+        project::{Clip, Displacement, Ease, Handle, Key, Looping, PoseMode, Track},
         solve::solve,
     };
 
     /// A small rig with two clips and two drawing orders.
     fn rig() -> Rig {
-        rig_of(None)
+        rig_of(None, PoseMode::Harmonic)
+    }
+
+    /// The same in the rigid mode. Its poses need a solver.
+    fn solved_rig() -> Rig {
+        rig_of(None, PoseMode::Rigid)
     }
 
     /// The same, with its left half displaced.
     fn displaced_rig() -> Rig {
         let values = (0..5).flat_map(|_| [90, -40, 60, -20, 0, 0, 0, 0, 0, 0]).collect();
-        rig_of(Some(Displacement::new(5, 5, values)))
+        rig_of(Some(Displacement::new(5, 5, values)), PoseMode::Harmonic)
     }
 
-    fn rig_of(displacement: Option<Displacement>) -> Rig {
+    fn rig_of(displacement: Option<Displacement>, mode: PoseMode) -> Rig {
         let rgba = vec![255; 24 * 18 * 4];
         let mut project = Project::for_picture(24, 18);
-        (project.samples, project.displacement) = (100, displacement);
+        (project.samples, project.displacement, project.pose.mode) = (100, displacement, mode);
         project.handles = vec![
             Handle::point("left", [4.0, 9.0]),
             Handle::point("right", [20.0, 9.0]),
@@ -344,7 +401,7 @@ mod tests {
         project.clips = vec![wave, Clip::new("still", 1.0, Looping::None)];
         let solution = solve(&project, &Picture::new(24, 18, &rgba).unwrap()).unwrap();
         let picture = RigPicture { width: 24, height: 18, file: b"a picture".to_vec() };
-        let mut rig = Rig::bake(&project, &solution, picture).unwrap();
+        let mut rig = Rig::bake_telling(&project, &solution, picture, Posable::Always, &mut |_| {}).unwrap();
         let triangles = (0..rig.triangles().len() as u32).rev().collect();
         rig.clips[0].orders.push(order::Order { frame: 3, crosses: true, triangles });
         let triangles = rig.clips[0].orders[1].triangles.clone();
@@ -365,7 +422,12 @@ mod tests {
                 assert_eq!(rig.drawing_order(index, frame).len(), rig.triangles().len());
             }
         }
-        if let Some(handles) = rig.handles() {
+        if let Some(poser) = rig.poser() {
+            let poses: Vec<HandlePose> = poser.handles().iter().map(HandlePose::from).collect();
+            if let Ok(motions) = poser.motions(&poses) {
+                assert_eq!(rig.vertices_posed_with(&motions).len(), rig.vertices().len());
+            }
+        } else if let Some(handles) = rig.handles() {
             assert_eq!(rig.vertices_posed_by(handles).unwrap().len(), rig.vertices().len());
         }
         Ok(())
@@ -373,7 +435,7 @@ mod tests {
 
     #[test]
     fn a_rig_returns_from_its_bytes() {
-        for (rig, version) in [(rig(), 1), (displaced_rig(), 2)] {
+        for (rig, version) in [(rig(), 1), (solved_rig(), 1), (displaced_rig(), 2)] {
             let file = rig.to_bytes().unwrap();
             assert_eq!(file[8], version);
             assert_eq!(Rig::from_bytes(&file), Ok(rig));
@@ -447,7 +509,13 @@ mod tests {
 
     #[test]
     fn cut_sections_are_refused() {
-        let sections = unpacked(&rig().to_bytes().unwrap()).unwrap().1;
+        for rig in [rig(), solved_rig()] {
+            refuse_cut_sections(&rig);
+        }
+    }
+
+    fn refuse_cut_sections(rig: &Rig) {
+        let sections = unpacked(&rig.to_bytes().unwrap()).unwrap().1;
         for (at, section) in sections.iter().enumerate().filter(|(_, section)| section.tag != PICTURE) {
             for end in 0..section.bytes.len() {
                 let cut = |(index, other): (usize, &Section)| Section {
@@ -460,6 +528,19 @@ mod tests {
         }
     }
 
+    #[test]
+    fn poses_of_a_later_format_are_skipped() {
+        let rig = solved_rig();
+        let mut sections = Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap().1);
+        assert_eq!(sections[4].tag, POSING);
+        assert!(RigPoser::from_section(&sections[4].bytes).is_ok());
+        sections[4].bytes = vec![2, 99, 99];
+        let read = Rig::from_bytes(&packed(1, &sections).unwrap()).unwrap();
+        assert_eq!((read.handles(), read.clips()), (None, rig.clips()));
+        let error = RigPoser::from_section(&sections[4].bytes).unwrap_err();
+        assert_eq!(error.to_string(), "this rig is damaged: the poses have an unknown format");
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, cases: 64, ..ProptestConfig::default() })]
 
@@ -468,9 +549,9 @@ mod tests {
             at: proptest::sample::Index,
             byte: u8,
             other: proptest::sample::Index,
-            is_displaced: bool,
+            kind in 0..3,
         ) {
-            let rig = if is_displaced { displaced_rig() } else { rig() };
+            let rig = [rig, displaced_rig, solved_rig][kind as usize]();
             let mut sections = Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap().1);
             for section in sections.iter_mut().filter(|section| section.tag != PICTURE) {
                 let bytes = &mut section.bytes;

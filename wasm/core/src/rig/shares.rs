@@ -7,14 +7,14 @@ use glam::DVec2;
 
 use super::{
     bytes::{Reader, Writer},
+    driven::{Driven, driven_by, read_driven, write_driven},
     error::RigError,
     mesh::shares,
     sources::{Sources, turns_by_itself},
 };
 use crate::{
     pose::{Motion, Poser},
-    project::{Handle, Rotation, Shape},
-    site::SiteKind,
+    project::Handle,
 };
 
 /// The finest steps.
@@ -29,17 +29,6 @@ pub(super) struct Shares {
     bits: u8,
     /// One for each virtual site.
     rows: Vec<Vec<Share>>,
-}
-
-/// What a site moves by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Driven {
-    /// Its shares.
-    Virtual,
-    /// Nothing: it stays.
-    Still,
-    /// It is a site of this source.
-    Source(u32),
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,18 +53,9 @@ impl ExactShares {
         if poser.is_rigid() || handles.is_empty() || handles.iter().any(turns_by_itself) {
             return None;
         }
-        let mut skeleton = poser.skeleton().clone();
-        // Only a solve needs bodies.
-        skeleton.bones.iter_mut().for_each(|bone| bone.body = 0);
-        let sources = Sources { handles: handles.to_vec(), skeleton };
+        let sources = Sources::new(handles, poser.skeleton());
         let count = handles.len() as u32;
-        let driven = |kind: &SiteKind| match *kind {
-            SiteKind::Point { handle } => Driven::Source(handle),
-            SiteKind::Bone { bone, .. } => Driven::Source(count + bone),
-            SiteKind::Boundary => Driven::Still,
-            SiteKind::Virtual => Driven::Virtual,
-        };
-        let sites: Vec<Driven> = poser.kinds().iter().map(driven).collect();
+        let sites = driven_by(poser.kinds(), &sources);
         let along = |site: usize, source: u32| match source.checked_sub(count) {
             None => 0.0,
             Some(bone) => {
@@ -117,30 +97,11 @@ impl ExactShares {
         Shares { sources: self.sources.clone(), sites: self.sites.clone(), bits, rows }
     }
 
-    /// Poses that shares are measured with: all handles at once, `reach` pixels away, turned and scaled.
-    pub(super) fn probes(&self, reach: f64) -> Vec<Vec<Handle>> {
-        let probe = |probe: usize| {
-            let pose = |(at, handle): (usize, &Handle)| {
-                let mut posed = handle.clone();
-                for (corner, place) in posed.shape.posed_mut().iter_mut().enumerate() {
-                    // Directions that differ between handles, corners and probes, without a pattern.
-                    let direction = 2.4 * (at + 3 * corner + 7 * probe) as f64;
-                    *place =
-                        handle.shape.rest()[corner] + reach * DVec2::new(libm::cos(direction), libm::sin(direction));
-                }
-                let is_point = matches!(posed.shape, Shape::Point { .. });
-                let quarter = if (at + probe) % 2 == 1 { 90.0 } else { -90.0 };
-                posed.rotation = Rotation::Degrees(if is_point { quarter } else { 0.0 });
-                posed.scale = if (at / 2 + probe) % 2 == 1 { 2.0 } else { 0.5 };
-                posed
-            };
-            self.sources.handles.iter().enumerate().map(pose).collect()
-        };
-        (0..PROBES).map(probe).collect()
+    /// The handles in the pose of the project.
+    pub(super) fn handles(&self) -> &[Handle] {
+        &self.sources.handles
     }
 }
-
-const PROBES: usize = 6;
 
 impl Shares {
     /// The motions of sites at these places, with the handles posed as given.
@@ -165,13 +126,7 @@ impl Shares {
 
     pub(super) fn write(&self, to: &mut Writer) {
         self.sources.write(to);
-        for driven in &self.sites {
-            to.varint(match *driven {
-                Driven::Virtual => 0,
-                Driven::Still => 1,
-                Driven::Source(source) => source + 2,
-            });
-        }
+        write_driven(&self.sites, to);
         to.byte(self.bits);
         self.rows.iter().for_each(|row| to.count(row.len()));
         for row in &self.rows {
@@ -193,18 +148,7 @@ impl Shares {
     /// Reads the shares of named handles in a number of sites.
     pub(super) fn read(from: &mut Reader<'_>, names: &[String], sites: usize) -> Result<Self, RigError> {
         let sources = Sources::read(from, names)?;
-        from.expect(from.has(Some(sites)), "end too early")?;
-        let mut driven = Vec::with_capacity(sites);
-        for _ in 0..sites {
-            let kind = from.varint()?;
-            let is_known = kind < 2 || sources.has(kind as usize - 2);
-            from.expect(is_known, "name a handle or bone that there is not")?;
-            driven.push(match kind {
-                0 => Driven::Virtual,
-                1 => Driven::Still,
-                source => Driven::Source(source - 2),
-            });
-        }
+        let driven = read_driven(from, &sources, sites)?;
         let bits = from.byte()?;
         from.expect(bits <= MOST_BITS, "are too fine")?;
         let rows = driven.iter().filter(|driven| **driven == Driven::Virtual).count();

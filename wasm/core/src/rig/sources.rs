@@ -58,6 +58,13 @@ impl Source {
 }
 
 impl Sources {
+    pub(super) fn new(handles: &[Handle], skeleton: &Skeleton) -> Self {
+        let mut skeleton = skeleton.clone();
+        // Only a solve needs bodies.
+        skeleton.bones.iter_mut().for_each(|bone| bone.body = 0);
+        Self { handles: handles.to_vec(), skeleton }
+    }
+
     /// The number of handles and bones. Source k is handle k, and those after the handles are bones.
     pub(super) fn count(&self) -> usize {
         self.handles.len() + self.skeleton.bones.len()

@@ -8,17 +8,20 @@ import type { Handlers } from './handlers';
 export function exportRig(state: EditorState, emit: Emit): EditorState {
   const { picture, exporting } = state;
   if (!picture || exporting.running) return state;
-  emit({ type: 'export-rig', name: rigName(picture.name), project: filedProject(state), picture });
+  const { posable } = exporting;
+  emit({ type: 'export-rig', name: rigName(picture.name), posable, project: filedProject(state), picture });
   return beginExport(state, emit);
 }
 
 function copyCode(state: EditorState, emit: Emit): EditorState {
-  const { picture } = state;
-  if (picture) emit({ type: 'copy-code', code: playerCode(filedProject(state), picture.name) });
+  const { picture, exporting } = state;
+  const code = picture && playerCode(filedProject(state), picture.name, exporting.posable);
+  if (code) emit({ type: 'copy-code', code });
   return state;
 }
 
-export const webPageHandlers: Handlers<'code-asked' | 'code-copied'> = {
+export const webPageHandlers: Handlers<'posable-chosen' | 'code-asked' | 'code-copied'> = {
+  'posable-chosen': (state, { posable }) => withExport(state, { posable, code: null }),
   'code-asked': (state, _, emit) => copyCode(state, emit),
   'code-copied': (state, { copied }, emit) => {
     if (!copied) emit({ type: 'focus-control', control: 'code' });

@@ -72,9 +72,12 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: 'Eine kleine Datei mit allen Clips für den Player: ein Skript von 13 kB, das keinen Editor braucht.',
+  note: 'Eine kleine Datei mit allen Clips für den Player: ein Skript von 14 kB, das keinen Editor braucht.',
   withoutClips: 'Es gibt noch keinen Clip: Die Seite zeigt die Pose.',
-  posable: 'Auf Seiten lassen sich auch die Griffe bewegen.',
+  readers: 'Leser',
+  watch: 'Clips ansehen',
+  pose: 'Griffe bewegen',
+  solver: 'Die Seite lädt dann weitere 100 kB, und die Datei wächst um etwa ebenso viel.',
   code: 'Code',
   copyCode: 'Code kopieren',
   codeNote: 'In eine Seite einfügen, neben der die Datei und der Ordner „player“ des Pakets liegen.',

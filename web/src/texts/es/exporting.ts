@@ -72,9 +72,12 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: 'Un archivo pequeño con todos los clips, para el reproductor: un script de 13 kB que no necesita editor.',
+  note: 'Un archivo pequeño con todos los clips, para el reproductor: un script de 14 kB que no necesita editor.',
   withoutClips: 'Aún no hay ningún clip: la página muestra la pose.',
-  posable: 'Las páginas también pueden mover sus puntos de control.',
+  readers: 'Lectores',
+  watch: 'Ver clips',
+  pose: 'Mover puntos',
+  solver: 'La página carga entonces otros 100 kB, y el archivo crece más o menos lo mismo.',
   code: 'Código',
   copyCode: 'Copiar código',
   codeNote: 'Se pega en una página junto al archivo y a la carpeta “player” del paquete.',

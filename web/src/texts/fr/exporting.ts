@@ -75,7 +75,10 @@ export const film: Texts['film'] = {
 export const webPage: Texts['webPage'] = {
   note: 'Un petit fichier avec tous les clips, pour le lecteur : un script de 13 ko qui se passe de l’éditeur.',
   withoutClips: 'Il n’y a pas encore de clip : la page montre la pose.',
-  posable: 'Les pages peuvent aussi placer ses poignées.',
+  readers: 'Lecteurs',
+  watch: 'Voir les clips',
+  pose: 'Placer les poignées',
+  solver: 'La page charge alors 100 ko de plus, et le fichier grossit d’environ autant.',
   code: 'Code',
   copyCode: 'Copier le code',
   codeNote: 'Collez-le dans une page à côté du fichier et du dossier « player » du paquet.',

@@ -72,9 +72,12 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: '一个包含所有 Clip 的小文件，供 player 使用：它是 13 kB 的脚本，无需编辑器。',
+  note: '一个包含所有 Clip 的小文件，供 player 使用：它是 14 kB 的脚本，无需编辑器。',
   withoutClips: '还没有 Clip：网页将显示姿势。',
-  posable: '网页也可以用其控制点摆姿势。',
+  readers: '读者',
+  watch: '观看 Clip',
+  pose: '移动控制点',
+  solver: '网页会再加载 100 kB，文件也会增大约同样的大小。',
   code: '代码',
   copyCode: '复制代码',
   codeNote: '将代码粘贴到网页中，网页须与该文件以及软件包的文件夹“player”放在一起。',

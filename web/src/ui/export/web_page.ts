@@ -1,20 +1,21 @@
 /** The export for a web page: a rig, and the code that shows it. */
 
-import { html, type TemplateResult } from 'lit-html';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch } from '../../editor/events';
 import type { EditorModel } from '../../editor/view_model';
 import type { WebPageModel } from '../../editor/web_page_model';
 import type { Texts } from '../../texts/texts';
-import { exportRow } from './controls';
+import { choice, exportRow } from './controls';
 
 export function webPage(page: WebPageModel, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { webPage: words, names, exporting } = model.texts;
   const notes = [
     words.note,
     ...(page.clips > 0 ? [] : [words.withoutClips]),
-    ...(page.posable ? [words.posable] : []),
+    ...(page.posable && page.solver ? [words.solver] : []),
   ];
-  return html`<p class="faint">${names.sentences(notes)}</p>
+  return html`${page.posable === null ? nothing : readers(page.posable, words, dispatch)}
+    <p class="faint">${names.sentences(notes)}</p>
     <label class="code">
       <span>${words.code}</span>
       <textarea
@@ -30,6 +31,11 @@ export function webPage(page: WebPageModel, model: EditorModel, dispatch: Dispat
     <p class="faint" role="status">${codeNote(page, words)}</p>
     ${exportRow(copyButton(words, dispatch), exporting.exportRig, false, model, dispatch)}`;
 }
+
+const readers = (posable: boolean, words: Texts['webPage'], dispatch: Dispatch): TemplateResult =>
+  choice(words.readers, { watch: words.watch, pose: words.pose }, posable ? 'pose' : 'watch', (chosen) =>
+    dispatch({ type: 'posable-chosen', posable: chosen === 'pose' }),
+  );
 
 function codeNote({ file, copying }: WebPageModel, words: Texts['webPage']): string {
   if (copying === null) return words.codeNote;

@@ -35,7 +35,11 @@ use self::{
 };
 use super::{Motion, numeric::Laplacian};
 
-pub(crate) use self::{quadrature::Quadrature, relaxation::Freedom, stiffness::StiffnessField};
+pub(crate) use self::{
+    quadrature::{Node, Quadrature},
+    relaxation::Freedom,
+    stiffness::{StiffnessField, StiffnessMask},
+};
 
 /// The descent of the graph ends with an iteration that moves no site by more than this fraction of the scene's
 /// extent: a tenth of a pixel. A relaxation from a pixel away is hardly worse, but jumps when a drag makes the graph
@@ -65,6 +69,16 @@ pub(super) struct Rigid {
     stiff_links: OnceLock<Vec<(u32, u32, f64)>>,
 }
 
+/// The parts of the rigid mode besides the sites.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RigidParts {
+    /// Pairs of sites, the lesser first, with their weights.
+    pub(crate) links: Vec<(u32, u32, f64)>,
+    /// Nodes of the coarse level alone, of both levels, and of the fine level alone.
+    pub(crate) nodes: [Vec<Node>; 3],
+    pub(crate) stiffness: StiffnessField,
+}
+
 impl Rigid {
     pub(super) fn new(
         freedom: Vec<Freedom>,
@@ -82,6 +96,17 @@ impl Rigid {
             laplacian: OnceLock::new(),
             relaxation: OnceLock::new(),
         }
+    }
+
+    /// `None` without a picture between the sites.
+    pub(super) fn parts(&self) -> Option<RigidParts> {
+        let nodes = self.quadrature.as_ref()?.nodes();
+        Some(RigidParts { links: self.links.clone(), nodes, stiffness: self.stiffness.clone() })
+    }
+
+    pub(super) fn from_parts(freedom: Vec<Freedom>, parts: &RigidParts) -> Self {
+        let links = parts.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight));
+        Self::new(freedom, links, Some(Quadrature::from_nodes(&parts.nodes)), parts.stiffness.clone())
     }
 
     /// Whether data that were read from bytes are consistent for this number of sites.

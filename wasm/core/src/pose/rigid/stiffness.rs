@@ -14,7 +14,7 @@ use glam::DVec2;
 use super::quadrature::Node;
 use crate::{
     domain::{contains, edges},
-    project::{Project, Shape, Stiffness, bilinear},
+    project::{Handle, Project, Shape, Stiffness, bilinear},
     segment::segment_distance,
 };
 
@@ -42,18 +42,18 @@ const RIM: f64 = 0.125;
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct StiffnessField {
-    mask: Option<Mask>,
+    mask: Option<StiffnessMask>,
     polygons: Vec<StiffPolygon>,
 }
 
 /// A mask over a picture of a size in pixels.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
-struct Mask {
-    size: DVec2,
-    columns: u32,
-    rows: u32,
-    values: Vec<u8>,
+pub(crate) struct StiffnessMask {
+    pub(crate) size: DVec2,
+    pub(crate) columns: u32,
+    pub(crate) rows: u32,
+    pub(crate) values: Vec<u8>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -68,20 +68,30 @@ struct StiffPolygon {
 impl StiffnessField {
     pub(crate) fn new(project: &Project) -> Self {
         let (width, height) = project.image.size();
-        let mask = |&Stiffness { width: columns, height: rows, ref values }: &Stiffness| Mask {
+        let mask = |&Stiffness { width: columns, height: rows, ref values }: &Stiffness| StiffnessMask {
             size: DVec2::new(width.into(), height.into()),
             columns,
             rows,
             values: values.clone(),
         };
-        let polygons = project.handles.iter().filter_map(|handle| match &handle.shape {
+        let is_stiff = |mask: &&Stiffness| mask.values.iter().any(|&value| value > 0);
+        Self::of(project.stiffness.as_ref().filter(is_stiff).map(mask), &project.handles)
+    }
+
+    /// The stiffness of a mask and of polygons.
+    pub(crate) fn of(mask: Option<StiffnessMask>, handles: &[Handle]) -> Self {
+        let polygons = handles.iter().filter_map(|handle| match &handle.shape {
             Shape::Polygon { rest, .. } if handle.stiffness > 0.0 => {
                 Some(StiffPolygon::new(rest.clone(), handle.stiffness))
             }
             _ => None,
         });
-        let is_stiff = |mask: &&Stiffness| mask.values.iter().any(|&value| value > 0);
-        Self { mask: project.stiffness.as_ref().filter(is_stiff).map(mask), polygons: polygons.collect() }
+        Self { mask, polygons: polygons.collect() }
+    }
+
+    /// The mask; `None` if all of it is soft.
+    pub(crate) fn mask(&self) -> Option<&StiffnessMask> {
+        self.mask.as_ref()
     }
 
     /// Whether data that were read from bytes are consistent.
@@ -127,7 +137,7 @@ impl StiffnessField {
     }
 }
 
-impl Mask {
+impl StiffnessMask {
     fn at(&self, at: DVec2) -> f64 {
         bilinear([self.columns, self.rows], &self.values, at / self.size)
     }

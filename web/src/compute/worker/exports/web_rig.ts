@@ -5,7 +5,8 @@ import { bake } from '../../generated/c2warp_export';
 /** @throws Error for clips that no rig can hold. */
 export const webRig = (
   { project, width, height }: ExportRequest,
-  { file }: WebRigOrder,
+  { file, posable }: WebRigOrder,
   rgba: Uint8Array,
   tell: (part: number) => void,
-): Uint8Array<ArrayBuffer> => bake(project, width, height, rgba, file, tell) as Uint8Array<ArrayBuffer>;
+): Uint8Array<ArrayBuffer> =>
+  bake(project, width, height, rgba, file, posable, tell) as Uint8Array<ArrayBuffer>;

@@ -48,12 +48,12 @@ const TAIL: f64 = 0.004;
 const STEP: f64 = 1e-4;
 
 /// A node of the quadrature.
-#[derive(Debug, Clone)]
-pub(super) struct Node {
-    pub(super) at: DVec2,
-    pub(super) area: f64,
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Node {
+    pub(crate) at: DVec2,
+    pub(crate) area: f64,
     /// Their weights sum to 1, their gradients to 0.
-    pub(super) influences: Vec<Influence>,
+    pub(crate) influences: Vec<Influence>,
 }
 
 /// All nodes, as they are stored: those of the coarse level alone, those of both levels, those of the fine level alone.
@@ -125,6 +125,20 @@ impl Quadrature {
         Self { nodes, coarse_alone: coarse_alone as u32, coarse: of_coarse as u32 }
     }
 
+    /// The quadrature of nodes of the coarse level alone, of both levels, and of the fine level alone.
+    pub(super) fn from_nodes([coarse, both, fine]: &[Vec<Node>; 3]) -> Self {
+        let nodes = [coarse, both, fine].into_iter().flatten().map(PackedNode::new).collect();
+        let coarse_alone = coarse.len() as u32;
+        Self { nodes, coarse_alone, coarse: coarse_alone + both.len() as u32 }
+    }
+
+    /// The nodes of the coarse level alone, of both levels, and of the fine level alone.
+    pub(super) fn nodes(&self) -> [Vec<Node>; 3] {
+        let (of_coarse, fine) = self.nodes.split_at(self.coarse as usize);
+        let (coarse, both) = of_coarse.split_at(self.coarse_alone as usize);
+        [coarse, both, fine].map(|nodes| nodes.iter().map(PackedNode::unpacked).collect())
+    }
+
     /// Whether data that were read from bytes are consistent for this number of sites.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
         self.coarse_alone <= self.coarse
@@ -144,6 +158,15 @@ impl Quadrature {
 }
 
 impl PackedNode {
+    fn new(node: &Node) -> Self {
+        let packed = |one: &Influence| PackedInfluence {
+            site: one.site as u32,
+            weight: one.weight as f32,
+            gradient: one.gradient.as_vec2().to_array(),
+        };
+        Self { at: node.at, area: node.area, influences: node.influences.iter().map(packed).collect() }
+    }
+
     fn is_whole(&self, sites: usize) -> bool {
         let known = |&PackedInfluence { site, weight, gradient: [x, y] }: &PackedInfluence| {
             (site as usize) < sites && weight.is_finite() && x.is_finite() && y.is_finite()
@@ -221,13 +244,8 @@ impl Placing<'_> {
         here.into_iter().for_each(|one| held.add(&mut influences, sites, one));
         let steepest = influences.iter().map(|one| one.gradient.length()).fold(0.0, f64::max);
         influences.retain(|one| one.weight >= TAIL);
-        let packed = |one: &Influence| PackedInfluence {
-            site: one.site as u32,
-            weight: one.weight as f32,
-            gradient: one.gradient.as_vec2().to_array(),
-        };
         let is_seen = area > 0.0 && !influences.is_empty() && steepest * area.sqrt() < STEEP;
-        is_seen.then(|| PackedNode { at, area, influences: influences.iter().map(packed).collect() })
+        is_seen.then(|| PackedNode::new(&Node { at, area, influences }))
     }
 }
 
