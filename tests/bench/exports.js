@@ -31,7 +31,7 @@
     warp.addHandle({ kind: 'point', rest: [x, y], posed: [x + dx, y + dy] });
   }
   // Solves, and compiles the inner loops.
-  await warp.toBlob(0.25);
+  await warp.toBlob({ scale: 0.25 });
   const least = async (run) => {
     let [best, bytes] = [Number.POSITIVE_INFINITY, 0];
     for (let count = 0; count < RUNS; count++) {
@@ -45,6 +45,6 @@
   const types = ['image/png', 'image/jpeg', 'image/webp'];
   const files = [];
   for (const type of types)
-    files.push({ type, ...(await least(async () => (await warp.toBlob(1, { type })).size)) });
+    files.push({ type, ...(await least(async () => (await warp.toBlob({ type })).size)) });
   return { drawing: drawing.seconds, files };
 })();
