@@ -18,7 +18,7 @@ await main(async () => {
   await buildPart('Editor', 'web/vite.config.ts');
   await buildPart('Element', 'web/vite.element.config.ts');
   await buildPart('Player', 'web/vite.player.config.ts');
-  checkPlayerSize('web/dist/player');
+  checkPlayerSize('web/dist');
   await buildPart('Component for React', 'web/vite.react.config.ts');
   await buildPart('Core', 'web/vite.core.config.ts');
   copyFileSync(await buildCommand(), join(ROOT, 'web/dist/core/command.wasm'));

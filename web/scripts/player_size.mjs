@@ -1,27 +1,22 @@
-/** The bound on the download of the player. */
-import { readdirSync, readFileSync } from 'node:fs';
+/** The bounds on the downloads of the player. */
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
 import { BUDGETS } from './budgets.mjs';
 import { ROOT, StepError } from './steps.mjs';
 
-/** Compressed by brotli, all scripts together. */
-const MOST_PLAYER_BYTES = 1000 * (BUDGETS.find(({ name }) => name === 'player')?.most ?? 0);
-
-/** @param {Iterable<string | Uint8Array>} scripts */
-export function brotliBytes(scripts) {
-  return [...scripts].reduce((sum, script) => sum + brotliCompressSync(script).length, 0);
-}
+const OF_PLAYER = BUDGETS.filter(({ files }) => files.every((file) => file.startsWith('player/')));
 
 /**
- * Prints the size of a built player.
- * @param {string} folder relative to the root of the repository
- * @throws {StepError} above the bound
+ * Prints the sizes of a built player.
+ * @param {string} folder that has the folder of the player, relative to the root of the repository
+ * @throws {StepError} above a bound
  */
 export function checkPlayerSize(folder) {
-  const names = readdirSync(join(ROOT, folder)).filter((name) => name.endsWith('.js'));
-  const bytes = brotliBytes(names.map((name) => readFileSync(join(ROOT, folder, name))));
-  console.log(`The player takes ${(bytes / 1000).toFixed(1)} kB by brotli.`);
-  if (bytes > MOST_PLAYER_BYTES)
-    throw new StepError(`The player takes ${bytes} bytes by brotli: more than ${MOST_PLAYER_BYTES}.`);
+  for (const { name, files, most } of OF_PLAYER) {
+    const sizes = files.map((file) => brotliCompressSync(readFileSync(join(ROOT, folder, file))).length);
+    const size = sizes.reduce((sum, bytes) => sum + bytes, 0) / 1000;
+    console.log(`${name}: ${size.toFixed(1)} kB by brotli`);
+    if (size > most) throw new StepError(`${name}: ${size} kB by brotli, more than ${most}`);
+  }
 }
