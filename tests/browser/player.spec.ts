@@ -5,9 +5,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import AxeBuilder from '@axe-core/playwright';
-import type { Page } from '@playwright/test';
-import type { Project } from '../../web/src/document/project';
-import type { C2WarpPlayer } from '../../web/src/player';
+import type { Page, TestInfo } from '@playwright/test';
+import type { Handle, Project } from '../../web/src/document/project';
+import type { C2WarpPlayer, HandlePose } from '../../web/src/player';
 import { builtCommand } from './command';
 import { waved } from './displacements';
 import { expect, test } from './fixtures';
@@ -183,6 +183,38 @@ function baked(project: Project, ...options: readonly string[]): Buffer {
   return readFileSync(join(folder, 'other.c2rig'));
 }
 
+/** Poses handles of a project in the player. Returns all of them, as the player must have them. */
+async function poseBy(
+  page: Page,
+  { handles }: Project,
+  changes: readonly HandlePose[],
+): Promise<Project['handles']> {
+  const posed = await player(page).evaluate((element, changes) => {
+    const player = element as C2WarpPlayer;
+    player.pose(changes);
+    return player.handles;
+  }, changes);
+  const expected = handles.map((handle) => {
+    const change = changes.find(({ id }) => id === handle.id);
+    return change ? ({ ...handle, ...change } as Handle) : handle;
+  });
+  expect(posed).toEqual(expected);
+  return expected;
+}
+
+/** The player must draw a project of the gingerbread figure as the editor does. */
+async function expectEditors(page: Page, project: Project, info: TestInfo): Promise<void> {
+  const editor = await page.evaluate(
+    async (project) =>
+      harness.drawnTwice(project, await (await fetch('/samples/gingerbread.png')).blob(), 0.5),
+    project,
+  );
+  const { mean, close, opaque } = await difference(await drawn(page, 512), editor.webgl, info);
+  expect(opaque).toBeGreaterThan(10_000);
+  expect(mean).toBeLessThanOrEqual(1);
+  expect(close).toBeGreaterThan(0.99);
+}
+
 test('handles are posed without a solver, as in the editor, until the clip plays', async ({ page }, info) => {
   const posed = posable();
   await open(page, { 'posable.c2rig': baked({ ...posed, clips }), 'wave.c2rig': rig });
@@ -191,26 +223,9 @@ test('handles are posed without a solver, as in the editor, until the clip plays
     { id: 'left-hand', posed: [170, 400] as [number, number], rotation: 40 },
     { id: 'head', posed: [560, 220] as [number, number], rotation: -20, scale: 1.2, depth: 1 },
   ];
-  const handles = await player(page).evaluate((element, changes) => {
-    const player = element as C2WarpPlayer;
-    player.pose(changes);
-    return player.handles;
-  }, changes);
-  const expected = posed.handles.map((handle) => {
-    const change = changes.find(({ id }) => id === handle.id);
-    return change ? { ...handle, ...change } : handle;
-  });
-  expect(handles).toEqual(expected);
+  const expected = await poseBy(page, posed, changes);
   expect((await state(page)).paused).toBe(true);
-  const editor = await page.evaluate(
-    async (project) =>
-      harness.drawnTwice(project, await (await fetch('/samples/gingerbread.png')).blob(), 0.5),
-    { ...posed, handles: expected } as Project,
-  );
-  const { mean, close, opaque } = await difference(await drawn(page, 512), editor.webgl, info);
-  expect(opaque).toBeGreaterThan(10_000);
-  expect(mean).toBeLessThanOrEqual(1);
-  expect(close).toBeGreaterThan(0.99);
+  await expectEditors(page, { ...posed, handles: expected }, info);
 
   // A wrong pose moves nothing.
   const refused = await player(page).evaluate((element) => {
@@ -298,31 +313,14 @@ test('handles of the rigid mode are posed as in the editor', async ({ page }, in
     { id: 'left-hand', posed: [170, 400] as [number, number], rotation: 40 },
     { id: 'head', posed: [560, 220] as [number, number], depth: 1 },
   ];
-  const handles = await player(page).evaluate((element, changes) => {
-    const player = element as C2WarpPlayer;
-    player.pose(changes);
-    return player.handles;
-  }, changes);
-  const expected = posed.handles.map((handle) => {
-    const change = changes.find(({ id }) => id === handle.id);
-    return change ? { ...handle, ...change } : handle;
-  });
-  expect(handles).toEqual(expected);
+  const expected = await poseBy(page, posed, changes);
   // Grips show that the solver is there.
   await player(page).evaluate((element) => {
     (element as C2WarpPlayer).posable = true;
   });
   await expect(player(page).locator('[part=handle]')).toHaveCount(posed.handles.length);
   expect(asked).toEqual(['/player/module_poser.js', '/player/pose_bg.wasm']);
-  const editor = await page.evaluate(
-    async (project) =>
-      harness.drawnTwice(project, await (await fetch('/samples/gingerbread.png')).blob(), 0.5),
-    { ...posed, handles: expected } as Project,
-  );
-  const { mean, close, opaque } = await difference(await drawn(page, 512), editor.webgl, info);
-  expect(opaque).toBeGreaterThan(10_000);
-  expect(mean).toBeLessThanOrEqual(1);
-  expect(close).toBeGreaterThan(0.99);
+  await expectEditors(page, { ...posed, handles: expected }, info);
 });
 
 test('readers pose handles of the rigid mode on a strict page, also by keys', async ({ page }) => {

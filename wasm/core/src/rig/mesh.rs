@@ -13,7 +13,10 @@ use super::{
     skin::Skin,
     steps::{round, value},
 };
-use crate::weight::SparseWeights;
+use crate::{
+    rank::{descending, sort_by_rank},
+    weight::SparseWeights,
+};
 
 /// The finest steps: 2⁻¹⁶ pixels, and weights of 24 bits.
 const MOST_PLACE_BITS: u8 = 16;
@@ -247,7 +250,7 @@ pub(super) fn shares(row: impl Iterator<Item = (usize, f64)>, whole: u32) -> Vec
     let mut shares: Vec<(u32, u32)> = row.iter().map(exact).map(|(site, share)| (site, share as u32)).collect();
     let mut by_remainder: Vec<usize> = (0..row.len()).collect();
     let remainder = |&at: &usize| exact(&row[at]).1.fract();
-    by_remainder.sort_by(|a, b| remainder(b).total_cmp(&remainder(a)));
+    sort_by_rank(&mut by_remainder, |at| [descending(remainder(at)), 0]);
     let given: u32 = shares.iter().map(|(_, share)| share).sum();
     for &at in by_remainder.iter().cycle().take(whole.saturating_sub(given) as usize * usize::from(!row.is_empty())) {
         shares[at].1 += 1;

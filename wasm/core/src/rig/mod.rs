@@ -11,11 +11,13 @@
 //! - `sources`, `driven`, `shares`: what a page poses the handles by, in the harmonic mode.
 //! - `posing`, `rig_poser`: the same with a solver, for all other rigs. `probes`: poses that
 //!   steps are chosen by.
-//! - `mesh`, `clip`: the content. `bytes`, `file`: numbers as bytes, and the sections with their checksum.
+//! - `mesh`, `clip`: the content. `bytes`, `ascending`, `file`: numbers as bytes, rows of them, and the sections with
+//!   their checksum.
 //!
 //! Cost: baking poses every frame once, and blends all vertices some six times a frame. Clips last up to ten minutes,
 //! and all clips together have up to eight million motions of sites.
 
+mod ascending;
 mod bake;
 mod bytes;
 mod clip;

@@ -7,6 +7,7 @@
 use glam::DVec2;
 
 use super::{
+    ascending::{read_rows, write_rows},
     bytes::{Reader, Writer},
     driven::{driven_by, kinds_of, read_driven, write_driven},
     error::RigError,
@@ -17,6 +18,7 @@ use super::{
 use crate::{
     pose::{Node, Poser, PoserParts, RigidParts, StiffnessField, StiffnessMask},
     project::{Handle, Rotation, Shape},
+    rank::sort_by_rank,
     site::SiteKind,
     weight::Influence,
 };
@@ -27,6 +29,8 @@ const FORMAT: u8 = 1;
 const MOST_BITS: u8 = 24;
 /// The greatest logarithm to the base 2 of an area or a flow.
 const MOST_LOG: f64 = 64.0;
+/// Why a number of a site is refused.
+const UNKNOWN_SITE: &str = "name a site that there is not";
 
 /// Handles and their solver, in whole numbers of steps.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,8 +107,7 @@ impl Posing {
         to.byte(parts.rigid.is_some().into());
         bits.all().iter().for_each(|&bits| to.byte(bits));
         write_places(&parts.rest.iter().map(|&place| steps_of(place, bits.place)).collect::<Vec<_>>(), to);
-        parts.harmonic.iter().for_each(|row| to.count(row.len()));
-        parts.harmonic.iter().for_each(|row| write_ascending(row.iter().map(|&(site, _)| site), to));
+        write_rows(parts.harmonic.iter().map(|row| row.iter().map(|&(site, _)| site)), to);
         parts.harmonic.iter().flatten().for_each(|&(_, share)| to.varint(steps(share, bits.share) as u32));
         to.count(parts.pseudo_edges.len());
         write_pairs(parts.pseudo_edges.iter().map(|&(i, j, _)| [i, j]), to);
@@ -133,8 +136,7 @@ impl Posing {
         let nodes = || nodes.iter().flatten();
         write_places(&nodes().map(|node| steps_of(node.at, bits.node)).collect::<Vec<_>>(), to);
         write_logs(nodes().map(|node| node.area), bits.log, to);
-        nodes().for_each(|node| to.count(node.influences.len()));
-        nodes().for_each(|node| write_ascending(node.influences.iter().map(|one| one.site as u32), to));
+        write_rows(nodes().map(|node| node.influences.iter().map(|one| one.site as u32)), to);
         // The first one has what the others leave.
         let others = || nodes().flat_map(|node| node.influences.iter().skip(1));
         others().for_each(|one| to.varint(steps(one.weight, bits.weight) as u32));
@@ -179,7 +181,7 @@ impl Posing {
         let rest = read_places(from, count)?.iter().map(|&steps| place_of(steps, place)).collect();
         let rows = kinds.iter().filter(|kind| !kind.is_real()).count();
         let mut harmonic = Vec::new();
-        for sites in read_rows(from, rows, count)? {
+        for sites in read_rows(from, rows, |site| site < count, UNKNOWN_SITE)? {
             harmonic.push(sites.into_iter().map(|site| (site, 0.0)).collect::<Vec<_>>());
         }
         for (_, weight) in harmonic.iter_mut().flatten() {
@@ -222,7 +224,7 @@ fn read_rigid(
     from.expect(from.has(Some(count)), "end too early")?;
     let places = read_places(from, count)?;
     let areas = read_logs(from, count, bits.log)?;
-    let rows = read_rows(from, count, sites)?;
+    let rows = read_rows(from, count, |site| site < sites, UNKNOWN_SITE)?;
     let mut nodes = Vec::new();
     for ((place, area), sites) in places.into_iter().zip(areas).zip(rows) {
         from.expect(!sites.is_empty(), "have a node that no site moves")?;
@@ -280,7 +282,7 @@ impl Rounding<'_> {
                 row.iter().filter(is_moved).map(|&(site, weight)| (site as usize, weight)).collect();
             let sum: f64 = moved.iter().map(|(_, weight)| weight).sum();
             let mut rounded = shares(moved.into_iter(), (sum * whole(bits.share)).round() as u32);
-            rounded.sort_unstable_by_key(|&(site, _)| site);
+            sort_by_rank(&mut rounded, |&(site, _)| [site.into(), 0]);
             rounded.into_iter().map(|(site, steps)| (site, f64::from(steps) / whole(bits.share))).collect()
         };
         let mut pseudo_edges: Vec<_> = parts
@@ -289,9 +291,9 @@ impl Rounding<'_> {
             .filter(|(.., flow)| *flow > 0.0)
             .map(|&(i, j, flow)| (i, j, exp(log(flow, bits.log), bits.log)))
             .collect();
-        pseudo_edges.sort_unstable_by_key(|&(i, j, _)| [i, j]);
+        sort_by_rank(&mut pseudo_edges, |&(i, j, _)| [i.into(), j.into()]);
         let mut adjacent = parts.adjacent.clone();
-        adjacent.sort_unstable();
+        sort_by_rank(&mut adjacent, |pair| pair.map(i64::from));
         let rigid = match &parts.rigid {
             Some(rigid) => Some(self.rigid(rigid)?),
             None => None,
@@ -311,7 +313,7 @@ impl Rounding<'_> {
         // A link of no weight would not count turns.
         let link = |weight: f64| (weight * whole(bits.link)).round().max(1.0) / whole(bits.link);
         let mut links: Vec<_> = rigid.links.iter().map(|&(i, j, weight)| (i, j, link(weight))).collect();
-        links.sort_unstable_by_key(|&(i, j, _)| [i, j]);
+        sort_by_rank(&mut links, |&(i, j, _)| [i.into(), j.into()]);
         let mut levels = [const { Vec::new() }; 3];
         for (rounded, nodes) in levels.iter_mut().zip(&rigid.nodes) {
             *rounded = nodes.iter().map(|node| self.node(node)).collect::<Option<_>>()?;
@@ -322,7 +324,7 @@ impl Rounding<'_> {
     fn node(&self, node: &Node) -> Option<Node> {
         let bits = self.bits;
         let mut exact = node.influences.clone();
-        exact.sort_unstable_by_key(|one| one.site);
+        sort_by_rank(&mut exact, |one| [one.site as i64, 0]);
         let rounded =
             shares(exact.iter().map(|one| one.site).zip(exact.iter().map(|one| one.weight)), 1 << bits.weight);
         let mut influences = Vec::new();
@@ -398,41 +400,6 @@ fn read_fraction(from: &mut Reader<'_>, bits: u8) -> Result<f64, RigError> {
     Ok(f64::from(steps) / whole(bits))
 }
 
-/// Ascending numbers: the first, then for each other one by how much it is greater, minus 1.
-fn write_ascending(numbers: impl Iterator<Item = u32>, to: &mut Writer) {
-    let mut next = 0;
-    for number in numbers {
-        to.varint(number - next);
-        next = number + 1;
-    }
-}
-
-/// Rows of ascending numbers below a limit: the lengths of all, then the numbers of all.
-fn read_rows(from: &mut Reader<'_>, rows: usize, limit: usize) -> Result<Vec<Vec<u32>>, RigError> {
-    from.expect(from.has(Some(rows)), "end too early")?;
-    let mut counts = Vec::new();
-    let mut entries = 0_usize;
-    for _ in 0..rows {
-        let count = from.varint()? as usize;
-        entries = entries.saturating_add(count);
-        from.expect(from.has(Some(entries)), "end too early")?;
-        counts.push(count);
-    }
-    let mut read = Vec::new();
-    for count in counts {
-        let mut next = 0_usize;
-        let mut row = Vec::new();
-        for _ in 0..count {
-            let number = next.saturating_add(from.varint()? as usize);
-            from.expect(number < limit, "name a site that there is not")?;
-            row.push(number as u32);
-            next = number + 1;
-        }
-        read.push(row);
-    }
-    Ok(read)
-}
-
 /// Pairs in ascending order, the lesser number first. It is written minus that of the pair before. The greater one is
 /// written minus the lesser one, minus 1.
 fn write_pairs(pairs: impl Iterator<Item = [u32; 2]>, to: &mut Writer) {
@@ -450,7 +417,7 @@ fn read_pairs(from: &mut Reader<'_>, count: usize, limit: usize) -> Result<Vec<[
     for _ in 0..count {
         i = i.saturating_add(from.varint()?);
         let j = i.saturating_add(from.varint()?).saturating_add(1);
-        from.expect(i < j && (j as usize) < limit, "name a site that there is not")?;
+        from.expect(i < j && (j as usize) < limit, UNKNOWN_SITE)?;
         pairs.push([i, j]);
     }
     Ok(pairs)

@@ -6,6 +6,7 @@
 use glam::DVec2;
 
 use super::{
+    ascending::{read_rows, write_rows},
     bytes::{Reader, Writer},
     driven::{Driven, driven_by, read_driven, write_driven},
     error::RigError,
@@ -15,6 +16,7 @@ use super::{
 use crate::{
     pose::{Motion, Poser},
     project::Handle,
+    rank::sort_by_rank,
 };
 
 /// The finest steps.
@@ -69,7 +71,7 @@ impl ExactShares {
                 Driven::Still | Driven::Virtual => None,
             };
             let mut parts: Vec<_> = row.iter().filter_map(from).collect();
-            parts.sort_by_key(|&(source, ..)| source);
+            sort_by_rank(&mut parts, |&(source, ..)| [source.into(), 0]);
             let of_source = |parts: &[(u32, f64, f64)]| {
                 let sum = parts.iter().fold((0.0, 0.0), |sum, part| (sum.0 + part.1, sum.1 + part.2));
                 (parts[0].0, sum.0, if sum.0 > 0.0 { sum.1 / sum.0 } else { 0.0 })
@@ -128,14 +130,7 @@ impl Shares {
         self.sources.write(to);
         write_driven(&self.sites, to);
         to.byte(self.bits);
-        self.rows.iter().for_each(|row| to.count(row.len()));
-        for row in &self.rows {
-            let mut next = 0;
-            for share in row {
-                to.varint(share.source - next);
-                next = share.source + 1;
-            }
-        }
+        write_rows(self.rows.iter().map(|row| row.iter().map(|share| share.source)), to);
         let parts = || self.rows.iter().flatten();
         parts().for_each(|part| to.varint(part.share));
         parts().filter(|part| self.is_bone(part.source)).for_each(|part| to.varint(part.along));
@@ -152,27 +147,10 @@ impl Shares {
         let bits = from.byte()?;
         from.expect(bits <= MOST_BITS, "are too fine")?;
         let rows = driven.iter().filter(|driven| **driven == Driven::Virtual).count();
-        from.expect(from.has(Some(rows)), "end too early")?;
-        let mut counts = Vec::with_capacity(rows);
-        let mut entries = 0_usize;
-        for _ in 0..rows {
-            let count = from.varint()? as usize;
-            entries = entries.saturating_add(count);
-            from.expect(from.has(Some(entries)), "end too early")?;
-            counts.push(count);
-        }
-        let mut shares = Self { sources, sites: driven, bits, rows: Vec::with_capacity(rows) };
-        for count in counts {
-            let mut next = 0_usize;
-            let mut row = Vec::with_capacity(count);
-            for _ in 0..count {
-                let source = next.saturating_add(from.varint()? as usize);
-                from.expect(shares.sources.has(source), "name a handle or bone that there is not")?;
-                row.push(Share { source: source as u32, share: 0, along: 0 });
-                next = source + 1;
-            }
-            shares.rows.push(row);
-        }
+        let named = read_rows(from, rows, |source| sources.has(source), "name a handle or bone that there is not")?;
+        let unread = |source: u32| Share { source, share: 0, along: 0 };
+        let rows = named.into_iter().map(|row| row.into_iter().map(unread).collect()).collect();
+        let mut shares = Self { sources, sites: driven, bits, rows };
         let whole = 1_u32 << bits;
         for row in &mut shares.rows {
             let mut left = whole;
