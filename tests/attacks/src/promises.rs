@@ -5,6 +5,7 @@ use c2warp::{
     Error, Solution,
     pose::Poser,
     project::{Project, Shape},
+    site::SiteKind,
 };
 
 /// Tolerance for the sum of some hundred weights, each rounded to 1e-16.
@@ -27,8 +28,9 @@ pub(crate) fn accepted<T>(result: Result<T, Error>) -> Option<T> {
 /// Checks a solution and its pose.
 pub(crate) fn check(solution: &Solution, project: &Project) {
     let has_bones = project.handles.iter().any(|handle| !matches!(handle.shape, Shape::Point { .. }));
-    let reach = if has_bones { BETWEEN_BONES } else { 1.0 };
     for site in solution.sites() {
+        let is_between = has_bones && matches!(site.kind, SiteKind::Point { .. } | SiteKind::Virtual);
+        let reach = if is_between { BETWEEN_BONES } else { 1.0 };
         assert!(site.rest.is_finite() && site.cell_radius < reach * site.support_radius, "{site:?}");
     }
     let weights = solution.weights();
