@@ -1,4 +1,5 @@
 /** Files that lie, a network that breaks off, and a browser that denies storage: all is told of, and work stays. */
+import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { deflateSync } from 'node:zlib';
@@ -50,6 +51,15 @@ test('pictures that are too large, and headers that lie, are refused in one sent
       await expect(editor.notice).toBeHidden();
     });
   }
+});
+
+test('a JPEG that the browser begins to decode, but cannot, is refused in plain words', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await openWithHandle(editor, 'disc.png', SIDE);
+  const buffer = readFileSync(new URL('corpus/partial.jpg', import.meta.url));
+  await editor.chooseFile({ name: 'partial.jpg', mimeType: 'image/jpeg', buffer });
+  await expect(editor.notice).toContainText('The picture is damaged, or this browser cannot read it.');
+  await expect(editor.handles).toHaveCount(1);
 });
 
 test('a picture whose download is cut at a random byte is told of, and the work stays', async ({ page }) => {

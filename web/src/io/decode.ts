@@ -140,7 +140,8 @@ class Decoder {
     } catch (cause) {
       // Firefox fails here for some photographs with EXIF data, but decodes them in an image element.
       const image = this.#header.kind === 'jpeg' ? await this.#platform.imageOf(file) : null;
-      if (image) return await createImageBitmap(image, { premultiplyAlpha });
+      const bitmap = image && (await createImageBitmap(image, { premultiplyAlpha }).catch(() => null));
+      if (bitmap) return bitmap;
       throw unreadable(this.#header, cause);
     }
   }
