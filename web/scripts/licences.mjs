@@ -8,7 +8,15 @@ import { dirname, join } from 'node:path';
 import { promisify } from 'node:util';
 import { ROOT } from './steps.mjs';
 
-/** @typedef {{ name: string, version: string, license: string, folder: string, source?: string }} Package */
+/**
+ * @typedef {object} Package
+ * @property {string} name
+ * @property {string} version
+ * @property {string} license by its SPDX expression
+ * @property {string} folder
+ * @property {string} [source] the address of its source
+ * @property {string[]} [authors]
+ */
 /** @typedef {import('vite').Plugin} Plugin */
 
 const FILE = 'LICENSES.md';
@@ -83,45 +91,56 @@ async function npmPackage(folder) {
  * @returns {Promise<Package[]>}
  */
 async function crates(linked) {
-  const { stdout } = await promisify(execFile)(
-    process.env.CARGO ?? 'cargo',
-    ['metadata', '--format-version', '1', '--locked', '--filter-platform', TARGET],
-    { cwd: ROOT, maxBuffer: 64e6 },
-  );
-  const { packages, resolve } = JSON.parse(stdout);
-  const byId = new Map(packages.map((/** @type {{ id: string }} */ one) => [one.id, one]));
-  const nodes = new Map(resolve.nodes.map((/** @type {{ id: string }} */ node) => [node.id, node]));
-  const modules = packages.filter((/** @type {Package} */ { name }) => linked.includes(name));
-  const reached = new Set(modules.map((/** @type {{ id: string }} */ { id }) => id));
-  for (const id of reached) {
-    for (const { pkg, dep_kinds } of nodes.get(id).deps) {
-      const isLinked = dep_kinds.some((/** @type {{ kind: string | null }} */ { kind }) => kind === null);
-      const isMacro = byId
-        .get(pkg)
-        .targets.some((/** @type {{ kind: string[] }} */ { kind }) => kind.includes('proc-macro'));
-      if (isLinked && !isMacro) reached.add(pkg);
-    }
-  }
-  return [...reached]
-    .map((id) => byId.get(id))
-    .filter(({ source }) => source !== null)
-    .map(({ name, version, license, manifest_path }) => ({
-      name,
-      version,
-      license,
-      folder: dirname(manifest_path),
-    }));
+  if (linked.length === 0) return [];
+  // Only the tree has the features that these modules use: the metadata has those of the whole workspace.
+  const parts = linked.flatMap((module) => ['--package', module]);
+  const kinds = ['--edges', 'normal,no-proc-macro', '--target', TARGET];
+  const [tree, metadata] = await Promise.all([
+    cargo(['tree', ...parts, ...kinds, '--prefix', 'none', '--format', '{p}']),
+    cargo(['metadata', '--format-version', '1', '--filter-platform', TARGET]),
+  ]);
+  const reached = new Set(tree.split('\n').map((line) => line.split(' ', 2).join(' ')));
+  /** @type {{ packages: (Package & { manifest_path: string })[] }} */
+  const { packages } = JSON.parse(metadata);
+  return packages
+    .filter(({ name, version, source }) => source !== null && reached.has(`${name} v${version}`))
+    .map(({ name, version, license, authors = [], manifest_path }) => {
+      return { name, version, license, authors, folder: dirname(manifest_path) };
+    });
+}
+
+/**
+ * What a command of Cargo prints.
+ * @param {string[]} args
+ */
+async function cargo(args) {
+  const options = { cwd: ROOT, maxBuffer: 64e6 };
+  const { stdout } = await promisify(execFile)(process.env.CARGO ?? 'cargo', [...args, '--locked'], options);
+  return stdout;
 }
 
 /** @param {Package} one */
-async function chapter({ name, version, license, folder, source }) {
-  const files = (await readdir(folder)).filter((file) => /^(licen[cs]e|copying|notice)/i.test(file)).sort();
-  // One of several alternatives suffices.
-  const mit = files.find((file) => /mit/i.test(file));
-  const chosen = mit && /\bMIT\b/.test(license) ? [mit] : files;
-  const texts = await Promise.all(chosen.map((file) => readFile(join(folder, file), 'utf8')));
+async function chapter(one) {
+  const { name, version, license, source } = one;
+  const texts = await licenceTexts(one);
   // This licence asks for the place of the source.
   const place = license.startsWith('MPL') && source ? [`Its source is at ${source}.\n`] : [];
   const title = `## ${name} ${version} (${license})\n`;
   return [title, ...place, ...texts.map((text) => `${text.trim()}\n`)].join('\n');
+}
+
+/** @param {Package} one */
+async function licenceTexts({ name, license, folder, authors }) {
+  const files = (await readdir(folder)).filter((file) => /^(licen[cs]e|copying|notice)/i.test(file)).sort();
+  // One of several alternatives suffices.
+  const mit = files.find((file) => /mit/i.test(file));
+  const chosen = mit && /\bMIT\b/.test(license) ? [mit] : files;
+  if (chosen.length > 0) {
+    return Promise.all(chosen.map((file) => readFile(join(folder, file), 'utf8')));
+  }
+  if (!/\bMIT\b/.test(license)) throw new Error(`${name} (${license}) comes without the text of its licence`);
+  // Some crates name the licence alone. Its text is the same for all but the holders.
+  const holders = authors?.length ? authors.join(', ') : `the authors of ${name}`;
+  const own = await readFile(join(ROOT, 'LICENSE-MIT'), 'utf8');
+  return [own.replace(/^Copyright .*$/m, () => `Copyright (c) ${holders}`)];
 }
