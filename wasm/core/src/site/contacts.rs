@@ -6,9 +6,10 @@
 //!
 //! Each contact is found between two coarse samples, and lies exactly on the border of the cells.
 //!
-//! Cost: each time that real sites are new, a look at every triangle of the coarse mesh. For each sample near a new
-//! site and on the border of a cell, a look at the real sites about as near as its own. For each pair of such samples
-//! of two handles, a look at all sites. Later rounds look at the contacts left and at the new sites.
+//! Cost: each time that real sites are new, a look at every coarse sample for each of them, and at every triangle of
+//! the coarse mesh. For each sample near a new site and on the border of a cell, a look at the real sites about as near
+//! as its own. For each pair of such samples of two handles, a look at all sites. Later rounds look at the contacts
+//! left and at the new sites.
 //!
 //! Limits: the coarse samples decide where along the border a contact lies: where the edge between two of them crosses
 //! it. So these sites change with the lattice, for example if the picture is rotated or its outline has one more
@@ -29,8 +30,10 @@ const ALONG: f64 = 1e-3;
 /// All contacts that are not known to be closed.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
-    /// Ascending by their samples.
+    /// Those with contacts, ascending by their samples.
     borders: Vec<Border>,
+    /// The real sites when the borders were found.
+    grid: Option<Grid<usize>>,
     /// Number of real sites when the borders were found.
     real_sites: usize,
     /// Number of sites when the borders were found.
@@ -80,48 +83,84 @@ impl Contacts {
 
     /// Finds all contacts between the sites inserted so far. Those far from new sites are known.
     fn find(&mut self, voronoi: &Voronoi, obstacles: &Obstacles) {
-        let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
-        let new = &voronoi.sites[self.found_at..];
-        let is_near_new = |&sample: &u32| {
-            let (p, within) = (coarse.mesh.vertices[sample as usize], cells.distance[sample as usize] * (1.0 + TIE));
-            new.iter().any(|site| site.rest.distance_squared(p) <= within * within)
-        };
-        let pairs = pairs_on_borders(voronoi);
-        let mut near_new: HashMap<u32, bool> = HashMap::new();
-        for &sample in pairs.as_flattened() {
-            near_new.entry(sample).or_insert_with(|| is_near_new(&sample));
+        let is_near_new = samples_near(voronoi, &voronoi.sites[self.found_at..]);
+        self.borders.retain(|border| !border.samples.iter().any(|&at| is_near_new[at as usize]));
+        let (closed, known): (Vec<_>, Vec<_>) =
+            std::mem::take(&mut self.borders).into_iter().partition(|border| border.has_closed);
+        let mut open = pairs_on_borders(voronoi, &is_near_new);
+        open.extend(closed.iter().map(|border| border.samples));
+        sort_by_rank(&mut open, |&pair| pair.map(i64::from));
+        // Most pairs are found from both sides.
+        open.dedup();
+        let nearest = self.nearest_real_sites(voronoi, open.as_flattened());
+        let mut known = known.into_iter().peekable();
+        for samples in open {
+            while let Some(border) = known.next_if(|border| border.samples < samples) {
+                self.borders.push(border);
+            }
+            let contacts = contacts(voronoi, obstacles, &nearest, samples);
+            if !contacts.is_empty() {
+                self.borders.push(Border { samples, contacts, has_closed: false });
+            }
         }
-        let mut known = std::mem::take(&mut self.borders).into_iter().peekable();
-        let mut kept = |samples: [u32; 2]| {
-            while known.next_if(|border| border.samples < samples).is_some() {}
-            let is_kept = |border: &Border| {
-                border.samples == samples && !border.has_closed && !samples.iter().any(|at| near_new[at])
-            };
-            known.next_if(is_kept)
-        };
-        let kept: Vec<Result<Border, [u32; 2]>> = pairs.into_iter().map(|pair| kept(pair).ok_or(pair)).collect();
-        let open: Vec<[u32; 2]> = kept.iter().filter_map(|border| border.as_ref().err().copied()).collect();
-        let nearest = nearest_real_sites(voronoi, open.as_flattened());
-        let found =
-            |samples| Border { samples, contacts: contacts(voronoi, obstacles, &nearest, samples), has_closed: false };
-        self.borders = kept.into_iter().map(|border| border.unwrap_or_else(found)).collect();
+        self.borders.extend(known);
         self.found_at = voronoi.sites.len();
+    }
+
+    /// For each of some coarse samples, the nearest real sites, ascending. A sample on a border has several, as on an
+    /// axis of symmetry.
+    fn nearest_real_sites(&mut self, voronoi: &Voronoi, samples: &[u32]) -> HashMap<u32, Vec<usize>> {
+        let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
+        let grid = self.grid.get_or_insert_with(|| {
+            let distances = samples.iter().map(|&sample| cells.distance[sample as usize]);
+            // The average radius of a query, so that a query touches a few cells of the grid.
+            let side = (distances.sum::<f64>() / samples.len() as f64).max(MIN_SEPARATION);
+            Grid::new(side, [])
+        });
+        for (at, site) in voronoi.sites.iter().enumerate().skip(self.found_at).filter(|(_, site)| site.kind.is_real()) {
+            grid.insert(site.rest, at);
+        }
+        let nearest = |sample: usize| {
+            let (triangle, p) = (coarse.nav_triangles[sample], coarse.mesh.vertices[sample]);
+            let within = cells.distance[sample] * (1.0 + TIE);
+            let is_near = |&site: &usize| {
+                voronoi.sites[site].rest.distance(p) <= within && voronoi.distance(site, triangle, p) <= within
+            };
+            let mut near: Vec<usize> = grid.around(p, within).filter(is_near).collect();
+            sort_by_rank(&mut near, |&site| [site as i64, 0]);
+            near
+        };
+        let mut known = HashMap::new();
+        for &sample in samples {
+            known.entry(sample).or_insert_with(|| nearest(sample as usize));
+        }
+        known
     }
 }
 
-/// The pairs of neighbouring coarse samples in different cells, ascending.
-fn pairs_on_borders(voronoi: &Voronoi) -> Vec<[u32; 2]> {
+/// Coarse samples: whether one of some sites is about as near to each as its own site, or nearer.
+fn samples_near(voronoi: &Voronoi, sites: &[Site]) -> Vec<bool> {
+    let samples = voronoi.coarse.mesh.vertices.iter().zip(&voronoi.cells.distance);
+    let is_near = |(&p, &distance): (&DVec2, &f64)| {
+        let within = distance * (1.0 + TIE);
+        sites.iter().any(|site| site.rest.distance_squared(p) <= within * within)
+    };
+    samples.map(is_near).collect()
+}
+
+/// The pairs of neighbouring coarse samples in different cells, at least one of them chosen.
+fn pairs_on_borders(voronoi: &Voronoi, is_chosen: &[bool]) -> Vec<[u32; 2]> {
     let cells = &voronoi.cells;
     let mut pairs: Vec<[u32; 2]> = Vec::new();
     let are_apart = |[a, b]: [u32; 2]| cells.nearest[a as usize] != cells.nearest[b as usize];
+    let is_chosen = |sample: u32| is_chosen[sample as usize];
+    let is_pair = |&[a, b]: &[u32; 2]| a < b && (is_chosen(a) || is_chosen(b)) && are_apart([a, b]);
     let add_pairs = |edges: &[[u32; 2]]| {
         let ends = |&[a, _]: &[u32; 2]| edges.iter().map(move |&[b, _]| [a, b]);
-        pairs.extend(edges.iter().flat_map(ends).filter(|&[a, b]| a < b && are_apart([a, b])));
+        pairs.extend(edges.iter().flat_map(ends).filter(is_pair));
     };
-    voronoi.coarse.mesh.visit_polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
-    // Most pairs are found from both sides.
-    sort_by_rank(&mut pairs, |&pair| pair.map(i64::from));
-    pairs.dedup();
+    let is_wanted = |corners: [u32; 3]| corners.into_iter().any(is_chosen);
+    voronoi.coarse.mesh.visit_polygons(is_wanted, add_pairs);
     pairs
 }
 
@@ -143,32 +182,6 @@ fn contacts(
         point_on_border(voronoi, start, sites)
     };
     apart.filter_map(point).collect()
-}
-
-/// For each of some coarse samples, the nearest real sites, ascending. A sample on a border has several, as on an axis
-/// of symmetry.
-fn nearest_real_sites(voronoi: &Voronoi, samples: &[u32]) -> HashMap<u32, Vec<usize>> {
-    let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
-    let distances = samples.iter().map(|&sample| cells.distance[sample as usize]);
-    // The average radius of a query, so that a query touches a few cells of the grid.
-    let side = (distances.sum::<f64>() / samples.len() as f64).max(MIN_SEPARATION);
-    let real = voronoi.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real());
-    let grid = Grid::new(side, real.map(|(at, site)| (site.rest, at)));
-    let nearest = |sample: usize| {
-        let (triangle, p) = (coarse.nav_triangles[sample], coarse.mesh.vertices[sample]);
-        let within = cells.distance[sample] * (1.0 + TIE);
-        let is_near = |&site: &usize| {
-            voronoi.sites[site].rest.distance(p) <= within && voronoi.distance(site, triangle, p) <= within
-        };
-        let mut near: Vec<usize> = grid.around(p, within).filter(is_near).collect();
-        sort_by_rank(&mut near, |&site| [site as i64, 0]);
-        near
-    };
-    let mut known = HashMap::new();
-    for &sample in samples {
-        known.entry(sample).or_insert_with(|| nearest(sample as usize));
-    }
-    known
 }
 
 /// Approximately the point where the border of two sites crosses the edge between two coarse samples, one in each cell.
@@ -241,7 +254,7 @@ mod tests {
         }
         let voronoi = &inserter.voronoi;
         let all: Vec<u32> = (0..coarse.len() as u32).collect();
-        let nearest = nearest_real_sites(voronoi, &all);
+        let nearest = Contacts::default().nearest_real_sites(voronoi, &all);
         let mut found = [0; 3];
         for sample in all {
             let at = sample as usize;
