@@ -11,9 +11,9 @@ use c2warp::{
 /// Tolerance for the sum of some hundred weights, each rounded to 1e-16.
 const SUM_TOLERANCE: f64 = 1e-12;
 
-/// Between two bones that meet at an acute angle, a cell may reach so much farther than its support: theirs cover the
-/// rest.
-const BETWEEN_BONES: f64 = 1.1;
+/// Between two bones or edges of a held outline that meet at an acute angle, a cell may reach so much farther than its
+/// support. Those of both sides cover the rest.
+const BETWEEN_LINES: f64 = 1.1;
 
 /// Checks that an error is one line for people.
 pub(crate) fn expect_sentence(error: &str) {
@@ -28,9 +28,10 @@ pub(crate) fn accepted<T>(result: Result<T, Error>) -> Option<T> {
 /// Checks a solution and its pose.
 pub(crate) fn check(solution: &Solution, project: &Project) {
     let has_bones = project.handles.iter().any(|handle| !matches!(handle.shape, Shape::Point { .. }));
+    let has_lines = has_bones || project.fix_boundary;
     for site in solution.sites() {
-        let is_between = has_bones && matches!(site.kind, SiteKind::Point { .. } | SiteKind::Virtual);
-        let reach = if is_between { BETWEEN_BONES } else { 1.0 };
+        let is_between = has_lines && matches!(site.kind, SiteKind::Point { .. } | SiteKind::Virtual);
+        let reach = if is_between { BETWEEN_LINES } else { 1.0 };
         assert!(site.rest.is_finite() && site.cell_radius < reach * site.support_radius, "{site:?}");
     }
     let weights = solution.weights();

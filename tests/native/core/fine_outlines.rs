@@ -107,6 +107,34 @@ fn held_soft_shadow_needs_few_sites() {
 }
 
 #[test]
+fn held_tips_need_few_sites() {
+    // Tips of 11, 6, 3 and 1 degrees: the width of the other end, and the most real sites.
+    let expected = [(200.0, 200), (100.0, 350), (60.0, 500), (20.0, 1_300)];
+    let rgba = vec![255; 1000 * 300 * 4];
+    let picture = Picture::new(1000, 300, &rgba).expect("a picture");
+    for (width, most) in expected {
+        let corners = [(0.0, 40.0), (1000.0, 40.0 + width / 2.0), (0.0, 40.0 + width)].map(DVec2::from);
+        let mut project = Project::for_picture(1000, 300)
+            .with_handles([Handle::point("a", [100.0, 40.0 + width / 2.0])])
+            .with_editor_settings();
+        project.domain = Some(DomainSpec::polygon(vec![corners.to_vec()]));
+        (project.fix_boundary, project.pose.density) = (true, 100);
+        let solution = solve(&project, &picture).unwrap_or_else(|error| panic!("{width} px: {error}"));
+        let sites = solution.sites();
+        let real = sites.iter().filter(|site| site.kind.is_real()).count();
+        assert!(real < most, "{width} px: {real} real sites");
+        assert!(sites.len() - real >= 100, "{width} px: {} virtual sites", sites.len() - real);
+        let is_covered = |vertex| solution.weights().row(vertex).next().is_some();
+        assert!((0..solution.vertices().len()).all(is_covered), "{width} px: vertices without weights");
+        for (at, site) in sites.iter().enumerate().filter(|(_, site)| !site.kind.is_real()) {
+            let others = sites.iter().filter(|other| other.kind.is_real());
+            let nearest = others.map(|other| other.rest.distance(site.rest)).fold(f64::INFINITY, f64::min);
+            assert!(site.support_radius <= nearest, "{width} px: the support of site {at} reaches a real one");
+        }
+    }
+}
+
+#[test]
 fn held_fur_has_a_coarser_outline_than_free_fur() {
     let side = 600;
     let fur = pixels(side, |x, y| {

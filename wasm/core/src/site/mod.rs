@@ -136,7 +136,8 @@ pub struct Site {
     /// Within this distance a point handle takes a share of the weight of others, if the outline is held. 0 for other
     /// sites.
     pub(crate) precedence_radius: f64,
-    /// Whether the site has no body and lies close to two bones that meet at an acute angle, between them.
+    /// Whether the site has no body and lies close to two bones that meet at an acute angle, between them. The sides of
+    /// a sharp corner of a held outline count as bones, too.
     ///
     /// Its support must not reach either bone. Towards the joint the cell ends at the bones' sites. However many these
     /// are, the cell reaches about as far as the support may. If the cell needed a margin there, Algorithm 1 would

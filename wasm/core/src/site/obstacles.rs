@@ -15,8 +15,9 @@ use crate::{
 /// The body of a held outline. Bodies of bones have lower numbers.
 pub(super) const BOUNDARY: u32 = u32::MAX;
 
-/// A point lies between two bones if the cosine of the angle between the directions to them is below this. The bones
-/// then meet at less than 20°. At greater angles the sites of both bones are close enough to bound a cell between them.
+/// A point lies between two bones, or two edges of a held outline, if the cosine of the angle between the directions to
+/// them is below this. Both then meet at less than 20°. At greater angles the sites of both are close enough to bound a
+/// cell between them.
 const OPPOSITE_COSINE: f64 = -0.94;
 
 /// Obstacles of supports, besides sites.
@@ -27,6 +28,8 @@ pub(crate) struct Obstacles<'a> {
     segments: Vec<EmbeddedSegment>,
     /// The domain, if its outline is held.
     held: Option<&'a Domain>,
+    /// The tips of the held outline: each sharp corner between its neighbours.
+    tips: Vec<[DVec2; 3]>,
 }
 
 impl<'a> Obstacles<'a> {
@@ -35,7 +38,8 @@ impl<'a> Obstacles<'a> {
     /// Cost: for each bone a pass over the triangles of the navigation mesh.
     pub(crate) fn new(skeleton: &'a Skeleton, navigation: &Navigation, held: Option<&'a Domain>) -> Self {
         let segments = skeleton.bones.iter().map(|bone| EmbeddedSegment::new(navigation, bone)).collect();
-        Self { skeleton, segments, held }
+        let tips = held.map_or(&[][..], Domain::rings).iter().flat_map(|ring| tips(ring)).collect();
+        Self { skeleton, segments, held, tips }
     }
 
     pub(super) fn skeleton(&self) -> &'a Skeleton {
@@ -78,7 +82,8 @@ impl<'a> Obstacles<'a> {
         )
     }
 
-    /// Whether a point lies between two bones that meet at an acute angle, both at intrinsic distances up to `within`.
+    /// Whether a point lies between two bones that meet at an acute angle, or in a tip of the held outline, with both
+    /// sides at intrinsic distances up to `within`.
     pub(super) fn has_acute_joint(
         &self,
         navigation: &Navigation,
@@ -86,6 +91,19 @@ impl<'a> Obstacles<'a> {
         (triangle, p): (NavTriangle, DVec2),
         within: f64,
     ) -> bool {
+        let (bones, feet) = (self.bones_around(p, within), self.feet_in_tip(p, within));
+        // Exclude sides behind a hole.
+        !(bones.is_empty() && feet.is_none()) && {
+            let field = propagation.field(navigation, triangle, p, within);
+            let reaches =
+                |foot: DVec2| navigation.locate(foot).is_some_and(|(at, foot)| field.distance(at, foot) <= within);
+            let is_between = !bones.is_empty() && bones.iter().all(|&at| self.segments[at].distance(&field) <= within);
+            is_between || feet.is_some_and(|feet| feet.into_iter().all(reaches))
+        }
+    }
+
+    /// The bones up to `within` from a point that have a bone that they meet on its other side.
+    fn bones_around(&self, p: DVec2, within: f64) -> Vec<usize> {
         let bones = &self.skeleton.bones;
         let near: Vec<(usize, DVec2)> = bones
             .iter()
@@ -93,15 +111,28 @@ impl<'a> Obstacles<'a> {
             .map(|(at, bone)| (at, nearest_on_segment(p, bone.rest[0], bone.rest[1]) - p))
             .filter(|(_, to)| to.length() <= within)
             .collect();
-        let are_opposite = |&(a, to_a): &(usize, DVec2), &(b, to_b): &(usize, DVec2)| {
-            bones[a].meets(&bones[b]) && to_a.dot(to_b) < OPPOSITE_COSINE * to_a.length() * to_b.length()
+        let has_opposite = |&&(a, to_a): &&(usize, DVec2)| {
+            near.iter().any(|&(b, to_b)| bones[a].meets(&bones[b]) && are_opposite(to_a, to_b))
         };
-        let has_opposite = |one: &&(usize, DVec2)| near.iter().any(|other| are_opposite(one, other));
-        let opposite: Vec<usize> = near.iter().filter(has_opposite).map(|&(at, _)| at).collect();
-        // Exclude bones behind a hole.
-        !opposite.is_empty() && {
-            let field = propagation.field(navigation, triangle, p, within);
-            opposite.iter().all(|&at| self.segments[at].distance(&field) <= within)
-        }
+        near.iter().filter(has_opposite).map(|&(at, _)| at).collect()
     }
+
+    /// The nearest points on both sides of the tip of the held outline that a point lies in, up to `within` from it.
+    fn feet_in_tip(&self, p: DVec2, within: f64) -> Option<[DVec2; 2]> {
+        self.tips
+            .iter()
+            .map(|&[before, tip, after]| [before, after].map(|end| nearest_on_segment(p, tip, end)))
+            .find(|feet| feet.iter().all(|foot| foot.distance(p) <= within) && are_opposite(feet[0] - p, feet[1] - p))
+    }
+}
+
+fn are_opposite(a: DVec2, b: DVec2) -> bool {
+    a.dot(b) < OPPOSITE_COSINE * a.length() * b.length()
+}
+
+/// The corners of a ring that a point may lie in: see [`OPPOSITE_COSINE`].
+fn tips(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 3]> + '_ {
+    let n = ring.len();
+    let corners = (0..n).map(move |i| [i + n - 1, i, i + 1].map(|at| ring[at % n]));
+    corners.filter(|&[before, tip, after]| are_opposite(tip - before, after - tip))
 }
