@@ -72,6 +72,17 @@ fn truncated_pictures_are_rejected() {
 }
 
 #[test]
+fn picture_whose_decoder_panics_is_damaged() {
+    let folder = SceneFolder::new("strip");
+    folder.write("strip.jpg", include_bytes!("../../attacks/corpus/pictures/decoder-that-panics"));
+    let new = "new strip.jpg --handles 3,3 --output new.c2warp.json";
+    // The decoder panics where the processor has AVX2.
+    if command(folder.path(), new).output().unwrap().status.code() != Some(0) {
+        assert_contains(&fail(folder.path(), new), &["strip.jpg: the picture is damaged or truncated"]);
+    }
+}
+
+#[test]
 fn too_small_and_too_large_pictures_are_rejected() {
     let folder = SceneFolder::new("strip");
     for (width, height) in [(1, 1), (1, 48), (20_000, 20)] {

@@ -5,6 +5,7 @@
 //! lost. `web/docs/pictures.md` compares the command with the editor.
 
 mod apng;
+mod decoding;
 mod drawing;
 #[cfg(not(target_family = "wasm"))]
 mod fonts;
@@ -114,7 +115,7 @@ fn pixels(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<Pixels, CliE
     let first_frame = if format == ImageFormat::Png { apng::first_frame(bytes) } else { None };
     let mut image = match first_frame {
         Some(frame) => DynamicImage::ImageRgba8(frame.map_err(damaged)?),
-        None => DynamicImage::from_decoder(decoder).map_err(damaged)?,
+        None => decoding::decoded(decoder, format).map_err(damaged)?,
     };
     if let Some(orientation) = orientation {
         image.apply_orientation(orientation);
