@@ -6,7 +6,7 @@
 //! Known limit: a project with fewer samples has as few coarse samples. Contacts are sites that a density requests
 //! between handles, and they then lie elsewhere along the borders of cells.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec2;
 
@@ -16,7 +16,7 @@ use crate::{
     min_max::fast_max,
     prepared_domain::PreparedDomain,
     rows::Rows,
-    triangulation::Triangulation,
+    triangulation::{Locator, Triangulation},
 };
 
 /// Upper limit of coarse samples, unless close sites need finer ones.
@@ -49,6 +49,8 @@ pub(crate) struct CoarseSamples {
     pub(crate) longest_edge: f64,
     /// The index of the base samples.
     nearby: Arc<Nearby>,
+    /// An index over the triangles of the mesh, once a walk has got stuck.
+    locator: OnceLock<Box<Locator>>,
 }
 
 impl CoarseSamples {
@@ -65,7 +67,7 @@ impl CoarseSamples {
         let longest_edge = reach.iter().copied().fold(0.0, fast_max);
         let fans = fans(&mesh);
         let nearby = Arc::clone(&base.nearby);
-        Self { mesh, nav_triangles, graph, fans, reach, longest_edge, nearby }
+        Self { mesh, nav_triangles, graph, fans, reach, longest_edge, nearby, locator: OnceLock::new() }
     }
 
     /// The triangles around a sample.
@@ -75,7 +77,12 @@ impl CoarseSamples {
 
     /// The triangle that contains a point of the domain.
     pub(crate) fn triangle_at(&self, p: DVec2) -> usize {
-        self.mesh.triangle_at(self.nearby.triangle(p), p)
+        let near = self.nearby.triangle(p);
+        let located = || {
+            let locator = self.locator.get_or_init(|| Box::new(Locator::new(&self.mesh)));
+            self.mesh.deepest(locator.candidates(p), p)
+        };
+        self.mesh.walk(near, p).or_else(located).unwrap_or(near)
     }
 
     /// Number of coarse samples.

@@ -5,12 +5,12 @@ use std::collections::{BTreeSet, HashMap};
 use glam::DVec2;
 use proptest::prelude::*;
 
-use super::{base::BaseSamples, samples::Samples};
+use super::{CoarseSamples, base::BaseSamples, samples::Samples};
 use crate::{
     domain::Domain,
     picture::Picture,
     prepared_domain::PreparedDomain,
-    triangulation::{NONE, Triangulation},
+    triangulation::{NONE, OUTLINE_TOLERANCE, Triangulation, signed_depth},
 };
 
 const SIZE: (u32, u32) = (96, 64);
@@ -156,6 +156,29 @@ proptest! {
             let mut other: Vec<u32> = polygon.iter().map(|v| mirrored(v).expect("samples mirror themselves")).collect();
             other.sort_unstable();
             prop_assert!(own.contains(&other), "{polygon:?}");
+        }
+    }
+}
+
+/// Walks between the rays get stuck.
+#[test]
+fn coarse_triangles_of_a_star_contain_their_points() {
+    let corner = |at: u32| {
+        let radius = if at.is_multiple_of(2) { 100.0 } else { 40.0 };
+        let (sin, cos) = libm::sincos(f64::from(at) * std::f64::consts::PI / 60.0);
+        DVec2::splat(100.0) + radius * DVec2::new(cos, sin)
+    };
+    let outline: Vec<DVec2> = (0..120).map(corner).collect();
+    let prepared =
+        PreparedDomain::without_picture(Domain::from_rings(std::slice::from_ref(&outline)).expect("a domain"));
+    let base = BaseSamples::new(&prepared, &[], 500);
+    let coarse = CoarseSamples::new(&base, &prepared, &[]);
+    for (at, &corner) in outline.iter().enumerate() {
+        let next = outline[(at + 1) % outline.len()];
+        for step in 0..8 {
+            let p = corner.lerp(next, f64::from(step) / 8.0);
+            let depth = signed_depth(coarse.mesh.corners(coarse.triangle_at(p)), p);
+            assert!(depth >= -OUTLINE_TOLERANCE, "{p} is {depth} px outside");
         }
     }
 }

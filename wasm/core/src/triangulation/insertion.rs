@@ -74,27 +74,32 @@ impl Triangulation {
     ///
     /// `near` is a triangle not far from the point.
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
-        let depth = |t: usize| signed_depth(self.corners(t), p);
+        self.walk(near, p).or_else(|| self.deepest(0..self.triangles.len(), p)).unwrap_or(near)
+    }
+
+    /// The triangle that contains a point, found from triangle to triangle. `None` if the walk gets stuck, as the
+    /// region need not be convex.
+    pub(crate) fn walk(&self, near: usize, p: DVec2) -> Option<usize> {
         let mut t = near;
-        // In a Delaunay triangulation the walk visits no triangle twice. It may get stuck, as the region need not be
-        // convex.
+        // In a Delaunay triangulation the walk visits no triangle twice.
         for _ in 0..self.triangles.len() {
             let ([a, b, c], neighbours) = (self.triangles[t], self.neighbours[t]);
             let beyond = [(a, b), (b, c), (c, a)].map(|(from, to)| self.side(from, to, p) < 0.0);
             if !beyond.contains(&true) {
-                return t;
+                return Some(t);
             }
             let Some(k) = (0..3).find(|&k| beyond[k] && neighbours[k] != NONE) else {
-                if depth(t) >= -OUTLINE_TOLERANCE {
-                    return t;
-                }
-                break;
+                return (signed_depth(self.corners(t), p) >= -OUTLINE_TOLERANCE).then_some(t);
             };
             t = neighbours[k] as usize;
         }
-        let deepest =
-            (0..self.triangles.len()).map(|t| (depth(t), t)).reduce(|best, at| if at.0 > best.0 { at } else { best });
-        deepest.map_or(near, |(_, t)| t)
+        None
+    }
+
+    /// The triangle, of some, in which a point lies deepest; `None` of none.
+    pub(crate) fn deepest(&self, triangles: impl Iterator<Item = usize>, p: DVec2) -> Option<usize> {
+        let depths = triangles.map(|t| (signed_depth(self.corners(t), p), t));
+        depths.reduce(|best, at| if at.0 > best.0 { at } else { best }).map(|(_, t)| t)
     }
 
     /// Positive for a point on the inner side of the edge between two vertices.
