@@ -27,7 +27,7 @@ pub(crate) const MAX_PIECE_BYTES: usize = 3 << 27;
 pub(crate) const MAX_WEIGHTS: usize = 1 << 25;
 /// Greatest number of steps of Algorithm 1: a window that is carried through a triangle, or a look at a path.
 ///
-/// Each takes some 10 to 50 ns. A line of 300 handles takes half of them.
+/// Each takes some 10 to 50 ns. A line of 300 handles takes three fifths of them.
 pub const MAX_STEPS: u64 = 100_000_000;
 /// Greatest absolute number of a pose: a coordinate in pixels, a scale, or a depth.
 pub(crate) const MAX_POSED: f64 = 1e12;

@@ -2,6 +2,8 @@
 //!
 //! Cost: three queries of the site's field.
 
+use std::collections::HashMap;
+
 use glam::DVec2;
 
 use super::super::TIE;
@@ -34,17 +36,8 @@ impl CornerPaths {
     /// The common pseudo-source of all paths; `None` if they differ. With one, distances in the piece are those of one
     /// cone.
     pub(super) fn pseudo_source(&self) -> Option<DVec2> {
-        let [a, b, c] = self.pseudo_sources();
+        let [a, b, c] = self.0.map(|path| path.map(|path| path.pseudo_source));
         if a == b && b == c { a } else { None }
-    }
-
-    /// Whether the paths to each corner have the same pseudo-source as those of another site.
-    pub(super) fn have_pseudo_sources_of(&self, other: &Self) -> bool {
-        self.pseudo_sources() == other.pseudo_sources()
-    }
-
-    fn pseudo_sources(&self) -> [Option<DVec2>; 3] {
-        self.0.map(|path| path.map(|path| path.pseudo_source))
     }
 
     /// The minimum of the known distances and these.
@@ -83,15 +76,32 @@ impl Detours {
 
 /// The nearest site for each triple of pseudo-sources on the outline. Any other site behind the same three is farther
 /// everywhere in the piece.
-pub(super) fn nearest_by_pseudo_sources(all: &[CornerPaths]) -> Vec<CornerPaths> {
-    let length = |paths: &CornerPaths| paths.0.iter().flatten().map(|path| path.offset).sum::<f64>();
-    let mut nearest: Vec<CornerPaths> = Vec::new();
-    for paths in all.iter().filter(|paths| paths.0.iter().all(|path| path.is_some_and(|path| path.offset > 0.0))) {
-        match nearest.iter_mut().find(|leader| leader.have_pseudo_sources_of(paths)) {
-            Some(leader) if length(paths) < length(leader) => *leader = *paths,
-            Some(_) => {}
-            None => nearest.push(*paths),
+#[derive(Debug, Default)]
+pub(super) struct Leaders(HashMap<[[u64; 2]; 3], CornerPaths>);
+
+impl Leaders {
+    pub(super) fn of(all: &[CornerPaths]) -> Self {
+        let length = |paths: &CornerPaths| paths.0.iter().flatten().map(|path| path.offset).sum::<f64>();
+        let mut leaders = Self::default();
+        for paths in all.iter().filter(|paths| paths.0.iter().all(|path| path.is_some_and(|path| path.offset > 0.0))) {
+            let Some(key) = key(paths) else { continue };
+            let leader = leaders.0.entry(key).or_insert(*paths);
+            if length(paths) < length(leader) {
+                *leader = *paths;
+            }
         }
+        leaders
     }
-    nearest
+
+    /// The one with the pseudo-sources of some paths, which may be its own.
+    pub(super) fn of_same_sources(&self, paths: &CornerPaths) -> Option<&CornerPaths> {
+        if self.0.is_empty() { None } else { key(paths).and_then(|key| self.0.get(&key)) }
+    }
+}
+
+/// The bits of all pseudo-sources; `None` if a corner has no path.
+fn key(paths: &CornerPaths) -> Option<[[u64; 2]; 3]> {
+    let [Some(a), Some(b), Some(c)] = paths.0 else { return None };
+    // The sum makes both zeros one.
+    Some([a, b, c].map(|path| path.pseudo_source.to_array().map(|x| (x + 0.0).to_bits())))
 }

@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use super::{
     super::{Site, TIE, voronoi::Voronoi},
     bounds::{clipped, cone_sag, lipschitz_bound},
-    corner_paths::{CornerPaths, Detours, nearest_by_pseudo_sources},
+    corner_paths::{CornerPaths, Detours, Leaders},
 };
 use crate::{
     distance::{DistanceField, NavTriangle},
@@ -54,10 +54,14 @@ pub(super) struct Piece {
     pub(super) steps: u64,
 }
 
-/// The looks at paths that it takes to find those of a number of sites that may be the nearest. Each is compared with
-/// some of the others.
+/// The looks at paths that it takes to find those of a number of sites that may be the nearest.
 pub(super) fn steps_of_update(sites: usize) -> u64 {
-    (sites + sites * sites / 32) as u64
+    2 * sites as u64
+}
+
+/// The looks at paths that it takes to compute those of a number of sites, by three queries of a field each.
+fn steps_of_queries(sites: usize) -> u64 {
+    60 * sites as u64
 }
 
 impl Piece {
@@ -73,7 +77,11 @@ impl Piece {
         let near = (0..).zip(voronoi.sites.iter().zip(&voronoi.fields)).filter(|(_, (site, _))| is_near(site));
         let paths = near.map(|(at, (_, field))| (at, CornerPaths::new(&field.distances, &corners, &nav_triangles)));
         let walls = coarse.mesh.neighbours[triangle as usize].iter().filter(|&&n| n == NONE).count();
-        Self::new(corners, nav_triangles, paths.unzip(), walls)
+        let (sites, paths): (Vec<u32>, Vec<CornerPaths>) = paths.unzip();
+        let of_queries = steps_of_queries(sites.len());
+        let mut piece = Self::new(corners, nav_triangles, (sites, paths), walls);
+        piece.steps += of_queries;
+        piece
     }
 
     /// A piece in which only `sites` can be the nearest.
@@ -141,7 +149,7 @@ impl Piece {
                 .filter(|paths| paths.may_enter(&nearest, &detours) && paths.pseudo_source().is_some());
             cones.reduce(|best, paths| if paths.distance(k) < best.distance(k) { paths } else { best }).copied()
         });
-        let leaders = nearest_by_pseudo_sources(&self.paths);
+        let leaders = Leaders::of(&self.paths);
         let is_kept = |paths: &CornerPaths| {
             if !paths.may_enter(&nearest, &detours) {
                 return false;
@@ -150,10 +158,9 @@ impl Piece {
                 |rival: &CornerPaths, margin: f64| (0..3).all(|k| rival.distance(k) + margin < paths.distance(k));
             // Between the corners a cone sags by no more than this. A rival's cone does not rise above its plane.
             let sag = paths.pseudo_source().map_or(f64::INFINITY, |source| self.cone_sag(source));
-            let is_in_front = |leader: &CornerPaths| {
-                leader.have_pseudo_sources_of(paths) && is_nearer(leader, 2.0 * TIE * paths.distance(0))
-            };
-            !rivals.iter().flatten().any(|rival| is_nearer(rival, sag)) && !leaders.iter().any(is_in_front)
+            let leader = leaders.of_same_sources(paths);
+            !rivals.iter().flatten().any(|rival| is_nearer(rival, sag))
+                && !leader.is_some_and(|leader| is_nearer(leader, 2.0 * TIE * paths.distance(0)))
         };
         let kept: Vec<bool> = self.paths.iter().map(is_kept).collect();
         retain(&mut self.sites, &kept);
@@ -188,11 +195,15 @@ impl Piece {
             [of_corners, CornerPaths::new(field, &middles, &nav_triangles[1])]
         };
         let paths: Vec<[CornerPaths; 2]> = self.sites.iter().zip(&self.paths).map(paths_of).collect();
+        let of_queries = steps_of_queries(paths.len()) / PARTS.len() as u64;
         Some(PARTS.map(|part| {
             let of_part = |[outer, inner]: &[CornerPaths; 2]| CornerPaths::of_part(outer, inner, part);
             let (corners, nav_triangles) =
                 (part.map(|k| corners[k / 3][k % 3]), part.map(|k| nav_triangles[k / 3][k % 3]));
-            Self::new(corners, nav_triangles, (self.sites.clone(), paths.iter().map(of_part).collect()), self.walls)
+            let paths = paths.iter().map(of_part).collect();
+            let mut piece = Self::new(corners, nav_triangles, (self.sites.clone(), paths), self.walls);
+            piece.steps += of_queries;
+            piece
         }))
     }
 
