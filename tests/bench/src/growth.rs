@@ -4,7 +4,7 @@ use std::f64::consts::{SQRT_2, TAU};
 
 use c2warp::{
     limits::MAX_OUTLINE_LENGTH,
-    project::{DomainSpec, Handle, Project},
+    project::{Continuity, DomainSpec, Handle, Project},
 };
 use glam::DVec2;
 
@@ -45,6 +45,9 @@ pub const WORST: &[Series] = &[
     Series { name: "handles around a wide hub", scene: handles_around_hub, counts: &[300, 600, 1_000] },
     Series { name: "handles among a thousand holes", scene: handles_among_holes, counts: &[10, 100, 1_000] },
     Series { name: "turns of a spiral", scene: spiral, counts: &[10, 50, 100] },
+    Series { name: "held rays of a star with 100 handles", scene: held_star, counts: &[100, 300, 499] },
+    Series { name: "px across the base of a held needle", scene: held_needle, counts: &[100, 10, 1] },
+    Series { name: "holes, C²", scene: smooth_holes, counts: &[100, 400, 1_000] },
 ];
 
 fn project() -> Project {
@@ -133,6 +136,30 @@ fn handles_in_star(count: usize) -> Project {
     let mut project = star(rays);
     let tip = |id: usize| on_circle(id as f64 * (rays / count) as f64 / rays as f64, SIDE * 0.45);
     project.handles = (0..count).map(|id| handle(id, tip(id))).collect();
+    project
+}
+
+fn held_star(rays: usize) -> Project {
+    let mut project = star_of(2 * rays, 0.3 * SIDE);
+    project.fix_boundary = true;
+    project.pose.density = 0;
+    let places = spread(DVec2::splat(0.4 * SIDE)).take(100);
+    project.handles = places.enumerate().map(|(id, at)| handle(id, at + 0.3 * SIDE)).collect();
+    project
+}
+
+/// Each virtual site needs sites on both sides.
+fn held_needle(width: usize) -> Project {
+    let corners = [(0.0, 0.0), (SIDE, width as f64 / 2.0), (0.0, width as f64)].map(DVec2::from);
+    let mut project = rings([corners.to_vec()]);
+    project.fix_boundary = true;
+    project.pose.density = 100;
+    project
+}
+
+fn smooth_holes(count: usize) -> Project {
+    let mut project = holes(count);
+    project.weighting.continuity = Continuity::C2;
     project
 }
 
