@@ -112,10 +112,10 @@ impl Contacts {
     fn nearest_real_sites(&mut self, voronoi: &Voronoi, samples: &[u32]) -> HashMap<u32, Vec<usize>> {
         let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
         let grid = self.grid.get_or_insert_with(|| {
-            let distances = samples.iter().map(|&sample| cells.distance[sample as usize]);
             // The average radius of a query, so that a query touches a few cells of the grid.
-            let side = (distances.sum::<f64>() / samples.len() as f64).max(MIN_SEPARATION);
-            Grid::new(side, [])
+            let distances = samples.iter().map(|&sample| cells.distance[sample as usize]);
+            let average = (!samples.is_empty()).then(|| distances.sum::<f64>() / samples.len() as f64);
+            Grid::new(average.unwrap_or(coarse.longest_edge).max(MIN_SEPARATION), [])
         });
         for (at, site) in voronoi.sites.iter().enumerate().skip(self.found_at).filter(|(_, site)| site.kind.is_real()) {
             grid.insert(site.rest, at);
