@@ -72,10 +72,10 @@ pub(crate) fn page_modules() -> [Module<'static>; 4] {
     [solver, film, export, pose]
 }
 
-/// The solver in another folder.
-pub(crate) fn solver_in(output: &Path) -> Module<'_> {
-    let [solver, ..] = page_modules();
-    Module { output, ..solver }
+/// The solver and the poser in another folder.
+pub(crate) fn measured_in(output: &Path) -> [Module<'_>; 2] {
+    let [solver, _, _, pose] = page_modules();
+    [solver, pose].map(|module| Module { output, ..module })
 }
 
 /// The profile of cargo for the module.

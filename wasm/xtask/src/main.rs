@@ -25,7 +25,7 @@ enum Command {
         /// Builds quickly, and keeps the names of functions
         #[arg(long)]
         dev: bool,
-        /// Writes the solver with the names of its functions into this folder, for `npm run sizes`
+        /// Writes the solver and the poser with the names of their functions into this folder, for `npm run sizes`
         #[arg(long, conflicts_with_all = ["dev", "package"])]
         named: Option<PathBuf>,
         /// Another crate to build in their place
@@ -49,7 +49,7 @@ fn main() -> ExitCode {
         Command::Bindgen { dev, named, package, out } => {
             let profile = if dev { bindgen::Profile::Dev } else { bindgen::Profile::Release };
             let built = match (&named, &package, &out) {
-                (Some(output), ..) => bindgen::run(&root, &[bindgen::solver_in(output)], bindgen::Profile::Named),
+                (Some(output), ..) => bindgen::run(&root, &bindgen::measured_in(output), bindgen::Profile::Named),
                 (None, Some(package), Some(output)) => {
                     let module = bindgen::Module { package, output, name: bindgen::SOLVER, later: &[] };
                     bindgen::run(&root, &[module], profile)
