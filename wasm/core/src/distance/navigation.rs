@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::window::WINDOW_SLACK;
 use crate::{
-    domain::Domain,
+    domain::{Domain, corners_between},
     rows::Rows,
     segment::nearest_on_segment,
     triangulation::{Locator, NONE, Triangulation, signed_depth},
@@ -61,8 +61,7 @@ impl Navigation {
         let (mut vertices, mut segments, mut corners) = (Vec::new(), Vec::new(), Vec::new());
         for ring in domain.rings() {
             let (start, n) = (vertices.len(), ring.len());
-            for i in 0..n {
-                let (prev, at, next) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
+            for (i, [prev, at, next]) in corners_between(ring).enumerate() {
                 let (prev, next) = ((prev - at).normalize(), (next - at).normalize());
                 corners.push(Corner { next, prev, reflex: next.perp_dot(prev) < -STRAIGHT_SINE });
                 segments.push([start + i, start + (i + 1) % n]);

@@ -29,7 +29,7 @@ pub(crate) use cells_inside::cells_inside;
 pub(crate) use mask::Mask;
 pub use outline::OutlineDetail;
 pub use ring::Ring;
-pub(crate) use ring::{contains, edges, signed_area};
+pub(crate) use ring::{contains, corners_between, edges, signed_area};
 pub(crate) use visible::VisiblePixels;
 
 /// The region to warp, in image pixels. See the [module](self) for its invariants.

@@ -19,6 +19,12 @@ pub(crate) fn edges(ring: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_
     ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| (a, b))
 }
 
+/// The corners of a ring, each between its neighbours.
+pub(crate) fn corners_between<T: Copy>(ring: &[T]) -> impl Iterator<Item = [T; 3]> + '_ {
+    let n = ring.len();
+    (0..n).map(move |i| [i + n - 1, i, i + 1].map(|at| ring[at % n]))
+}
+
 /// Whether a point lies inside a ring, by the even-odd rule.
 pub(crate) fn contains(ring: &[DVec2], p: DVec2) -> bool {
     edges(ring).fold(false, |inside, (a, b)| {

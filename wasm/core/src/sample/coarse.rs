@@ -78,11 +78,8 @@ impl CoarseSamples {
     /// The triangle that contains a point of the domain.
     pub(crate) fn triangle_at(&self, p: DVec2) -> usize {
         let near = self.nearby.triangle(p);
-        let located = || {
-            let locator = self.locator.get_or_init(|| Box::new(Locator::new(&self.mesh)));
-            self.mesh.deepest(locator.candidates(p), p)
-        };
-        self.mesh.walk(near, p).or_else(located).unwrap_or(near)
+        let locator = || self.locator.get_or_init(|| Box::new(Locator::new(&self.mesh)));
+        self.mesh.walk(near, p).or_else(|| locator().locate(&self.mesh, p)).unwrap_or(near)
     }
 
     /// Number of coarse samples.

@@ -11,6 +11,8 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use crate::domain::corners_between;
+
 /// Width of the skirt, in pixels. An antialiased edge fades within one pixel, a softly drawn edge within three.
 pub(super) const WIDTH: f64 = 3.0;
 /// Greatest distance of a corner's offset vertex, as a multiple of the width.
@@ -35,13 +37,12 @@ impl Skirt {
         for ring in outline {
             let n = ring.len();
             let base = (samples.len() + skirt.vertices.len()) as u32;
-            for i in 0..n {
-                let around = [ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]];
+            for around in corners_between(ring) {
                 let [prev, at, next] = around.map(|v| samples[v as usize]);
                 let out = mitre(prev, at, next);
                 let reach = segments.free_radius(at, around, out.normalize()).min(WIDTH * out.length());
                 skirt.vertices.push((at + out.normalize() * reach).clamp(DVec2::ZERO, size));
-                skirt.owners.push(ring[i]);
+                skirt.owners.push(around[1]);
             }
             for i in 0..n {
                 let j = (i + 1) % n;

@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 use super::{SiteKind, TIE};
-use crate::segment::nearest_on_segment;
+use crate::{domain::corners_between, segment::nearest_on_segment};
 
 /// Greatest gap between two sites, over the reach of each.
 const MAX_GAP: f64 = 0.5;
@@ -14,11 +14,9 @@ const SHARP_COSINE: f64 = 0.94;
 
 /// The corners of a held ring that get a site, by their indices.
 pub(crate) fn sharp_corners(ring: &[DVec2]) -> impl Iterator<Item = usize> + '_ {
-    let n = ring.len();
-    (0..n).filter(move |i| {
-        let [before, at, after] = [i + n - 1, *i, i + 1].map(|at| ring[at % n]);
-        (at - before).normalize().dot((after - at).normalize()) < SHARP_COSINE
-    })
+    let is_sharp =
+        |[before, at, after]: [DVec2; 3]| (at - before).normalize().dot((after - at).normalize()) < SHARP_COSINE;
+    corners_between(ring).enumerate().filter(move |&(_, corner)| is_sharp(corner)).map(|(at, _)| at)
 }
 
 /// A polyline with sites on it. Positions on it are arc lengths from its first corner, in pixels.

@@ -34,8 +34,6 @@ pub(super) struct Contacts {
     borders: Vec<Border>,
     /// The real sites when the borders were found.
     grid: Option<Grid<usize>>,
-    /// Number of real sites when the borders were found.
-    real_sites: usize,
     /// Number of sites when the borders were found.
     found_at: usize,
     /// The first so many sites do not close any contact.
@@ -54,12 +52,10 @@ struct Border {
 impl Contacts {
     /// The open contacts whose sites are farthest apart, with all ties. Empty if none is open.
     pub(super) fn widest(&mut self, inserter: &SiteInserter) -> Vec<FarPoint> {
-        let (voronoi, sites) = (&inserter.voronoi, inserter.sites());
+        let voronoi = &inserter.voronoi;
         self.close(voronoi);
-        let real_sites = sites.iter().filter(|site| site.kind.is_real()).count();
-        if self.real_sites != real_sites {
+        if voronoi.sites[self.found_at..].iter().any(|site| site.kind.is_real()) {
             self.find(voronoi, inserter.obstacles);
-            self.real_sites = real_sites;
         }
         let open = || self.borders.iter().flat_map(|border| &border.contacts);
         let widest = open().map(|contact| contact.distance).fold(0.0, f64::max);

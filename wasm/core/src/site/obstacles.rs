@@ -8,7 +8,7 @@ use super::SiteKind;
 use crate::{
     bone::{EmbeddedSegment, Skeleton},
     distance::{DistanceField, NavTriangle, Navigation, Propagation},
-    domain::Domain,
+    domain::{Domain, corners_between},
     segment::nearest_on_segment,
 };
 
@@ -92,14 +92,15 @@ impl<'a> Obstacles<'a> {
         within: f64,
     ) -> bool {
         let (bones, feet) = (self.bones_around(p, within), self.feet_in_tip(p, within));
-        // Exclude sides behind a hole.
-        !(bones.is_empty() && feet.is_none()) && {
-            let field = propagation.field(navigation, triangle, p, within);
-            let reaches =
-                |foot: DVec2| navigation.locate(foot).is_some_and(|(at, foot)| field.distance(at, foot) <= within);
-            let is_between = !bones.is_empty() && bones.iter().all(|&at| self.segments[at].distance(&field) <= within);
-            is_between || feet.is_some_and(|feet| feet.into_iter().all(reaches))
+        if bones.is_empty() && feet.is_none() {
+            return false;
         }
+        // Exclude sides behind a hole.
+        let field = propagation.field(navigation, triangle, p, within);
+        let reaches =
+            |foot: DVec2| navigation.locate(foot).is_some_and(|(at, foot)| field.distance(at, foot) <= within);
+        let is_between = !bones.is_empty() && bones.iter().all(|&at| self.segments[at].distance(&field) <= within);
+        is_between || feet.is_some_and(|feet| feet.into_iter().all(reaches))
     }
 
     /// The bones up to `within` from a point that have a bone that they meet on its other side.
@@ -132,7 +133,5 @@ fn are_opposite(a: DVec2, b: DVec2) -> bool {
 
 /// The corners of a ring that a point may lie in: see [`OPPOSITE_COSINE`].
 fn tips(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 3]> + '_ {
-    let n = ring.len();
-    let corners = (0..n).map(move |i| [i + n - 1, i, i + 1].map(|at| ring[at % n]));
-    corners.filter(|&[before, tip, after]| are_opposite(tip - before, after - tip))
+    corners_between(ring).filter(|&[before, tip, after]| are_opposite(tip - before, after - tip))
 }

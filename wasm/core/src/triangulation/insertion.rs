@@ -74,7 +74,9 @@ impl Triangulation {
     ///
     /// `near` is a triangle not far from the point.
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
-        self.walk(near, p).or_else(|| self.deepest(0..self.triangles.len(), p)).unwrap_or(near)
+        let depths = || (0..self.triangles.len()).map(|t| (signed_depth(self.corners(t), p), t));
+        let deepest = || depths().reduce(|best, at| if at.0 > best.0 { at } else { best }).map(|(_, t)| t);
+        self.walk(near, p).or_else(deepest).unwrap_or(near)
     }
 
     /// The triangle that contains a point, found from triangle to triangle. `None` if the walk gets stuck, as the
@@ -94,12 +96,6 @@ impl Triangulation {
             t = neighbours[k] as usize;
         }
         None
-    }
-
-    /// The triangle, of some, in which a point lies deepest; `None` of none.
-    pub(crate) fn deepest(&self, triangles: impl Iterator<Item = usize>, p: DVec2) -> Option<usize> {
-        let depths = triangles.map(|t| (signed_depth(self.corners(t), p), t));
-        depths.reduce(|best, at| if at.0 > best.0 { at } else { best }).map(|(_, t)| t)
     }
 
     /// Positive for a point on the inner side of the edge between two vertices.

@@ -61,12 +61,6 @@ impl Locator {
         best.1
     }
 
-    /// The triangles that may contain a point, within [`OUTLINE_TOLERANCE`].
-    pub(crate) fn candidates(&self, p: DVec2) -> impl Iterator<Item = usize> + '_ {
-        let cell = self.cell_of(p).map(|(x, y)| self.cells.row(y * self.columns + x));
-        cell.unwrap_or(&[]).iter().map(|&t| t as usize)
-    }
-
     /// A triangle not far from a point. The mesh must have triangles.
     pub(crate) fn nearby_triangle(&self, p: DVec2) -> usize {
         let cell = ((p - self.low) / self.cell).max(DVec2::ZERO);
