@@ -83,9 +83,12 @@ fn bars(count: usize) -> Project {
 }
 
 fn holes(count: usize) -> Project {
-    let mut project = among_holes(count);
-    project.handles = (0..6).map(|id| handle(id, DVec2::new(1.0, 1.0 + id as f64 * SIDE / 6.0))).collect();
-    project
+    with_six_handles(among_holes(count))
+}
+
+/// Handles along the left edge.
+fn with_six_handles(project: Project) -> Project {
+    project.with_handles((0..6).map(|id| handle(id, DVec2::new(1.0, 1.0 + id as f64 * SIDE / 6.0))))
 }
 
 fn bars_among_holes(count: usize) -> Project {
@@ -107,10 +110,13 @@ fn handles_among_holes(count: usize) -> Project {
 }
 
 fn among_holes(count: usize) -> Project {
+    with_holes(count, |at, step| square(at + step / 4.0, step / 2.0))
+}
+
+/// A picture with a hole in each square of a grid, by the corner and the side of the square.
+fn with_holes(count: usize, hole: impl Fn(DVec2, f64) -> Vec<DVec2>) -> Project {
     let (_, step) = pitch(count);
-    let rectangle = square(DVec2::ZERO, SIDE);
-    let holes = squares(count).map(|at| square(at + step / 4.0, step / 2.0));
-    rings(std::iter::once(rectangle).chain(holes))
+    rings(std::iter::once(square(DVec2::ZERO, SIDE)).chain(squares(count).map(|at| hole(at, step))))
 }
 
 fn islands(count: usize) -> Project {
@@ -159,13 +165,9 @@ fn held_needle(width: usize) -> Project {
 
 /// Paths around each hole are of two kinds, and no support may have both.
 fn smooth_holes(count: usize) -> Project {
-    let (_, step) = pitch(count);
-    let triangle = |at: DVec2| {
-        (0..3).map(|corner| at + step * (0.5 + 0.15 * DVec2::from_angle(0.1 + f64::from(corner) * TAU / 3.0))).collect()
-    };
-    let holes = squares(count).map(triangle);
-    let mut project = rings(std::iter::once(square(DVec2::ZERO, SIDE)).chain(holes));
-    project.handles = (0..6).map(|id| handle(id, DVec2::new(1.0, 1.0 + id as f64 * SIDE / 6.0))).collect();
+    let corner = |id: i32| DVec2::from_angle(0.1 + f64::from(id) * TAU / 3.0);
+    let triangle = |at: DVec2, step: f64| (0..3).map(|id| at + step * (0.5 + 0.15 * corner(id))).collect();
+    let mut project = with_six_handles(with_holes(count, triangle));
     project.weighting.continuity = Continuity::C2;
     project
 }
