@@ -56,7 +56,7 @@ test('pictures that are too large, and headers that lie, are refused in one sent
 test('a JPEG that the browser begins to decode, but cannot, is refused in plain words', async ({ page }) => {
   const editor = await Editor.open(page);
   await openWithHandle(editor, 'disc.png', SIDE);
-  const buffer = readFileSync(new URL('corpus/partial.jpg', import.meta.url));
+  const buffer = readFileSync(new URL('../attacks/corpus/pictures/decoder-that-panics', import.meta.url));
   await editor.chooseFile({ name: 'partial.jpg', mimeType: 'image/jpeg', buffer });
   await expect(editor.notice).toContainText('The picture is damaged, or this browser cannot read it.');
   await expect(editor.handles).toHaveCount(1);
