@@ -24,6 +24,11 @@ impl<T: Copy> Grid<T> {
         grid
     }
 
+    /// Side of a cell, in pixels.
+    pub(crate) fn side(&self) -> f64 {
+        self.side
+    }
+
     pub(crate) fn insert(&mut self, p: DVec2, item: T) {
         let cell = self.cell(p);
         (self.low, self.high) = (self.low.min(cell), self.high.max(cell));

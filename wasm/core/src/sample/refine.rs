@@ -3,13 +3,21 @@
 //! Cells near such sites grow with the distance from them, so the spacing may grow, too. It halves towards the sites
 //! until it resolves the gap between them. A gap of 0.01 px in a picture of 1,000 px costs some 5,500 samples.
 //!
-//! Cost of a patch: the vertices around it, all close sites, and the outline. Cost of a node of it: the vertices within
-//! about a spacing, and the close sites and outline edges of the patch.
+//! Cost of a patch: its nodes, and for each the nearest rivals. If nodes of its own are left, the vertices around it and
+//! the outline. Cost of such a node: the vertices within about a spacing, and the outline edges of the patch.
+
+use std::rc::Rc;
 
 use glam::DVec2;
 
 use super::lattice::{LATTICE_CLEARANCE, ROW_HEIGHT};
-use crate::{distance::Navigation, domain::Domain, grid::Grid, segment::segment_distance};
+use crate::{
+    distance::Navigation,
+    domain::Domain,
+    grid::Grid,
+    rank::{ascending, sort_by_rank},
+    segment::segment_distance,
+};
 
 /// Samples across the gap between two sites, and across the distance to them.
 const RESOLUTION: f64 = 6.0;
@@ -17,13 +25,18 @@ const RESOLUTION: f64 = 6.0;
 /// Nodes lie within this fraction of a patch's radius. It excludes nodes on the circle itself, whatever their rounding.
 const INSIDE_CIRCLE: f64 = 1.0 - 1e-9;
 
+/// A patch with a radius above so many cells of a grid is coarse: each cell has few vertices then.
+const WIDE: f64 = 2.0;
+
 /// A round patch of triangular lattice with a node at its centre.
 pub(super) struct Patch {
     centre: DVec2,
     spacing: f64,
     radius: f64,
-    /// Other sites with patches that reach this one. Nodes nearer to one of them belong to its patch.
-    rivals: Vec<DVec2>,
+    /// Other sites with patches, the nearest first. Nodes nearer to one of them belong to its patch.
+    rivals: Rc<[DVec2]>,
+    /// The number of rivals whose patches reach this one.
+    reaching: usize,
 }
 
 /// The patches for pairs of sites that are too close for `spacing`, coarse ones first.
@@ -38,12 +51,14 @@ pub(super) fn patches(sites: &[DVec2], spacing: f64) -> Vec<Patch> {
     for (at, &(centre, gap)) in close.iter().enumerate() {
         let mut rivals: Vec<DVec2> =
             (0..close.len()).filter(|&other| other != at).map(|other| close[other].0).collect();
+        sort_by_rank(&mut rivals, |rival| [ascending(rival.distance(centre)), 0]);
+        let rivals: Rc<[DVec2]> = rivals.into();
         let mut finer = spacing / 2.0;
         while finer > gap / (2.0 * RESOLUTION) {
             // Beyond this distance the next coarser spacing resolves the distance.
             let radius = 2.0 * finer * RESOLUTION;
-            rivals.retain(|rival| rival.distance(centre) < 2.0 * radius + finer);
-            patches.push(Patch { centre, spacing: finer, radius, rivals: rivals.clone() });
+            let reaching = rivals.partition_point(|rival| rival.distance(centre) < 2.0 * radius + finer);
+            patches.push(Patch { centre, spacing: finer, radius, rivals: Rc::clone(&rivals), reaching });
             finer /= 2.0;
         }
     }
@@ -66,35 +81,53 @@ impl Patch {
 
     /// The nodes inside the domain that keep their clearance from the vertices in `known`.
     pub(super) fn clear_nodes(&self, known: &Grid<DVec2>, navigation: &Navigation, domain: &Domain) -> Vec<DVec2> {
-        let reach = self.reach();
-        let close = known.around(self.centre, reach).filter(|p| p.distance(self.centre) < reach);
-        let near = Grid::new(self.spacing, close.map(|p| (p, p)));
+        let (reach, clearance) = (self.reach(), LATTICE_CLEARANCE * self.spacing);
+        let mut nodes: Vec<DVec2> = self.own_nodes().collect();
+        // Patches of crowded sites have few nodes of their own, and mostly none that is clear.
+        if nodes.is_empty() {
+            return nodes;
+        }
+        let finer;
+        let near = if self.radius > WIDE * known.side() {
+            known
+        } else {
+            let close = known.around(self.centre, reach).filter(|p| p.distance(self.centre) < reach);
+            finer = Grid::new(self.spacing, close.map(|p| (p, p)));
+            &finer
+        };
+        nodes.retain(|&p| near.around(p, clearance).all(|q| p.distance(q) >= clearance));
+        nodes.retain(|&p| navigation.triangle_at(p).is_some());
+        if nodes.is_empty() {
+            return nodes;
+        }
         let outline = domain.edges();
         let walls: Vec<(DVec2, DVec2)> =
             outline.filter(|&(a, b)| segment_distance(self.centre, a, b) < reach).collect();
-        let clearance = LATTICE_CLEARANCE * self.spacing;
-        // Nodes of two patches with the same spacing keep more than the clearance between them, so neither has to
-        // give way. Their order does not matter, and a symmetric scene has symmetric nodes.
+        nodes.retain(|&p| walls.iter().all(|&(a, b)| segment_distance(p, a, b) >= clearance));
+        nodes
+    }
+
+    /// The nodes that are no nearer to a rival.
+    ///
+    /// Nodes of two patches with the same spacing keep more than the clearance between them, so neither has to give
+    /// way. Their order does not matter, and a symmetric scene has symmetric nodes.
+    fn own_nodes(&self) -> impl Iterator<Item = DVec2> + '_ {
         let is_own = |rival: &DVec2, p: DVec2| {
             let to_border =
                 (p.distance_squared(*rival) - p.distance_squared(self.centre)) / (2.0 * rival.distance(self.centre));
             to_border >= self.spacing / 4.0
         };
-        let is_clear = |&p: &DVec2| {
-            self.rivals.iter().all(|rival| is_own(rival, p))
-                && near.around(p, clearance).all(|q| p.distance(q) >= clearance)
-                && walls.iter().all(|&(a, b)| segment_distance(p, a, b) >= clearance)
-                && navigation.triangle_at(p).is_some()
-        };
-        self.nodes().filter(is_clear).collect()
+        let rivals = &self.rivals[..self.reaching];
+        self.nodes().filter(move |&p| rivals.iter().all(|rival| is_own(rival, p)))
     }
 
+    /// The nodes within the radius, but for the centre, which is a site.
     fn nodes(&self) -> impl Iterator<Item = DVec2> + '_ {
         let steps = (self.radius / (self.spacing * ROW_HEIGHT)) as i32;
         (-steps..=steps).flat_map(move |j| (-steps - 1..=steps + 1).map(move |i| (i, j))).filter_map(move |(i, j)| {
             let shift = if j % 2 == 0 { 0.0 } else { 0.5 };
             let step = DVec2::new((f64::from(i) + shift) * self.spacing, f64::from(j) * self.spacing * ROW_HEIGHT);
-            (step.length() < INSIDE_CIRCLE * self.radius).then_some(self.centre + step)
+            ((i, j) != (0, 0) && step.length() < INSIDE_CIRCLE * self.radius).then_some(self.centre + step)
         })
     }
 }

@@ -41,8 +41,12 @@ pub(super) fn make_room(
             continue;
         }
         let (site, other) = (&mut voronoi.sites[at], &voronoi.fields[at]);
+        // No path is shorter than the straight line. Only distances from real sites count for a clearance.
         let straight = site.rest.distance(rest);
-        if straight < site.separation.max(separation).max(site.clearance).max(clearance) {
+        if straight < site.separation.max(separation)
+            || kind.is_real() && straight < site.clearance
+            || site.kind.is_real() && straight < clearance
+        {
             let there = other.distance(triangle, rest);
             // The field of the other may end before this site, and the field of this one reach the other.
             let d = if there.is_finite() { there } else { distances.distance(other.triangle, site.rest) };
@@ -75,7 +79,8 @@ pub(super) fn extend_field(voronoi: &mut Voronoi, obstacles: &Obstacles, site: u
     let mut clearance = obstacles.distance_to_bones(&distances, island, body, clearance);
     for (at, other) in voronoi.sites.iter().enumerate() {
         let is_other = at != site && limits(voronoi, obstacles, at, island, body);
-        if is_other && other.rest.distance(rest) < separation.max(clearance) {
+        let least = if other.kind.is_real() { separation.max(clearance) } else { separation };
+        if is_other && other.rest.distance(rest) < least {
             let d = distances.distance(voronoi.fields[at].triangle, other.rest);
             separation = separation.min(d);
             if other.kind.is_real() {
