@@ -4,7 +4,8 @@
 //! again. The predicates are exact (Shewchuk 1997), so flipping terminates. Edges with a triangle on one side only
 //! bound the region and are never flipped.
 //!
-//! Cost: the walk from a nearby triangle, and some six flips.
+//! Cost: the walk from a nearby triangle, and some six flips. Where the walk ends at the border of the region, some
+//! triangles more, and all triangles if it took a long way around.
 
 use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
@@ -13,6 +14,9 @@ use super::{
     locate::{OUTLINE_TOLERANCE, signed_depth},
     mesh::{NONE, Triangulation},
 };
+
+/// Number of triangles that are searched where a walk ends at the border of the region. All are searched after them.
+const AROUND: usize = 100;
 
 /// The result of an insertion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,7 +80,25 @@ impl Triangulation {
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
         let depths = || (0..self.triangles.len()).map(|t| (signed_depth(self.corners(t), p), t));
         let deepest = || depths().reduce(|best, at| if at.0 > best.0 { at } else { best }).map(|(_, t)| t);
-        self.walk(near, p).or_else(deepest).unwrap_or(near)
+        self.walk(near, p).or_else(|| self.triangle_around(near, p)).or_else(deepest).unwrap_or(near)
+    }
+
+    /// The triangle that contains a point with some depth, if it is one of the [`AROUND`] triangles next to `near`.
+    fn triangle_around(&self, near: usize, p: DVec2) -> Option<usize> {
+        let mut known = vec![near as u32];
+        let mut at = 0;
+        while let Some(&t) = known.get(at) {
+            if signed_depth(self.corners(t as usize), p) > OUTLINE_TOLERANCE {
+                return Some(t as usize);
+            }
+            for beside in self.neighbours[t as usize] {
+                if known.len() < AROUND && beside != NONE && !known.contains(&beside) {
+                    known.push(beside);
+                }
+            }
+            at += 1;
+        }
+        None
     }
 
     /// The triangle that contains a point, found from triangle to triangle. `None` if the walk gets stuck, as the
@@ -247,6 +269,23 @@ mod tests {
             check(&mesh, 96.0);
         }
         assert_eq!(mesh.vertices.len(), 120);
+    }
+
+    #[test]
+    fn walks_around_a_hole_end_in_the_triangle_that_contains_the_point() {
+        let mut mesh = ring();
+        let steps = || (0..400).map(|i| DVec2::new(f64::from(i % 20), f64::from(i / 20)) * 0.5 + 0.13);
+        let is_inside = |p: &DVec2| (*p - 5.0).abs().max_element() > 1.01;
+        steps().filter(is_inside).for_each(|p| _ = mesh.insert(0, p));
+        let mut stuck = 0;
+        for p in steps().map(|p| p + DVec2::new(0.11, 0.07)).filter(is_inside) {
+            let deepest = (0..mesh.triangles.len()).find(|&t| signed_depth(mesh.corners(t), p) > 0.0);
+            for near in (0..mesh.triangles.len()).step_by(7) {
+                stuck += usize::from(mesh.walk(near, p).is_none());
+                assert_eq!(Some(mesh.triangle_at(near, p)), deepest, "{p} from triangle {near}");
+            }
+        }
+        assert!(stuck > 1000, "{stuck}");
     }
 
     #[test]
