@@ -46,8 +46,8 @@ pub const WORST: &[Series] = &[
     Series { name: "handles among a thousand holes", scene: handles_among_holes, counts: &[10, 100, 1_000] },
     Series { name: "turns of a spiral", scene: spiral, counts: &[10, 50, 100] },
     Series { name: "held rays of a star with 100 handles", scene: held_star, counts: &[100, 300, 499] },
-    Series { name: "px across the base of a held needle", scene: held_needle, counts: &[100, 10, 1] },
-    Series { name: "small triangular holes, C²", scene: smooth_holes, counts: &[100, 400, 1_000] },
+    Series { name: "px across the base of a held needle", scene: held_needle, counts: &[100, 10, 2, 1] },
+    Series { name: "small triangular holes, C²", scene: smooth_holes, counts: &[100, 400, 1_150, 2_000] },
 ];
 
 fn project() -> Project {

@@ -48,7 +48,9 @@ pub const MAX_CLOSE_HANDLES: [(f64, usize); 2] = [(1.0 / 500.0, 200), (1.0 / 500
 /// each needs sites of its own.
 pub const MAX_OUTLINE_LENGTH: f64 = 200.0;
 /// Greatest number of sites, real and virtual, in one solve.
-pub const MAX_SITES: usize = 8192;
+///
+/// So many around small holes, with C² weights, take nearly five seconds in a browser.
+pub const MAX_SITES: usize = 5000;
 
 /// Distance that bones keep from a fixed boundary, in pixels. A point on the boundary cannot both move and stay.
 pub(crate) const HELD_CLEARANCE: f64 = 1.0;

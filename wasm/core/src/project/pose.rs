@@ -4,8 +4,8 @@ use super::error::ProjectError;
 use super::path::Path;
 use super::validate;
 
-/// Greatest density: half of the greatest number of sites. The other half has room for the sites that handles need.
-pub(super) const MAX_DENSITY: u32 = crate::limits::MAX_SITES as u32 / 2;
+/// Greatest density. Below [`MAX_SITES`](crate::limits::MAX_SITES) it has room for the sites that handles need.
+pub(super) const MAX_DENSITY: u32 = 4096;
 
 /// Settings of the pose.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

@@ -3,7 +3,7 @@
 //! Cells near such sites grow with the distance from them, so the spacing may grow, too. It halves towards the sites
 //! until it resolves the gap between them. A gap of 0.01 px in a picture of 1,000 px costs some 5,500 samples.
 //!
-//! Cost of a patch: its nodes, and for each the nearest rivals. If nodes of its own are left, the vertices around it and
+//! Cost of a patch: its nodes, and for each the nearest rivals. If some nodes are its own, the vertices around it and
 //! the outline. Cost of such a node: the vertices within about a spacing, and the outline edges of the patch.
 
 use std::rc::Rc;

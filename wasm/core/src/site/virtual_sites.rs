@@ -145,21 +145,27 @@ fn size_rank(closest: f64) -> impl Fn(f64, &Site) -> f64 {
 
 /// The greatest rank of all cells. Computes farthest points only for cells that may have it.
 fn greatest_rank(inserter: &mut SiteInserter, rank: Rank<'_>) -> f64 {
-    // Keyed by an upper bound of the rank, with whether it is exact.
-    let ranked = |inserter: &SiteInserter, site: usize| {
-        let known = inserter.farthest.known(site).map(|points| points[0].distance);
-        let radius = known.unwrap_or_else(|| inserter.farthest.radius_bound(site));
-        MinEntry { key: -rank(radius, &inserter.sites()[site]), item: (site, known.is_some()) }
+    let known = |inserter: &SiteInserter, site: usize| {
+        let points = inserter.farthest.known(site)?;
+        Some(rank(points[0].distance, &inserter.sites()[site]))
     };
-    let mut cells: BinaryHeap<_> = (0..inserter.sites().len()).map(|site| ranked(inserter, site)).collect();
-    while let Some(MinEntry { key, item: (site, is_known) }) = cells.pop() {
-        if is_known {
-            return -key;
-        }
+    // Keyed by an upper bound of the rank.
+    let unknown = |inserter: &SiteInserter, site: usize| {
+        let bound = rank(inserter.farthest.radius_bound(site), &inserter.sites()[site]);
+        MinEntry { key: -bound, item: site }
+    };
+    let sites = 0..inserter.sites().len();
+    let mut greatest = sites.clone().filter_map(|site| known(inserter, site)).fold(f64::NEG_INFINITY, f64::max);
+    let others = sites.filter(|&site| inserter.farthest.known(site).is_none()).map(|site| unknown(inserter, site));
+    let mut cells: BinaryHeap<_> = others.filter(|cell| -cell.key > greatest).collect();
+    while let Some(MinEntry { item: site, .. }) = cells.pop().filter(|cell| -cell.key > greatest) {
         inserter.farthest.refine(&inserter.voronoi, site);
-        cells.push(ranked(inserter, site));
+        match known(inserter, site) {
+            Some(rank) => greatest = greatest.max(rank),
+            None => cells.push(unknown(inserter, site)),
+        }
     }
-    f64::NEG_INFINITY
+    greatest
 }
 
 /// The farthest points of all cells whose rank is tied with the greatest. Their order does not depend on that of the
