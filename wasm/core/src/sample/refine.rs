@@ -28,7 +28,7 @@ const INSIDE_CIRCLE: f64 = 1.0 - 1e-9;
 /// A patch with a radius above so many cells of a grid is coarse: each cell has few vertices then.
 const WIDE: f64 = 2.0;
 
-/// A round patch of triangular lattice with a node at its centre.
+/// A round patch of triangular lattice around a site.
 pub(super) struct Patch {
     centre: DVec2,
     spacing: f64,

@@ -79,8 +79,8 @@ pub(super) fn extend_field(voronoi: &mut Voronoi, obstacles: &Obstacles, site: u
     let mut clearance = obstacles.distance_to_bones(&distances, island, body, clearance);
     for (at, other) in voronoi.sites.iter().enumerate() {
         let is_other = at != site && limits(voronoi, obstacles, at, island, body);
-        let least = if other.kind.is_real() { separation.max(clearance) } else { separation };
-        if is_other && other.rest.distance(rest) < least {
+        let farthest = if other.kind.is_real() { separation.max(clearance) } else { separation };
+        if is_other && other.rest.distance(rest) < farthest {
             let d = distances.distance(voronoi.fields[at].triangle, other.rest);
             separation = separation.min(d);
             if other.kind.is_real() {

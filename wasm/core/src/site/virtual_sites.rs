@@ -14,7 +14,7 @@
 //! or it is above 0.95 times its clearance. On a picture of 1,000 px, two handles 10 px apart cause about 90 virtual
 //! sites. At 0.01 px they cause about 300.
 //!
-//! Cost: for each round the insertion of its sites (see `inserter` and `farthest`), and a heap of all cells. From
+//! Cost: for each round the insertion of its sites (see `inserter` and `farthest`), and a look at all cells. From
 //! [`MANY_SITES`] on, few rounds are left.
 
 use std::collections::BinaryHeap;
