@@ -11,7 +11,7 @@ use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
 
 use super::{
-    locate::{OUTLINE_TOLERANCE, signed_depth},
+    locate::{OUTLINE_TOLERANCE, signed_depth, signed_distance},
     mesh::{NONE, Triangulation},
 };
 
@@ -78,7 +78,7 @@ impl Triangulation {
     ///
     /// `near` is a triangle not far from the point.
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
-        let depths = || (0..self.triangles.len()).map(|t| (signed_depth(self.corners(t), p), t));
+        let depths = || (0..self.triangles.len()).map(|t| (signed_distance(self.corners(t), p), t));
         let deepest = || depths().reduce(|best, at| if at.0 > best.0 { at } else { best }).map(|(_, t)| t);
         self.walk(near, p).or_else(|| self.triangle_around(near, p)).or_else(deepest).unwrap_or(near)
     }
@@ -113,7 +113,7 @@ impl Triangulation {
                 return Some(t);
             }
             let Some(k) = (0..3).find(|&k| beyond[k] && neighbours[k] != NONE) else {
-                return (signed_depth(self.corners(t), p) >= -OUTLINE_TOLERANCE).then_some(t);
+                return (signed_distance(self.corners(t), p) >= -OUTLINE_TOLERANCE).then_some(t);
             };
             t = neighbours[k] as usize;
         }

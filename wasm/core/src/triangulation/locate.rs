@@ -9,7 +9,7 @@ use std::iter;
 use glam::DVec2;
 
 use super::mesh::Triangulation;
-use crate::{min_max::fast_min, rows::Rows};
+use crate::{min_max::fast_min, rows::Rows, segment::segment_distance};
 
 /// Points up to this far outside every triangle, in pixels, count as inside.
 ///
@@ -54,7 +54,7 @@ impl Locator {
             if depth >= 0.0 {
                 return Some(t as usize);
             }
-            if depth > best.0 {
+            if depth > best.0 && signed_distance(mesh.corners(t as usize), p) >= -OUTLINE_TOLERANCE {
                 best = (depth, Some(t as usize));
             }
         }
@@ -96,7 +96,36 @@ impl Locator {
 }
 
 /// Distance of a point to the nearest line through an edge of a triangle: negative outside the triangle.
+///
+/// Beyond a sharp corner the lines are much nearer than the triangle (see [`signed_distance`]).
 pub(crate) fn signed_depth([a, b, c]: [DVec2; 3], p: DVec2) -> f64 {
     let side = |from: DVec2, to: DVec2| (to - from).perp_dot(p - from) / (to - from).length();
     fast_min(fast_min(side(a, b), side(b, c)), side(c, a))
+}
+
+/// Distance of a point to the border of a triangle: negative outside the triangle.
+pub(crate) fn signed_distance([a, b, c]: [DVec2; 3], p: DVec2) -> f64 {
+    let depth = signed_depth([a, b, c], p);
+    if depth >= 0.0 {
+        return depth;
+    }
+    -fast_min(fast_min(segment_distance(p, a, b), segment_distance(p, b, c)), segment_distance(p, c, a))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tip_of_a_needle_ends_the_mesh() {
+        let needle = [(0.0, 0.0), (100.0, 0.0), (100.0, 1e-9)].map(DVec2::from);
+        let mesh = Triangulation::constrained_delaunay(needle.to_vec(), vec![[0, 1], [1, 2], [2, 0]]);
+        let locator = Locator::new(&mesh);
+        let found = |x: f64, y: f64| locator.locate(&mesh, DVec2::new(x, y)) == Some(0);
+        for x in [0.0, 1.0, 50.0, 100.0] {
+            assert!([-9e-7, 0.0, 9e-7].iter().all(|&y| found(x, y)), "beside {x}");
+            assert!([-2e-6, 2e-6].iter().all(|&y| !found(x, y)), "outside {x}");
+        }
+        assert!(found(-9e-7, 0.0) && !found(-2e-6, 0.0) && !found(-0.01, 0.0));
+    }
 }
