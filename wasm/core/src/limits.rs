@@ -19,8 +19,10 @@ pub const MAX_CORNERS: usize = 20_000;
 pub const MAX_HELD_CORNERS: usize = 1000;
 /// Greatest number of corners of an outline from a picture's alpha, if it is held. A solve then takes half a second.
 pub(crate) const MAX_HELD_OUTLINE: usize = 250;
-/// Greatest memory of distance fields in one solve, in bytes. A solve then takes less than a gigabyte.
-pub(crate) const MAX_FIELD_BYTES: usize = 1 << 29;
+/// Greatest memory of distance fields in one solve, in bytes.
+///
+/// C² weights around a thousand small holes take nearly all of it, and nearly five seconds in a browser.
+pub(crate) const MAX_FIELD_BYTES: usize = 9 << 25;
 /// Greatest memory of the search for farthest points, in bytes.
 pub(crate) const MAX_PIECE_BYTES: usize = 3 << 27;
 /// Greatest number of weights of all samples: 400 MB.
@@ -47,9 +49,8 @@ pub const MAX_CLOSE_HANDLES: [(f64, usize); 2] = [(1.0 / 500.0, 200), (1.0 / 500
 /// Greatest length of an outline, over its diagonal. In a longer one most of the domain lies in slits and spikes, and
 /// each needs sites of its own.
 pub const MAX_OUTLINE_LENGTH: f64 = 200.0;
-/// Greatest number of sites, real and virtual, in one solve.
-///
-/// So many around small holes, with C² weights, take nearly five seconds in a browser.
+/// Greatest number of sites, real and virtual, in one solve. A held outline with as many corners as it may have takes
+/// nearly all.
 pub const MAX_SITES: usize = 5000;
 
 /// Distance that bones keep from a fixed boundary, in pixels. A point on the boundary cannot both move and stay.
