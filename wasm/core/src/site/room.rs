@@ -25,6 +25,25 @@ pub(super) struct Room {
     pub(super) in_acute_joint: bool,
 }
 
+impl Room {
+    fn of(&Site { separation, clearance, in_acute_joint, .. }: &Site) -> Self {
+        Self { separation, clearance, in_acute_joint }
+    }
+
+    /// The distance within which a site of a kind reduces the room. Only real sites count for the clearance.
+    fn reduced_within(&self, kind: SiteKind) -> f64 {
+        if kind.is_real() { self.separation.max(self.clearance) } else { self.separation }
+    }
+
+    /// Reduces the room by a site of a kind at a distance.
+    fn reduce(&mut self, kind: SiteKind, distance: f64) {
+        self.separation = self.separation.min(distance);
+        if kind.is_real() {
+            self.clearance = self.clearance.min(distance);
+        }
+    }
+}
+
 /// Returns the room of a site that is about to be inserted, and reduces the room of all others. `rest` is the site's
 /// position.
 pub(super) fn make_room(
@@ -35,61 +54,49 @@ pub(super) fn make_room(
 ) -> Room {
     let SiteField { island, triangle, ref distances } = *field;
     let body = obstacles.body(kind);
-    let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
+    let mut room = Room { separation: f64::INFINITY, clearance: f64::INFINITY, in_acute_joint: false };
     for at in 0..voronoi.sites.len() {
         if !limits(voronoi, obstacles, at, island, body) {
             continue;
         }
         let (site, other) = (&mut voronoi.sites[at], &voronoi.fields[at]);
-        // No path is shorter than the straight line. Only distances from real sites count for a clearance.
-        let straight = site.rest.distance(rest);
-        if straight < site.separation.max(separation)
-            || kind.is_real() && straight < site.clearance
-            || site.kind.is_real() && straight < clearance
-        {
+        let mut others = Room::of(site);
+        // No path is shorter than the straight line.
+        if site.rest.distance(rest) < room.reduced_within(site.kind).max(others.reduced_within(kind)) {
             let there = other.distance(triangle, rest);
             // The field of the other may end before this site, and the field of this one reach the other.
             let d = if there.is_finite() { there } else { distances.distance(other.triangle, site.rest) };
-            site.separation = site.separation.min(d);
-            separation = separation.min(d);
-            if kind.is_real() {
-                site.clearance = site.clearance.min(d);
-            }
-            if site.kind.is_real() {
-                clearance = clearance.min(d);
-            }
+            others.reduce(kind, d);
+            (site.separation, site.clearance) = (others.separation, others.clearance);
+            room.reduce(site.kind, d);
         }
     }
-    clearance = obstacles.distance_to_bones(distances, island, body, clearance);
+    room.clearance = obstacles.distance_to_bones(distances, island, body, room.clearance);
     if let Some(held) = obstacles.held().filter(|_| body != Some(BOUNDARY)) {
-        clearance = clearance.min(held.distance_to_outline(rest));
+        room.clearance = room.clearance.min(held.distance_to_outline(rest));
     }
-    let within = ACUTE_JOINT_RATIO * clearance;
-    let in_acute_joint =
+    room.separation = room.separation.min(room.clearance);
+    let within = ACUTE_JOINT_RATIO * room.clearance;
+    room.in_acute_joint =
         body.is_none() && obstacles.has_acute_joint(voronoi.navigation, propagation, (triangle, rest), within);
-    Room { separation: separation.min(clearance), clearance, in_acute_joint }
+    room
 }
 
 /// Replaces a site's field by one that reaches farther, and reduces the site's room by the obstacles that it now
 /// reaches.
 pub(super) fn extend_field(voronoi: &mut Voronoi, obstacles: &Obstacles, site: usize, distances: DistanceField) {
-    let Site { rest, kind, separation, clearance, .. } = voronoi.sites[site];
+    let Site { rest, kind, .. } = voronoi.sites[site];
     let (island, body) = (voronoi.fields[site].island, obstacles.body(kind));
-    let mut separation = separation;
-    let mut clearance = obstacles.distance_to_bones(&distances, island, body, clearance);
+    let mut room = Room::of(&voronoi.sites[site]);
+    room.clearance = obstacles.distance_to_bones(&distances, island, body, room.clearance);
     for (at, other) in voronoi.sites.iter().enumerate() {
         let is_other = at != site && limits(voronoi, obstacles, at, island, body);
-        let farthest = if other.kind.is_real() { separation.max(clearance) } else { separation };
-        if is_other && other.rest.distance(rest) < farthest {
-            let d = distances.distance(voronoi.fields[at].triangle, other.rest);
-            separation = separation.min(d);
-            if other.kind.is_real() {
-                clearance = clearance.min(d);
-            }
+        if is_other && other.rest.distance(rest) < room.reduced_within(other.kind) {
+            room.reduce(other.kind, distances.distance(voronoi.fields[at].triangle, other.rest));
         }
     }
     let extended = &mut voronoi.sites[site];
-    (extended.separation, extended.clearance) = (separation.min(clearance), clearance);
+    (extended.separation, extended.clearance) = (room.separation.min(room.clearance), room.clearance);
     voronoi.fields[site].distances = distances;
 }
 
