@@ -145,24 +145,21 @@ fn size_rank(closest: f64) -> impl Fn(f64, &Site) -> f64 {
 
 /// The greatest rank of all cells. Computes farthest points only for cells that may have it.
 fn greatest_rank(inserter: &mut SiteInserter, rank: Rank<'_>) -> f64 {
-    let known = |inserter: &SiteInserter, site: usize| {
-        let points = inserter.farthest.known(site)?;
-        Some(rank(points[0].distance, &inserter.sites()[site]))
-    };
-    // Keyed by an upper bound of the rank.
-    let unknown = |inserter: &SiteInserter, site: usize| {
-        let bound = rank(inserter.farthest.radius_bound(site), &inserter.sites()[site]);
-        MinEntry { key: -bound, item: site }
-    };
-    let sites = 0..inserter.sites().len();
-    let mut greatest = sites.clone().filter_map(|site| known(inserter, site)).fold(f64::NEG_INFINITY, f64::max);
-    let others = sites.filter(|&site| inserter.farthest.known(site).is_none()).map(|site| unknown(inserter, site));
-    let mut cells: BinaryHeap<_> = others.filter(|cell| -cell.key > greatest).collect();
+    let is_known = |inserter: &SiteInserter, site: usize| inserter.farthest.known(site).is_some();
+    // The rank of a known cell, and an upper bound for another.
+    let bound =
+        |inserter: &SiteInserter, site: usize| rank(inserter.farthest.radius_bound(site), &inserter.sites()[site]);
+    let entry = |inserter: &SiteInserter, site: usize| MinEntry { key: -bound(inserter, site), item: site };
+    let (known, unknown): (Vec<usize>, Vec<usize>) =
+        (0..inserter.sites().len()).partition(|&site| is_known(inserter, site));
+    let mut greatest = known.into_iter().map(|site| bound(inserter, site)).fold(f64::NEG_INFINITY, f64::max);
+    let mut cells: BinaryHeap<_> = unknown.into_iter().map(|site| entry(inserter, site)).collect();
     while let Some(MinEntry { item: site, .. }) = cells.pop().filter(|cell| -cell.key > greatest) {
         inserter.farthest.refine(&inserter.voronoi, site);
-        match known(inserter, site) {
-            Some(rank) => greatest = greatest.max(rank),
-            None => cells.push(unknown(inserter, site)),
+        if is_known(inserter, site) {
+            greatest = greatest.max(bound(inserter, site));
+        } else {
+            cells.push(entry(inserter, site));
         }
     }
     greatest
