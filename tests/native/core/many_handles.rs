@@ -119,7 +119,7 @@ fn a_solve_has_a_greatest_number_of_steps() {
     assert!(error.to_string().contains("more than 100000000 steps"), "{error}");
 }
 
-/// The spike counted as endless, so its cells were divided until the solve was refused.
+/// Places beyond its tip counted as inside, so cells there were divided until the solve was refused.
 #[test]
 fn a_spike_of_no_width_needs_few_sites() {
     let spike = [(-87.0, -46.0), (0.0, 9.0), (1.16e-9, 9.000_000_000_09), (0.0, 0.0)].map(DVec2::from).to_vec();
