@@ -69,7 +69,7 @@ async function update(page: Page): Promise<void> {
 
 const notice = (page: Page) => page.locator('c2-warp .notice');
 
-const NEW_VERSION = 'A new version is ready. It opens at the next start.';
+const NEW_VERSION = 'A new version is ready. It starts the next time you open the editor.';
 
 test('after one visit it works without a network', async ({ page, context }) => {
   await visited(page);
@@ -137,7 +137,7 @@ test('with two windows both stay at their version until one is left', async ({ p
   await update(page);
   const other = await context.newPage();
   await opened(other);
-  await expect(notice(other)).toContainText('It opens once the other windows of the editor are closed.');
+  await expect(notice(other)).toContainText('It starts after you close all other editor windows.');
   await openLens(other);
   expect(await versions(other)).toEqual(['first', 'first']);
   await openLens(page);
@@ -224,7 +224,7 @@ test('a file that is gone when it is opened is told', async ({ page }) => {
     Object.defineProperty(globalThis, 'launchQueue', { value: launchQueue });
   });
   await opened(page);
-  await expect(notice(page)).toContainText('cat.png cannot be read');
+  await expect(notice(page)).toContainText('Could not read cat.png');
 });
 
 test('a shared picture opens, without a network too', async ({ page, context }) => {
@@ -244,7 +244,7 @@ test('a shared picture opens, without a network too', async ({ page, context }) 
 test('a share without a file is told', async ({ page }) => {
   await visited(page);
   await share(page, []);
-  await expect(notice(page)).toContainText('The shared picture did not arrive');
+  await expect(notice(page)).toContainText('Could not receive the shared picture');
 });
 
 test('the manifest is valid, and its files are there', async ({ page }) => {

@@ -113,7 +113,7 @@ test('where the browser denies storage, editing goes on, and the loss is told of
   });
   const editor = await Editor.open(page);
   await openWithHandle(editor, 'disc.png', SIDE);
-  await expect(editor.notice).toContainText('Your work is not stored in this browser');
+  await expect(editor.notice).toContainText('This browser cannot store your work');
   await expect(editor.notice).toHaveCount(1);
   await editor.button('Dismiss').click();
   const before = await editor.shownPose('handle 1');

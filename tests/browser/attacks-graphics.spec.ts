@@ -8,7 +8,7 @@ import { test } from './fixtures';
 
 const LOSSES = times(100, 6);
 const SIDE = 96;
-const GONE = 'The graphics card is gone';
+const GONE = 'The browser lost access to the graphics card';
 
 type Loss = JSHandle<WEBGL_lose_context | null | undefined>;
 

@@ -21,7 +21,7 @@ async function reopened(page: Page): Promise<Editor> {
   await page.goto('/');
   const editor = new Editor(page);
   await expect(editor.handle('handle 1')).toBeVisible();
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   return editor;
 }
 

@@ -155,7 +155,7 @@ test.describe('addresses', () => {
     const editor = await Editor.open(page);
     await bringTexts(editor, 'drop', { 'text/uri-list': DISC });
     await expect(editor.notice).toContainText(
-      'disc.png could not be loaded. pictures.example does not let this page read it (CORS), or cannot be reached.',
+      'Could not load disc.png. pictures.example does not let this page read it (CORS), or cannot be reached.',
     );
     await expect(editor.handles).toHaveCount(5);
   });
@@ -164,10 +164,10 @@ test.describe('addresses', () => {
     await elsewhere(page, true);
     const editor = await Editor.open(page);
     await bringTexts(editor, 'paste', { 'text/plain': 'https://pictures.example/page' });
-    await expect(editor.notice).toContainText('page could not be loaded: it is a web page');
+    await expect(editor.notice).toContainText('page is a web page');
     await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
     await bringTexts(editor, 'drop', { 'text/html': '<p>words</p>' });
-    await expect(page.getByText('There is no picture in this drop')).toBeVisible();
+    await expect(page.getByText('Drop a picture or a link to one')).toBeVisible();
   });
 
   test('the field beside Open takes addresses of pictures and projects', async ({ page }) => {
@@ -175,11 +175,11 @@ test.describe('addresses', () => {
     const editor = await Editor.open(page);
     const type = async (text: string) => {
       await editor.button('Open recent work').click();
-      await page.getByRole('textbox', { name: 'Address of a picture or a project' }).fill(text);
+      await page.getByRole('textbox', { name: 'Address of a picture or project' }).fill(text);
       await page.keyboard.press('Enter');
     };
     await type('disc.png');
-    await expect(editor.notice).toContainText('“disc.png” is no address of a picture');
+    await expect(editor.notice).toContainText('“disc.png” is not the address of a picture');
     await type('https://pictures.example/pose.json');
     await expect(page.getByText('pose.json belongs to the picture disc.png')).toBeVisible();
     await expect(editor.notice).toBeHidden();
@@ -211,7 +211,7 @@ test.describe('addresses', () => {
     page.on('request', (request) => asked.push(request.url()));
     await page.goto('/?src=samples/missing.png');
     const editor = new Editor(page);
-    await expect(editor.notice).toContainText('missing.png could not be loaded: the server answered 404');
+    await expect(editor.notice).toContainText('Could not load missing.png: the server answered 404');
     expect(asked.filter((address) => address.includes('missing.png') && !address.includes('?'))).toHaveLength(
       1,
     );

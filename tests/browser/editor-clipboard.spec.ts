@@ -67,7 +67,7 @@ test('poses are copied and pasted with the focus on a switch', async ({ page }) 
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const moved = await posed(editor, 'left-hand');
   await page.keyboard.press('Escape');
-  await editor.switch('Hold the boundary').focus();
+  await editor.switch('Lock the outline').focus();
   await copy(page);
   expect(await clipped(page)).toContain('c2warp-pose/1');
   await page.keyboard.press('Control+z');
@@ -91,7 +91,7 @@ test('an invalid pose is rejected, and other text is ignored', async ({ page }) 
   );
   await paste(page);
   await expect(editor.notice).toContainText(
-    'This pose cannot be pasted: handle "head", rest: expected a point',
+    'Could not paste this pose: handle "head", rest: expected a point',
   );
   await expect(editor.button('Undo')).toBeDisabled();
 });

@@ -86,7 +86,7 @@ test('the edge of a part in front can be switched off', async ({ page }) => {
   await page.keyboard.press('Escape');
   await expect(editor.handle('right hand')).toHaveAttribute('aria-pressed', 'false');
   const edged = await editor.screenshot(border, 30);
-  await editor.switch('Edges where parts cross').click();
+  await editor.switch('Shadow where parts overlap').click();
   const change = async () => meanDifference(edged, await editor.screenshot(border, 30));
   await expect.poll(change).toBeGreaterThan(0.5);
   await page.keyboard.press('Control+z');

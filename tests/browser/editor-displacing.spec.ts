@@ -138,7 +138,7 @@ test('smoothing levels a stroke, and restoring takes it back to nothing', async 
 
 test('with the guard no stroke folds the picture; without it one does', async ({ page }) => {
   const [editor, at] = await brushing(page);
-  const folds = () => editor.status.getByRole('button', { name: 'Show the creases' });
+  const folds = () => editor.status.getByRole('button', { name: 'Show the folds' });
   const pushHard = async () => {
     for (let k = 0; k < 3; k++) await editor.drag(at(440, 700), { x: 90, y: 0 });
   };
@@ -159,7 +159,7 @@ test('the frame of a photograph stays where the brush pushes across it', async (
   const file = Buffer.from(encode({ width: 400, height: 300, data, channels: 3 }));
   await editor.chooseFile(png('photograph.png', file));
   await expect.poll(() => project(editor).then(({ image }) => image.src)).toBe('photograph.png');
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   await page.keyboard.press('f');
   const [from, to] = [await clientPlace(editor, [4, 150]), await clientPlace(editor, [200, 150])];
   await page.mouse.move(...from);
@@ -186,7 +186,7 @@ test('keys hold and push the picture, and the bin clears', async ({ page }) => {
   await page.keyboard.press('Enter');
   await expect(editor.button('Undo: push')).toBeEnabled();
   expect(await displacement(editor)).not.toBeNull();
-  const clear = page.getByRole('button', { name: 'Clear the strokes of the brush', exact: true });
+  const clear = page.getByRole('button', { name: 'Clear brush strokes', exact: true });
   await clear.click();
   expect(await largest(editor)).toBe(0);
   await expect(clear).toBeDisabled();

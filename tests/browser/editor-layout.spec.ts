@@ -240,11 +240,11 @@ test('forced colours show the selection', async ({ page }) => {
   });
   await expect.poll(ground(editor.button('Select and move'))).toBe(chosen);
   await expect.poll(ground(editor.button('Draw a bar'))).not.toBe(chosen);
-  await expect.poll(ground(editor.button('Auto turn'))).toBe(chosen);
+  await expect.poll(ground(editor.button('Auto rotation'))).toBe(chosen);
   await expect.poll(ground(page.locator('c2-warp .item').filter({ hasText: 'head' }))).toBe(chosen);
   await page.locator('c2-warp summary').click();
   await expect.poll(ground(editor.button('Rigid'))).toBe(chosen);
-  await expect.poll(ground(editor.button('By hand'))).not.toBe(chosen);
+  await expect.poll(ground(editor.button('Elastic'))).not.toBe(chosen);
   await editor.switch('Stop at folds').click();
   await expect.poll(ground(editor.switch('Stop at folds'))).toBe(chosen);
 });
@@ -292,7 +292,7 @@ test('a readonly editor shows no drawing hint', async ({ page }) => {
   // Ends the hint for first visits, which has priority.
   await editor.dragHandle('left hand', { x: 10, y: -20 });
   await page.keyboard.press('Escape');
-  const hint = page.getByText('Drag a bar, or click its corners');
+  const hint = page.getByText('Drag to draw a bar, or click its corners');
   await page.keyboard.press('b');
   await expect(hint).toBeVisible();
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));

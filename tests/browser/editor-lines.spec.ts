@@ -38,7 +38,7 @@ test('a bar is drawn by clicks and bent by one end, each undone alone', async ({
   await page.mouse.move(second.x, second.y);
   // The line to the pointer, before the next click.
   await expect(page.locator('c2-warp .draft .next')).toBeAttached();
-  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One corner more');
+  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One more corner');
   await page.mouse.dblclick(second.x, second.y);
   await expect(page.getByRole('group', { name: 'Drawing' })).toBeHidden();
   await expect(editor.handle('bar 1')).toBeFocused();
@@ -267,9 +267,9 @@ test('redo restores only the corner that was undone', async ({ page }) => {
   await expect(corners).toHaveCount(2);
   await page.keyboard.press('Control+Shift+z');
   await expect(corners).toHaveCount(3);
-  await editor.button('Undo: set a corner').click();
+  await editor.button('Undo: place a corner').click();
   await expect(corners).toHaveCount(2);
-  await editor.button('Redo: set a corner').click();
+  await editor.button('Redo: place a corner').click();
   await expect(corners).toHaveCount(3);
   // The first corner too. After the draft is discarded, redo applies to the hand again.
   for (const left of [2, 1, 0]) {
@@ -289,7 +289,7 @@ test('Enter finishes after a press on a button of the draft bar too', async ({ p
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('g');
   await clicks(editor, [at(440, 780), at(584, 780), at(560, 900), at(440, 900)]);
-  await editor.button('Take back the last corner').click();
+  await editor.button('Remove the last corner').click();
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(3);
   await page.keyboard.press('Enter');
   await expect(editor.handle('polygon 1')).toBeVisible();
@@ -363,7 +363,7 @@ test('the panel moves, turns beyond half a turn, and resets a bar', async ({ pag
   await editor.field('rotation').fill('270');
   await editor.field('rotation').press('Enter');
   await expect.poll(() => editor.shownPose('bar 1')).toMatchObject({ x: 360, rotation: 270 });
-  await expect(editor.button('Auto turn')).toBeHidden();
+  await expect(editor.button('Auto rotation')).toBeHidden();
   await editor.button('Reset to rest').click();
   // The turn took the bar across the other leg. Its depth is not a part of the pose.
   await expect.poll(() => editor.projectHandle('bar-1')).toEqual({ ...rest, depth: 1 });
@@ -397,7 +397,7 @@ test('a bar beside the picture is rejected, and its draft stays', async ({ page 
   await expect(editor.notice).toContainText('“bar 1” lies outside the shape');
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
   await expect(editor.handles).toHaveCount(5);
-  await expect(editor.button('Undo: set a corner')).toBeEnabled();
+  await expect(editor.button('Undo: place a corner')).toBeEnabled();
   // The draft continues with one more corner, on the leg.
   const leg = at(380, 950);
   await page.mouse.click(leg.x, leg.y);
@@ -430,9 +430,9 @@ test('a rejected bar returns as a draft, and later changes stay', async ({ page 
 test('a switch holds the boundary, as one step', async ({ page }) => {
   const editor = await Editor.open(page);
   const rim = [980, 516] as const;
-  await editor.switch('Hold the boundary').click();
-  await expect(editor.switch('Hold the boundary')).toBeChecked();
-  await expect(editor.button('Undo: hold the boundary')).toBeEnabled();
+  await editor.switch('Lock the outline').click();
+  await expect(editor.switch('Lock the outline')).toBeChecked();
+  await expect(editor.button('Undo: lock the outline')).toBeEnabled();
   const held = () =>
     page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);
   await expect.poll(async () => (await held()).fix_boundary).toBe(true);
@@ -466,7 +466,7 @@ test.describe('by touch', () => {
     await tapTool(editor, 'Draw a bar');
     for (const place of [at(...HIP), at(...ANKLE)]) await page.touchscreen.tap(place.x, place.y);
     await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
-    await editor.button('Take back the last corner').tap();
+    await editor.button('Remove the last corner').tap();
     await expect(page.locator('c2-warp .draft .corner')).toHaveCount(1);
     const ankle = at(...ANKLE);
     await page.touchscreen.tap(ankle.x, ankle.y);
@@ -504,14 +504,14 @@ test.describe('by touch', () => {
 
   test('the bending mode can be changed without a selection', async ({ page }) => {
     const editor = await Editor.open(page);
-    await expect(editor.button(/^By hand$/)).toBeHidden();
-    await editor.button('How the picture bends').tap();
-    await editor.button(/^By hand$/).tap();
-    await expect(editor.button(/^By hand$/)).toHaveAttribute('aria-pressed', 'true');
+    await expect(editor.button(/^Elastic$/)).toBeHidden();
+    await editor.button('Bending settings').tap();
+    await editor.button(/^Elastic$/).tap();
+    await expect(editor.button(/^Elastic$/)).toHaveAttribute('aria-pressed', 'true');
     for (const control of await page.locator('c2-warp .panel').locator('button:visible, .switch').all()) {
       expect((await control.boundingBox())?.height).toBeGreaterThanOrEqual(44);
     }
-    await editor.button('How the picture bends').tap();
-    await expect(editor.button(/^By hand$/)).toBeHidden();
+    await editor.button('Bending settings').tap();
+    await expect(editor.button(/^Elastic$/)).toBeHidden();
   });
 });

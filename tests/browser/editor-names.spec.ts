@@ -5,7 +5,7 @@ import { expect, test } from './fixtures';
 
 const beside = ({ x, y }: Position, dx: number, dy: number): Position => ({ x: x + dx, y: y + dy });
 
-const nameField = (editor: Editor) => editor.page.getByRole('textbox', { name: 'Name of the handle' });
+const nameField = (editor: Editor) => editor.page.getByRole('textbox', { name: 'Handle name' });
 /** The names and numbers on the stage. */
 const marks = (editor: Editor) => editor.page.locator('c2-warp .marks .name');
 
@@ -76,7 +76,7 @@ test('F2 renames without another solve, Escape keeps the old name', async ({ pag
 test('a name that is taken or empty is refused beside the field', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('left foot').click();
-  await editor.button('left foot: rename').click();
+  await editor.button('Rename left foot').click();
   const field = nameField(editor);
   await expect(field).toBeFocused();
   await field.fill('HEAD');
@@ -95,7 +95,7 @@ test('a name that is taken or empty is refused beside the field', async ({ page 
   await field.fill('left hand');
   await editor.handle('head').click();
   const notice = page.locator('c2-warp .notice');
-  await expect(notice).toContainText('Another handle has this name: “Shoe” keeps its own.');
+  await expect(notice).toContainText('Another handle has this name. The name “Shoe” was kept.');
   await expect(editor.handle('Shoe')).toBeVisible();
 });
 

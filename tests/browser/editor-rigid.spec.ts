@@ -19,7 +19,7 @@ test('a dragged hand turns automatically, and its field shows the turn', async (
   // The arm points up now: the turn is counterclockwise.
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
-  await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Auto rotation')).toHaveAttribute('aria-pressed', 'true');
   const shown = await editor.settled(() => turn(editor));
   // The name of the handle has whole degrees, the field tenths.
   const apart = async () => Math.abs((await editor.shownPose('right hand')).rotation - shown);
@@ -35,7 +35,7 @@ test('a pinned hand keeps its turn until the automatic turn is back on', async (
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   const shown = await editor.settled(() => turn(editor));
-  const toggle = editor.button('Auto turn');
+  const toggle = editor.button('Auto rotation');
   await toggle.click();
   await expect(toggle).toHaveAttribute('aria-pressed', 'false');
   await expect.poll(() => turn(editor)).toBe(shown);
@@ -56,7 +56,7 @@ test('the ring continues from the automatic turn', async ({ page }) => {
   const hand = await editor.settled(() => editor.position('right hand'));
   await editor.drag({ x: hand.x + 40, y: hand.y }, { x: -40, y: 40 });
   await expect.poll(async () => Math.abs((await turn(editor)) - (shown + 90))).toBeLessThan(2);
-  await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'false');
+  await expect(editor.button('Auto rotation')).toHaveAttribute('aria-pressed', 'false');
 });
 
 test('the bending mode changes with one click and one undo step', async ({ page }) => {
@@ -66,7 +66,7 @@ test('the bending mode changes with one click and one undo step', async ({ page 
       const { pose, weighting } = (element as C2Warp).project;
       return [pose?.mode, pose?.density, weighting?.support];
     });
-  const [rigid, byHand] = ['Rigid', 'By hand'].map((name) => page.getByRole('button', { name, exact: true }));
+  const [rigid, byHand] = ['Rigid', 'Elastic'].map((name) => page.getByRole('button', { name, exact: true }));
   if (!rigid || !byHand) throw new Error('two ways to bend');
   await expect(rigid).toHaveAttribute('aria-pressed', 'true');
   await byHand.focus();
@@ -86,7 +86,7 @@ test('the bending mode changes with one click and one undo step', async ({ page 
 
 test('bending settings collapse with a selection; press and key open them', async ({ page }) => {
   const editor = await Editor.open(page);
-  const byHand = page.getByRole('button', { name: 'By hand', exact: true });
+  const byHand = page.getByRole('button', { name: 'Elastic', exact: true });
   await expect(byHand).toBeVisible();
   await editor.handle('head').click();
   await expect(byHand).toBeHidden();
@@ -109,7 +109,7 @@ test('by hand, a switch keeps widths, as one step without a solve', async ({ pag
   const project = () =>
     page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);
   await expect(editor.switch('Keep widths')).toBeHidden();
-  await editor.waitForSolve(() => editor.button('By hand').click());
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   await editor.switch('Keep widths').click();
   await expect(editor.switch('Keep widths')).toBeChecked();
   await expect.poll(async () => (await project()).pose?.blend).toBe('rigid');
@@ -125,9 +125,9 @@ test('by hand keeps the turns that are shown, and rigid frees them again', async
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   const shown = await editor.settled(() => turn(editor));
   await page.keyboard.press('Escape');
-  await editor.waitForSolve(() => editor.button('By hand').click());
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBeCloseTo(shown, 1);
-  await expect(page.getByRole('button', { name: /^\d+ creases?\./ })).toBeHidden();
+  await expect(page.getByRole('button', { name: /^\d+ folds?\./ })).toBeHidden();
   await editor.waitForSolve(() => editor.button('Rigid').click());
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
 });

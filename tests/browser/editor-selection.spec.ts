@@ -29,7 +29,7 @@ type At = (x: number, y: number) => Promise<Position>;
 async function opened(editor: Editor): Promise<At> {
   await editor.chooseFile(png('disc.png', photograph()));
   await expect.poll(() => project(editor).then(({ image }) => image.src)).toBe('disc.png');
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   return (x, y) =>
     editor.page.locator('c2-warp').evaluate(
       (element, place) => {
@@ -93,8 +93,8 @@ test('an opaque picture opens with its boundary held; the switch frees it', asyn
   const editor = await Editor.open(page);
   expect((await project(editor)).fix_boundary).toBe(false);
   await opened(editor);
-  await expect(editor.switch('Hold the boundary')).toBeChecked();
-  await editor.switch('Hold the boundary').click();
+  await expect(editor.switch('Lock the outline')).toBeChecked();
+  await editor.switch('Lock the outline').click();
   expect((await project(editor)).fix_boundary).toBe(false);
   // By its address alone, as on other pages.
   await page.locator('c2-warp').evaluate(
@@ -129,11 +129,11 @@ test('drags and clicks make one outline, and Backspace takes the last back', asy
   await click(editor, await at(CENTRE[0], CENTRE[1] - RADIUS));
   await expect(bar).toContainText('Add corners, or finish');
   await page.keyboard.press('Backspace');
-  await expect(bar).toContainText('2 corners more');
+  await expect(bar).toContainText('2 more corners');
   // With Alt held, a click sets a straight edge and a drag draws freely.
   await page.keyboard.down('Alt');
   await click(editor, await at(290, 150));
-  await expect(bar).toContainText('One corner more');
+  await expect(bar).toContainText('One more corner');
   const path = [];
   for (let k = 0; k <= 10; k++) path.push(await at(300 + 5 * k, 160 + 10 * k));
   await page.mouse.move(path[0]?.x ?? 0, path[0]?.y ?? 0);
@@ -181,7 +181,7 @@ test('a bar that begins outside of the selection says so, and can extend it', as
   await selectRectangle(editor, at);
   await page.keyboard.press('b');
   await click(editor, await at(350, 150));
-  await expect(page.getByText('Outside of the selection, the picture stays still.')).toBeVisible();
+  await expect(page.getByText('The picture does not bend outside the selection.')).toBeVisible();
   await editor.button('Extend the selection').click();
   await expect.poll(async () => Math.max(...(await ring(editor)).map(([x]) => x))).toBeGreaterThan(350);
   await click(editor, await at(280, 150));

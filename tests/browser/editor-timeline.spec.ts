@@ -253,7 +253,7 @@ test('clips are named, set, duplicated and deleted', async ({ page }) => {
   await open(editor);
   await timeline(editor).getByRole('button', { name: 'Breathe' }).click();
   await timeline(editor).getByRole('button', { name: 'Rename the clip' }).click();
-  const name = timeline(editor).getByRole('textbox', { name: 'Name of the clip' });
+  const name = timeline(editor).getByRole('textbox', { name: 'Clip name' });
   await expect(name).toBeFocused();
   await page.keyboard.type('calm');
   await page.keyboard.press('Enter');

@@ -138,7 +138,7 @@ test('features that a page leaves out are not there, nor are their keys', async 
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('features', 'save'));
   await expect(editor.button('Save')).toBeVisible();
   await expect(page.getByRole('group', { name: 'Tools' })).toBeHidden();
-  for (const name of ['Open a picture or a project', 'Export', 'Animate'])
+  for (const name of ['Open a picture or project', 'Export', 'Animate'])
     await expect(page.getByRole('button', { name, exact: true })).toBeHidden();
   await page.keyboard.press('p');
   expect(await tool(editor)).toBe('select');
@@ -236,7 +236,7 @@ test('exports take one object of options, and refuse the rest by name', async ({
     'toBlob: expected an object of options such as { scale: 2 }, found a string',
     'toBlob: expected an object of options such as { scale: 2 }, found a function',
     'toBlob: expected an object of options such as { scale: 2 }, found a number',
-    expect.stringContaining('toBlob: there is no option "size"'),
+    expect.stringContaining('toBlob: unknown option "size"'),
     'scale: expected a number above 0',
     'type: expected one of image/png, image/jpeg, image/webp',
   ]);
@@ -361,7 +361,7 @@ test('a signal gives a picture up, while it is read and while it is solved', asy
   await expect.poll(() => asked).toBe(1);
   await page.evaluate(() => (Reflect.get(globalThis, 'giveUp') as () => void)());
   expect(await told).toEqual({ reasons: ['early', 'read', 'solved'], handles: 5 });
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   expect(await heard(editor)).toEqual([]);
 });
 

@@ -83,7 +83,7 @@ test.describe('without a policy', () => {
     await expect.poll(() => page.frames().length).toBe(2);
     for (const frame of page.frames()) {
       const element = frame.locator('c2-warp');
-      await expect(element.locator('.solved')).toContainText('sample');
+      await expect(element.locator('.solved')).toContainText('mesh point');
       const size = await element.evaluate(
         async (warp) => (await (warp as C2Warp).toBlob({ scale: 0.1 })).size,
       );
@@ -101,11 +101,11 @@ test('a missing file, or a page in its place, is reported', async ({ page }) => 
   await page.route('**/worker.js', (route) =>
     route.fulfill({ contentType: 'text/html', body: '<!doctype html>' }),
   );
-  expect(await refused()).toMatch(/could not be started: is http:.+worker\.js there/);
+  expect(await refused()).toMatch(/Check that http:.+worker\.js exists/);
   await page.route('**/*.wasm', (route) =>
     route.fulfill({ contentType: 'text/html', body: '<!doctype html>' }),
   );
-  expect(await refused()).toMatch(/http:.+c2warp_bg\.wasm is not there: a page is, in its place/);
+  expect(await refused()).toMatch(/a web page instead of http:.+c2warp_bg\.wasm/);
 });
 
 test('downloads stay within their budgets', async ({ request }) => {

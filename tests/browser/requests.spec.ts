@@ -39,7 +39,7 @@ test('open, pose, export, film, rig and save ask the own server alone', async ({
           .toBe('activated');
         await page.reload();
         // The reload may come before the browser has stored that the sample is open again.
-        await expect(editor.solved).toContainText('sample');
+        await expect(editor.solved).toContainText('mesh point');
         await editor.openRecent('gingerbread');
         await editor.ready();
       }

@@ -17,7 +17,7 @@ export async function exportTable() {
   return withServedEditor(async (browser, address) => {
     const page = await browser.newPage();
     await page.goto(address);
-    await page.locator('c2-warp .solved', { hasText: 'sample' }).waitFor({ timeout: 120_000 });
+    await page.locator('c2-warp .solved', { hasText: 'mesh point' }).waitFor({ timeout: 120_000 });
     return table(await page.evaluate(readFileSync(join(ROOT, 'tests/bench/exports.js'), 'utf8')));
   });
 }

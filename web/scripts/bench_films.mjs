@@ -101,7 +101,7 @@ export async function playingTable() {
     }
     const page = await browser.newPage();
     await page.goto(address);
-    await page.locator('c2-warp .solved', { hasText: 'sample' }).waitFor({ timeout: 120_000 });
+    await page.locator('c2-warp .solved', { hasText: 'mesh point' }).waitFor({ timeout: 120_000 });
     await page.locator('c2-warp').press('t');
     await page.locator('c2-warp').press('k');
     rows.push(

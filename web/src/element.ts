@@ -360,7 +360,7 @@ export class C2Warp extends TypedElement {
     // An address or a file is asked for at once.
     const picture = named instanceof Promise ? await coded(named) : named;
     if (asked !== this.#asked || runtime !== this.#runtime)
-      throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
+      throw new DOMException('another picture was requested, or the editor was removed', 'AbortError');
     options.signal?.throwIfAborted();
     await coded(runtime.load(picture, copied, options), options.signal);
   }
@@ -402,10 +402,10 @@ export class C2Warp extends TypedElement {
    */
   addHandle(handle: NewHandle): string {
     const { state, dispatch } = this.#present;
-    if (!state.picture) throw new C2WarpError('no-picture', 'there is no picture yet to put a handle on');
-    if (typeof handle !== 'object' || handle === null) throw new RangeError('a handle: expected an object');
+    if (!state.picture) throw new C2WarpError('no-picture', 'open a picture before you add a handle');
+    if (typeof handle !== 'object' || handle === null) throw new RangeError('addHandle: expected an object');
     const id = handle.id ?? freeId(projectOf(state));
-    if (handleById(documentOf(state), id)) throw new RangeError(`there is a handle "${id}" already`);
+    if (handleById(documentOf(state), id)) throw new RangeError(`a handle "${id}" exists already`);
     const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
     if (added.kind === 'point' && this.#present.isOutside(added.rest))
       throw new C2WarpError(
@@ -483,7 +483,7 @@ export class C2Warp extends TypedElement {
     if (!playedClip(state))
       throw new C2WarpError(
         'clip',
-        this.clip === null ? 'there is no clip' : `there is no clip "${this.clip}"`,
+        this.clip === null ? 'the project has no clip' : `there is no clip "${this.clip}"`,
       );
     dispatch({ type: 'play-asked' });
   }
@@ -839,7 +839,7 @@ export class C2Warp extends TypedElement {
 
   get #present(): EditorRuntime {
     if (!this.#runtime)
-      throw new C2WarpError('disconnected', '<c2-warp> is not on a page, and has no picture there');
+      throw new C2WarpError('disconnected', '<c2-warp> is not on a page, so it has no picture');
     return this.#runtime;
   }
 

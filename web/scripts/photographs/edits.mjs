@@ -37,7 +37,7 @@ export const EDITS = [
         ],
         { snap: false },
       );
-      await hand.press('Hold its boundary');
+      await hand.press('Lock its outline');
       await hand.points([690, 26], [680, 108], [712, 96]);
     },
     async edit(hand) {
@@ -64,7 +64,7 @@ export const EDITS = [
         ],
         { snap: false },
       );
-      await hand.press('Hold its boundary');
+      await hand.press('Lock its outline');
       await hand.points([203, 139.5], [247.5, 139], [224, 143], [224, 157], [224, 131]);
     },
     async edit(hand) {
@@ -187,7 +187,7 @@ export const EDITS = [
     picture: 'horses',
     grip: [3, 338],
     async choose(hand) {
-      await hand.setSwitch('Hold the boundary', false);
+      await hand.setSwitch('Lock the outline', false);
       await hand.bar([3, 3], [897, 3]);
       await hand.bar([3, 580], [897, 580]);
       await hand.bar([3, 338], [897, 418]);
@@ -255,7 +255,7 @@ export const EDITS = [
         ],
         { snap: false },
       );
-      await hand.press('Turn this part, keep the rest');
+      await hand.press('Turn this part, bend the rest');
     },
     async edit(hand) {
       await hand.turn(await hand.middle('polygon 1'), -12);

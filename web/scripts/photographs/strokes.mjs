@@ -30,7 +30,7 @@ export async function strokes(browser, address, pictures) {
   for (const size of BRUSHES) {
     const hand = await Hand.open(browser, address, { name: 'rocket.jpg', mimeType: 'image/jpeg', buffer });
     await hand.points(...HANDLES);
-    await hand.setSwitch('Hold the boundary', true);
+    await hand.setSwitch('Lock the outline', true);
     await hand.setSwitch('Stop at folds', true);
     await hand.key('f');
     await hand.page.getByRole('slider', { name: 'Brush size' }).fill(String(size));

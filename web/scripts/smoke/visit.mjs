@@ -78,7 +78,7 @@ export async function visit(visitor, origin, tell) {
   if (saved !== SAVED) throw new StepError(`The saved file begins with ${saved}.`);
   tell('exports');
 
-  const lost = `${TEXT}.includes('Your work is not stored in this browser')`;
+  const lost = `${TEXT}.includes('This browser cannot store your work')`;
   await until(visitor, 'the work is stored', `${TEXT}.includes('kept in this browser') || ${lost}`);
   const isLost = await visitor.ask(lost);
   await visitor.open(origin);

@@ -177,7 +177,9 @@ describe('Link', () => {
     worker(1).reply({ kind: 'died', started: true, message: 'unreachable' });
     await expect(solve).rejects.toMatchObject({ code: 'too-much' });
     // No words of the browser reach a person.
-    await expect(solve).rejects.toThrow('This is more than the solver can do with the memory that there is.');
+    await expect(solve).rejects.toThrow(
+      'Not enough memory for this warp. Use fewer handles, or less detail.',
+    );
     expect(workers).toHaveLength(2);
     void link.send('cells', { project: 'good' });
     expect(worker(2).requests()).toHaveLength(1);
@@ -189,7 +191,7 @@ describe('Link', () => {
     worker(0).reply({ kind: 'died', started: false, message: 'CompileError: bad magic' });
     worker(1).reply({ kind: 'died', started: false, message: 'CompileError: bad magic' });
     await expect(solve).rejects.toMatchObject({ code: 'engine', cause: 'CompileError: bad magic' });
-    await expect(solve).rejects.toThrow('started: is https://c2warp.example/worker.js there');
+    await expect(solve).rejects.toThrow('Check that https://c2warp.example/worker.js exists');
   });
 
   it('does not restart for a picture that nobody asks about any more', () => {

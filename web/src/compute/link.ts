@@ -98,7 +98,7 @@ export class Link {
     spawn: () => Port,
     module: WebAssembly.Module,
     loadLater: () => Promise<WebAssembly.Module>,
-    address = 'its file',
+    address = 'its script',
   ) {
     this.#spawn = spawn;
     this.#module = module;

@@ -13,8 +13,8 @@ import type { SolutionData } from '../compute/solution';
 import { C2WarpError, ENGINE } from '../error';
 import type { SolveOptions } from './types';
 
-const DISPOSED = 'The warper is disposed of.';
-const PAIRS = 'Points are a Float64Array of pairs: x and y.';
+const DISPOSED = 'The warper was disposed.';
+const PAIRS = 'Expected the points as a Float64Array of x, y pairs.';
 
 /** Points a request. The solver looks for a cancellation between requests. */
 const BATCH = 2 ** 15;

@@ -92,7 +92,10 @@ export class Warper {
     const { width, height } = this;
     const given: unknown = typeof input === 'string' ? parsed(input) : input;
     if (typeof given !== 'object' || given === null) {
-      throw new C2WarpError('project', 'A project is an object with handles, or the text of a project file.');
+      throw new C2WarpError(
+        'project',
+        'Expected the project as an object with handles, or as the text of a project file.',
+      );
     }
     const image = { src: '', width, height };
     return copied({ format: 'c2warp/1', image, handles: [], ...given }) as ProjectFile;
@@ -106,6 +109,6 @@ function asProject(read: () => unknown): unknown {
   try {
     return read();
   } catch (cause) {
-    throw new C2WarpError('project', `The project is not JSON: ${(cause as Error).message}`, { cause });
+    throw new C2WarpError('project', `The project is not valid JSON: ${(cause as Error).message}`, { cause });
   }
 }

@@ -175,7 +175,7 @@ export function checkedHandle(handle: Handle): Handle {
     refuse('posed: expected as many points as in rest');
   if (rotation !== 'auto' && !isNumber(rotation)) refuse('rotation: expected degrees or "auto"');
   if (!(isNumber(scale) && scale > 0)) refuse(`scale: expected a number above 0 and below ${BEYOND}`);
-  if (!isNumber(depth)) refuse(`depth: expected a number, at most ${BEYOND} from 0`);
+  if (!isNumber(depth)) refuse(`depth: expected a number above -${BEYOND} and below ${BEYOND}`);
   return handle;
 }
 

@@ -21,8 +21,7 @@ export function parsePose(text: string): readonly Handle[] | null {
   if (!isPose(text)) return null;
   const { format, handles } = parsed(text);
   if (format !== FORMAT) throw new RangeError(`format: expected "${FORMAT}"`);
-  if (!Array.isArray(handles) || handles.length === 0)
-    throw new RangeError('handles: expected a list of them');
+  if (!Array.isArray(handles) || handles.length === 0) throw new RangeError('handles: expected a list');
   return handles.map((handle) => checkedHandle(posedHandle(Object(handle))));
 }
 
@@ -30,6 +29,6 @@ function parsed(text: string): { readonly format?: unknown; readonly handles?: u
   try {
     return JSON.parse(text);
   } catch (cause) {
-    throw new RangeError('its text is not whole', { cause });
+    throw new RangeError('its text is incomplete', { cause });
   }
 }

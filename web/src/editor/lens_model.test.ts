@@ -69,7 +69,7 @@ describe('the lens', () => {
   });
 
   it('is told in words', () => {
-    expect(inEnglish(lensWords(lens, project))).toBe('x 3, y 2: left hand 25 %, virtual handles 75 %');
+    expect(inEnglish(lensWords(lens, project))).toBe('x 3, y 2: left hand 25 %, helper points 75 %');
     expect([0, 0.004, 0.099, 0.5].map(percent)).toEqual(['0 %', '0.4 %', '9.9 %', '50 %']);
   });
 
@@ -96,16 +96,16 @@ describe('a round', () => {
 
   it('is at first the last one, with nothing left to do', () => {
     expect(at(null)).toMatchObject({ index: 2, sites: study.sites });
-    expect(inEnglish(at(null)?.words ?? null)).toMatch(/^Round 3: the end\./);
+    expect(inEnglish(at(null)?.words ?? null)).toMatch(/^Round 3: done\./);
   });
 
   it('says which cell is divided and why', () => {
     expect(at(0)?.sites).toHaveLength(1);
     expect(inEnglish(at(0)?.words ?? null)).toMatch(
-      /reaches 6 px far, and 3 px are allowed\. .* in the cell of left hand, 6 px away/,
+      /reaches 6 px, beyond the limit of 3 px\. .* the cell of left hand, 6 px away/,
     );
     expect(inEnglish(at(1)?.words ?? null)).toMatch(
-      /asks for more virtual handles\. .* the cell of virtual handle 2/,
+      /asks for more helper points\. .* the cell of helper point 2/,
     );
   });
 });

@@ -85,6 +85,6 @@ describe('words', () => {
       finishing: false,
     } as const;
     expect(inEnglish(draftWords(draft))).toBe('bar, corner 2: x 2, y 2');
-    expect(inEnglish(draftWords(null))).toBe('Drawing given up');
+    expect(inEnglish(draftWords(null))).toBe('Drawing cancelled');
   });
 });

@@ -25,7 +25,7 @@ export function attributeFaults(
     faults.push(`theme: expected light or dark, found "${theme}"`);
   const [unknown] = unknownFeatures(features);
   if (changed.has('features') && unknown !== undefined)
-    faults.push(`features: expected words of ${FEATURES.join(', ')}, found "${unknown}"`);
+    faults.push(`features: expected some of ${FEATURES.join(', ')}, found "${unknown}"`);
   // Without a value the attribute means `anonymous`, as on `<img>`.
   if (changed.has('crossOrigin') && crossOrigin !== null && !ORIGINS.includes(crossOrigin))
     faults.push(`crossorigin: expected anonymous or use-credentials, found "${crossOrigin}"`);

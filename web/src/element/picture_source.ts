@@ -44,7 +44,10 @@ async function pngOf(source: Drawable): Promise<Blob> {
   const canvas = new OffscreenCanvas(width, height);
   const pen = canvas.getContext('2d');
   if (!pen)
-    throw new C2WarpError('picture', `load: the browser has no canvas of ${width} × ${height} pixels`);
+    throw new C2WarpError(
+      'picture',
+      `load: the browser cannot create a canvas of ${width} × ${height} pixels`,
+    );
   if ('data' in source) pen.putImageData(source, 0, 0);
   else pen.drawImage(source, 0, 0);
   try {
@@ -52,7 +55,7 @@ async function pngOf(source: Drawable): Promise<Blob> {
   } catch (cause) {
     throw new C2WarpError(
       'picture',
-      'load: the canvas has pixels of another origin, which no script may read',
+      'load: the canvas has pixels from another origin, so scripts cannot read it',
       {
         cause,
       },

@@ -108,7 +108,7 @@ async function rendered(file: Blob, width: number, height: number): Promise<Blob
     const canvas = Object.assign(document.createElement('canvas'), { width, height });
     canvas.getContext('2d')?.drawImage(image, 0, 0, width, height);
     const png = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-    if (!png) throw new Error('no memory for the canvas');
+    if (!png) throw new Error('not enough memory for the canvas');
     return png;
   } catch (cause) {
     throw pictureError('picture', say('errors.picture.drawingDamaged'), { cause });

@@ -66,7 +66,7 @@ export function bytesOf(part: string, data: Uint8Array): Bytes {
         throw wrong('has a text that is not UTF-8');
       }
     },
-    end: () => check(at === data.length, 'goes on after its end'),
+    end: () => check(at === data.length, 'continues past its end'),
     check,
     has,
   };

@@ -46,10 +46,10 @@ export async function sectionsOf(
   if (!VERSIONS.includes(version))
     throw new C2WarpError(
       'rig',
-      `This rig has version ${version} of the format: version 1 or 2 is expected.`,
+      `This rig has version ${version} of the format. The player reads versions 1 and 2.`,
     );
-  check(length === file.length, `it has ${file.length} bytes in place of ${length}`);
-  check(checksum === crc32(file.subarray(CHECKED)), 'its checksum differs');
+  check(length === file.length, `it has ${file.length} bytes instead of ${length}`);
+  check(checksum === crc32(file.subarray(CHECKED)), 'its checksum does not match');
   check(count <= (length - HEADER) / ROW, 'its table is longer than the file');
   let at = HEADER + ROW * count;
   const rows = Array.from({ length: count }, (_, row) => {
@@ -59,7 +59,7 @@ export async function sectionsOf(
     const tag = String.fromCharCode(...file.subarray(start, start + 4));
     return { tag, stored, length: word(start + 8) };
   });
-  check(at === length, 'its sections do not fill it');
+  check(at === length, 'its sections do not add up to its length');
   const sections = await Promise.all(
     rows.map(async ({ tag, stored, length }) => ({ tag, data: await unpacked(stored, length) })),
   );

@@ -57,12 +57,12 @@ function changed(handle: Handle, pose: HandlePose | Handle, turns: boolean): Han
   check(
     Array.isArray(places) && places.length === count && places.every(isPlace),
     'posed',
-    count === 1 ? 'two numbers' : `${count} places of two numbers`,
+    count === 1 ? 'two numbers' : `${count} points of two numbers`,
   );
   check(
     Number.isFinite(rotation) || (turns && rotation === 'auto'),
     'rotation',
-    turns ? 'degrees or "auto"' : 'degrees, since turning by itself needs the solver',
+    turns ? 'degrees or "auto"' : 'degrees, because automatic rotation needs the solver',
   );
   check(Number.isFinite(scale) && scale > 0, 'scale', 'a number above 0');
   check(Number.isFinite(depth), 'depth', 'a number');

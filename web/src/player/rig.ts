@@ -75,7 +75,7 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   do {
     const clip = read('CLIP', 'a clip', (from) => readClip(from, sites, mesh.triangles.length / 3));
     if (clips.some(({ name }) => name === clip.name))
-      throw new C2WarpError('rig', 'This rig is damaged: two clips have one name.');
+      throw new C2WarpError('rig', 'This rig is damaged: two clips have the same name.');
     clips.push(clip);
   } while (known.length > 0);
   return { ...head, ...mesh, ...weights, displaced, shares, solved, picture, clips };

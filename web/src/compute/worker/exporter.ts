@@ -42,7 +42,7 @@ function received(port: MessagePort): Promise<Uint8Array> {
     port.onmessage = ({ data }: MessageEvent<Uint8Array | null>) => {
       port.close();
       if (data) resolve(data);
-      else reject(new Error('the pixels of the picture are gone: open the picture again'));
+      else reject(new Error('the pixels of the picture are no longer in memory: open the picture again'));
     };
   });
 }

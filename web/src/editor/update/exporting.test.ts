@@ -62,7 +62,7 @@ describe('an export', () => {
       runtime.dispatch(cancel);
       expect(runtime.effects.at(-1)).toEqual({ type: 'cancel-export' });
       runtime.dispatch({ type: 'export-ended', saved: null, error: null });
-      expect(spokenText(runtime.state)).toBe('The export was cancelled');
+      expect(spokenText(runtime.state)).toBe('Export cancelled');
       const { notices: _, ...after } = runtime.state;
       expect(after).toEqual({ ...before, notices: undefined, ...after, document: before.document });
       expect(toldNotice(runtime.state)).toBeNull();
@@ -86,7 +86,7 @@ describe('an export', () => {
     runtime.solve();
     run(runtime);
     runtime.dispatch({ type: 'export-ended', saved: 'cat-warped.png', error: null });
-    expect(toldNotice(runtime.state)?.text).toContain('The part beyond the frame is cut off.');
+    expect(toldNotice(runtime.state)?.text).toContain('Parts beyond the frame were cut off.');
     runtime.dispatch({ type: 'notice-answered' });
     expect(exported(runtime).at(-1)).toMatchObject({
       name: 'cat-warped-all.png',

@@ -83,7 +83,7 @@ describe('the fill of a lasso', () => {
       error: new C2WarpError('nothing-to-fill-from', 'no pixel'),
     });
     expect(isOn(runtime)).toBe(false);
-    expect(toldNotice(runtime.state)?.text).toContain('Nothing is left around the selection');
+    expect(toldNotice(runtime.state)?.text).toContain('The selection leaves nothing');
     // Undo takes the lasso back, and not the switch.
     runtime.dispatch({ type: 'command-run', command: 'undo' });
     expect(ringsOf(projectOf(runtime.state))).toEqual([]);

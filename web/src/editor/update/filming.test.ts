@@ -104,7 +104,7 @@ describe('a film', () => {
     runtime.dispatch({ type: 'export-kind-chosen', kind: 'film' });
     run(runtime);
     expect(films(runtime)).toEqual([]);
-    expect(toldNotice(runtime.state)?.text).toContain('There is no clip yet');
+    expect(toldNotice(runtime.state)?.text).toContain('A film needs a clip');
   });
 
   it('stays within the clip', () => {

@@ -40,16 +40,16 @@ describe('a lost graphics context', () => {
   it('leaves stored work where it is; other work should be saved first', () => {
     const runtime = lost();
     elapse(runtime);
-    expect(toldNotice(runtime.state)?.text).toContain('save the project');
+    expect(toldNotice(runtime.state)?.text).toContain('Save the project');
     runtime.dispatch({ type: 'autosave-key-set', key: 'work' });
     elapse(runtime);
-    expect(toldNotice(runtime.state)?.text).toContain('Nothing is lost: reload');
+    expect(toldNotice(runtime.state)?.text).toContain('Your work is safe. Reload');
   });
 
   it('is told of to readers, who have nothing to save', () => {
     const runtime = lost();
     runtime.dispatch({ type: 'page-changed', page: { ...PAGE, posable: true } });
     elapse(runtime);
-    expect(toldNotice(runtime.state)?.text).toMatch(/shown\. Reload the page\.$/);
+    expect(toldNotice(runtime.state)?.text).toMatch(/picture\. Reload the page\.$/);
   });
 });

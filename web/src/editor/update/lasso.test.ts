@@ -36,7 +36,7 @@ describe('a place outside of the selection', () => {
     const runtime = lassoed();
     runtime.dispatch({ type: 'placement-missed', at: [250, 150] });
     expect(toldNotice(runtime.state)).toMatchObject({
-      text: 'Outside of the selection, the picture stays still.',
+      text: 'The picture does not bend outside the selection.',
       action: { label: 'Extend the selection' },
     });
     runtime.dispatch({ type: 'notice-answered' });
@@ -65,7 +65,7 @@ describe('a place outside of the selection', () => {
 describe('the part in a lasso that shall turn', () => {
   it('gets a polygon by the notice, as one step', () => {
     const runtime = lassoed();
-    expect(toldNotice(runtime.state)?.other?.label).toBe('Turn this part, keep the rest');
+    expect(toldNotice(runtime.state)?.other?.label).toBe('Turn this part, bend the rest');
     runtime.dispatch({ type: 'notice-answered', other: true });
     const { handles, ...project } = projectOf(runtime.state);
     expect(handles.map(({ kind }) => kind)).toEqual(['polygon']);
@@ -92,7 +92,7 @@ describe('the first lasso of an opaque picture', () => {
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
     runtime.dispatch({ type: 'lasso-drawn', ring: SQUARE, hole: false });
     expect(projectOf(runtime.state)).toMatchObject({ fix_boundary: false, fill: { method: 'patches' } });
-    expect(toldNotice(runtime.state)?.action?.label).toBe('Hold its boundary');
+    expect(toldNotice(runtime.state)?.action?.label).toBe('Lock its outline');
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
     // A second one leaves that as it is.

@@ -20,14 +20,14 @@ describe('parts without a handle', () => {
     place(runtime, 'a');
     runtime.solve({ looseParts: 220 });
     expect(toldNotice(runtime.state)).toMatchObject({
-      text: '220 parts have no handle and stay behind.',
+      text: '220 parts have no handle and stay in place.',
       action: { label: 'Let them follow' },
     });
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).loose_parts).toBe('follow');
     runtime.solve({ looseParts: 220 });
     expect(toldNotice(runtime.state)).toBeNull();
-    expect(inEnglish(undoLabel(runtime.state.document.history))).toBe('Set the motion of loose parts');
+    expect(inEnglish(undoLabel(runtime.state.document.history))).toBe('Set whether loose parts follow');
     runtime.dispatch({ type: 'command-run', command: 'undo' });
     expect(projectOf(runtime.state).loose_parts).toBe('stay');
   });
@@ -40,7 +40,7 @@ describe('parts without a handle', () => {
     runtime.solve({ looseParts: 2 });
     runtime.dispatch({ type: 'press-ended', pointer });
     expect(projectOf(runtime.state).handles).toHaveLength(1);
-    expect(toldNotice(runtime.state)?.text).toBe('2 parts have no handle and stay behind.');
+    expect(toldNotice(runtime.state)?.text).toBe('2 parts have no handle and stay in place.');
     place(runtime, 'b');
     expect(toldNotice(runtime.state)).toBeNull();
   });
@@ -56,6 +56,6 @@ describe('parts without a handle', () => {
     runtime.open(testPicture('dog.png'));
     place(runtime, 'a');
     runtime.solve({ looseParts: 1 });
-    expect(toldNotice(runtime.state)?.text).toBe('One part has no handle and stays behind.');
+    expect(toldNotice(runtime.state)?.text).toBe('One part has no handle and stays in place.');
   });
 });

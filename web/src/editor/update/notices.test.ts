@@ -53,7 +53,7 @@ describe('a notice about a step', () => {
     );
     expect(toldNotice(second)).toMatchObject({
       text: 'One. Two.',
-      action: { ...action, label: 'Hold its boundary' },
+      action: { ...action, label: 'Lock its outline' },
     });
   });
 });
@@ -80,7 +80,7 @@ describe('the reset of all handles', () => {
     reset(runtime, 'reset-all');
     expect(projectOf(runtime.state)).toMatchObject({ displacement, handles: [{ posed: [200, 150] }] });
     const notice = toldNotice(runtime.state);
-    expect(notice).toMatchObject({ text: en.notices.brushedStill, action: { label: 'Take it back' } });
+    expect(notice).toMatchObject({ text: en.notices.brushedStill, action: { label: 'Clear strokes' } });
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).displacement).toBeUndefined();
     expect(toldNotice(runtime.state)).toBeNull();
@@ -101,7 +101,7 @@ describe('the reset of all handles', () => {
 });
 
 describe('an error', () => {
-  const error = new C2WarpError(ENGINE, 'The solver could not be loaded');
+  const error = new C2WarpError(ENGINE, 'Could not load the solver');
 
   it('of the solver can be retried, and closes once the solver works', () => {
     const runtime = new FakeRuntime();
@@ -144,6 +144,6 @@ describe('progress', () => {
     expect(currentTask(state)).toBe(exporting);
     state = endTask(state, 'export', emit);
     expect(toldTask(state)).toBeNull();
-    expect(labels).toEqual(['Sampling', 'Exporting', null]);
+    expect(labels).toEqual(['Building the mesh', 'Exporting', null]);
   });
 });

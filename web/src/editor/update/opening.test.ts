@@ -58,7 +58,7 @@ describe('opening a picture', () => {
     drop(runtime, 'run.gif');
     runtime.read({ ...testPicture('run.gif'), moves: true });
     runtime.solve();
-    expect(toldNotice(runtime.state)?.text).toBe('run.gif moves. Only its first frame is open.');
+    expect(toldNotice(runtime.state)?.text).toBe('run.gif is animated. Only its first frame was opened.');
   });
 
   it('keeps the open picture when reading fails', () => {
@@ -99,7 +99,7 @@ describe('opening a picture', () => {
     runtime.read(cat);
     runtime.refuse(new C2WarpError('nothing-opaque', 'alpha'));
     expect(runtime.state.picture).toBeNull();
-    expect(toldNotice(runtime.state)?.text).toContain('cat.png: nothing in this picture');
+    expect(toldNotice(runtime.state)?.text).toContain('cat.png: no part of this picture');
   });
 
   it('refuses a project for a picture of another size', () => {
@@ -329,7 +329,7 @@ describe('a file with all', () => {
     runtime.read(dog, null, new C2WarpError('project', 'The project in this picture is damaged.'));
     runtime.solve();
     expect(runtime.state.picture).toBe(dog);
-    const text = 'dog.png opened as a picture only. The project in this picture is damaged.';
+    const text = 'dog.png opened without its project. The project in this picture is damaged.';
     expect(toldNotice(runtime.state)?.text).toBe(text);
   });
 });

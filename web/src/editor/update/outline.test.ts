@@ -48,7 +48,7 @@ describe('the least opacity', () => {
 
 describe('an outline too fine to be followed', () => {
   const bridged = { outline: 'bridged', bridgedGap: 8 } as const;
-  const text = 'This outline is too fine to be followed: parts up to 8 pixels apart bend together.';
+  const text = 'This outline is too fine to follow: parts up to 8 pixels apart bend together.';
 
   it('is told of once, and again when another way is taken', () => {
     const runtime = new FakeRuntime();

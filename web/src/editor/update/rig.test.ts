@@ -50,7 +50,7 @@ describe('the rig of the picture before', () => {
     expect(rig.project.handles).toEqual([HAND]);
     expect(projectOf(runtime.state).image).toEqual({ src: 'dog.png', width: 200, height: 150 });
     expect(projectOf(runtime.state).handles[0]?.rest).toEqual([50, 50]);
-    expect(toldNotice(runtime.state)?.text).toContain('hand was beside this picture');
+    expect(toldNotice(runtime.state)?.text).toContain('hand was outside this picture');
     runtime.dispatch({ type: 'undo-asked' });
     expect(projectOf(runtime.state).handles).toEqual([]);
     // The work on the other picture is not lost.

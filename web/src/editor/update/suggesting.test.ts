@@ -66,7 +66,7 @@ describe('suggested handles', () => {
     expect(selectionOf(runtime.state)).toEqual(['hand']);
     // The picture is moved by (10, 5), and so are they.
     expect(projectOf(runtime.state).handles[2]).toMatchObject({ rest: [200, 150], posed: [210, 155] });
-    expect(text()).toBe('Added 2 handles. The one that was there stays.');
+    expect(text()).toBe('Added 2 handles. The existing handle stays.');
   });
 
   it('say why none is added', () => {
@@ -77,14 +77,14 @@ describe('suggested handles', () => {
     runtime.dispatch({ type: 'handle-added', handle: HAND });
     run('suggest');
     answer(none);
-    expect(text()).toBe('No handle was added: there is one near every place that would get one.');
+    expect(text()).toBe('No handles were added: every suitable place already has one nearby.');
     expect(ids()).toEqual(['hand']);
   });
 
   it('say that a picture without an outline has rows', () => {
     run('suggest');
     answer({ ...SUGGESTION, outlined: false });
-    expect(text()).toContain('Placed 2 handles in even rows, since there is no outline to follow.');
+    expect(text()).toContain('Placed 2 handles in even rows, because the picture has no outline to follow.');
   });
 
   it('get other ids where handles were renamed meanwhile', () => {

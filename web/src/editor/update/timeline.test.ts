@@ -221,7 +221,7 @@ describe('the timeline', () => {
     send(runtime, { type: 'clip-named', name: ' big  sway ' });
     expect(names()).toEqual(['clip', 'sway', 'big sway']);
     send(runtime, { type: 'clip-renaming-switched', on: true }, { type: 'clip-named', name: 'sway' });
-    expect(toldNotice(runtime.state)?.text).toContain('Another clip has the name "sway"');
+    expect(toldNotice(runtime.state)?.text).toContain('Another clip is already called “sway”');
     send(runtime, { type: 'clip-removed' });
     expect([names(), runtime.state.timeline.clip]).toEqual([['clip', 'sway'], 'clip']);
     send(runtime, { type: 'undo-asked' });

@@ -35,7 +35,7 @@ describe('handles that force folds', () => {
     pose('left-hand', 1200);
     const notice = toldNotice(runtime.state);
     expect(notice?.text).toBe('“left hand” folds the picture.');
-    expect(notice?.action?.label).toBe('Nearest pose without folds');
+    expect(notice?.action?.label).toBe('Unfold the picture');
     expect(viewModel(runtime.state, en).forcing).toEqual(['left hand']);
     runtime.dispatch({ type: 'notice-dismissed' });
     // The same handle again is no news.
@@ -56,14 +56,14 @@ describe('handles that force folds', () => {
     expect(inEnglish(reasonAgainst(runtime.state, 'without-folds'))).toBe('Nothing is folded');
     runtime.dispatch({ type: 'undo-asked' });
     expect(places()).toEqual([1200, 150]);
-    expect(spokenText(runtime.state)).toBe('Undone: Leave the folds by left hand');
+    expect(spokenText(runtime.state)).toBe('Undone: Unfold left hand');
   });
 
   it('say that no pose without folds was found', () => {
     pose('left-hand', 9100);
     runtime.dispatch({ type: 'command-run', command: 'without-folds' });
     expect(places()).toEqual([9100, 150]);
-    expect(toldNotice(runtime.state)?.text).toMatch(/^No pose without folds was found/);
+    expect(toldNotice(runtime.state)?.text).toMatch(/^Found no pose without folds/);
   });
 
   it('are not told during a press, nor to people who may change nothing', () => {
@@ -76,12 +76,12 @@ describe('handles that force folds', () => {
 
 describe('the sentence about folds', () => {
   it('names one handle, several, or the first of many', () => {
-    expect(inEnglish(foldsWords([]))).toBe('The picture folds.');
+    expect(inEnglish(foldsWords([]))).toBe('The picture folds over itself.');
     expect(inEnglish(foldsWords(['left hand', 'left elbow']))).toBe(
-      '“left hand” and “left elbow” fold the picture between them.',
+      '“left hand” and “left elbow” together fold the picture.',
     );
     expect(inEnglish(foldsWords(['a', 'b', 'c', 'd', 'e', 'f', 'g']))).toBe(
-      '“a”, “b”, “c”, “d”, “e” and 2 more fold the picture between them.',
+      '“a”, “b”, “c”, “d”, “e” and 2 more together fold the picture.',
     );
   });
 });
