@@ -8,7 +8,7 @@ test('the sample opens with five handles, a hint and the solver’s report', asy
   await expect(editor.handles).toHaveCount(5);
   await expect(page.getByText('Drag a hand')).toBeVisible();
   await expect(editor.status).toContainText(/[\d,]+ samples/);
-  await expect(editor.status).toContainText(/virtual handle/);
+  await expect(editor.status).toContainText(/helper point/);
 });
 
 test('dragging a hand bends the arm only, and is one undo step', async ({ page }) => {
@@ -150,7 +150,7 @@ test('a press just outside a shape places the handle on the shape', async ({ pag
     expect(away).toBeGreaterThan(19);
     expect(away).toBeLessThan(20.5);
   }
-  await expect(page.getByText(/^[1-9]\d* virtual handles/)).toBeVisible();
+  await expect(page.getByText(/^[1-9]\d* helper points/)).toBeVisible();
   await expect(editor.notice).toBeHidden();
 });
 

@@ -170,7 +170,7 @@ test.describe('the lens', () => {
     const spoken = page.locator('c2-warp .shell > .spoken[role="status"]');
     await expect(spoken).toHaveText(/^x 512, y 260: head 100 %/);
     for (let press = 0; press < 3; press++) await page.keyboard.press('Shift+ArrowDown');
-    await expect(spoken).toHaveText(/^x 512, y \d+: .*virtual handles \d+/);
+    await expect(spoken).toHaveText(/^x 512, y \d+: .*helper points \d+/);
     await page.keyboard.press('i');
     await expect(card(editor)).toHaveCount(0);
     await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
@@ -318,7 +318,7 @@ test.describe('cells and rounds', () => {
 test('three methods stand side by side, and follow a drag', async ({ page }) => {
   const editor = await Editor.open(page);
   await openPage(editor, 'Compare');
-  const names = ['as in the paper', 'in rigid mode', 'by plain distance'];
+  const names = ['as in the paper', 'in rigid mode', 'with plain distances'];
   const pictures = names.map((name) => card(editor).getByRole('img', { name: `The picture warped ${name}` }));
   for (const picture of pictures) await expect(picture.locator('canvas:not(.waiting)')).toBeVisible();
   const shots = () => Promise.all(pictures.map((picture) => picture.screenshot()));

@@ -83,7 +83,7 @@ export class Editor {
     await step();
     const isOther = async () => {
       const text = await this.solved.textContent();
-      return text !== before && /sample/.test(text ?? '');
+      return text !== before && /mesh point/.test(text ?? '');
     };
     await expect.poll(isOther, 'another solution').toBe(true);
   }

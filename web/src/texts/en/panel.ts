@@ -78,7 +78,8 @@ export const bending = {
   stopAtFoldsNote: 'Drags stop before the picture folds over.',
   snap: 'Snap to guides',
   /** @param key the name of Ctrl, or the sign of Cmd. */
-  snapNote: (key: string) => `The axis of symmetry, other handles and a grid. Hold ${key} to ignore them.`,
+  snapNote: (key: string) =>
+    `Snaps to the axis of symmetry, other handles and a grid. Hold ${key} to ignore them.`,
   pixelArt: 'Pixel art',
   pixelArtNote: 'Pixels stay sharp. Colours do not blend.',
   allSettings: 'All settings',
@@ -100,7 +101,7 @@ export const overlays = {
   title: 'Overlays',
   /** @param shown the names of the overlays that are shown. */
   titleWith: (shown: readonly string[]) => `Overlays: ${shown.join(', ').toLowerCase()}`,
-  close: 'Close the list of overlays',
+  close: 'Close the list',
   names: {
     mesh: 'Mesh',
     cells: 'Cells',

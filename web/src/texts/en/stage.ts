@@ -83,7 +83,7 @@ export const brush = {
     bloat: 'Press or drag to push the picture outwards.',
     smooth: 'Drag to even out brush strokes.',
     restore: 'Drag to remove brush strokes.',
-    stiffen: 'Drag over areas to keep rigid.',
+    stiffen: 'Drag over areas that should stay rigid.',
   },
   /** The effect with Alt, after the hint; empty for none. */
   altHints: {

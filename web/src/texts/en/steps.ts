@@ -45,8 +45,8 @@ export const steps = {
   letWidthsChange: 'Let widths change',
   holdBoundary: 'Lock the outline',
   freeBoundary: 'Unlock the outline',
-  showEdges: 'Show shadow where parts overlap',
-  hideEdges: 'Hide shadow where parts overlap',
+  showEdges: 'Show the shadow where parts overlap',
+  hideEdges: 'Hide the shadow where parts overlap',
   modes: { rigid: 'Set bending to rigid', harmonic: 'Set bending to elastic' },
   details: { coarse: 'Set detail to coarse', medium: 'Set detail to medium', fine: 'Set detail to fine' },
   settings: {
@@ -65,7 +65,7 @@ export const steps = {
 
   cutHole: 'Cut a hole',
   bendInside: 'Select the part to bend',
-  bendAll: 'Remove the selection',
+  bendAll: 'Bend the whole picture',
   setFeather: 'Set the feather of the selection',
   turnPart: 'Turn this part, bend the rest',
   extendSelection: 'Extend the selection',

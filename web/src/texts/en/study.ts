@@ -14,9 +14,9 @@ export const study = {
 
 export const lens = {
   title: 'Weights at a point',
-  point: 'Point to the picture',
+  point: 'Choose a point',
   nothingBends: 'Nothing bends here',
-  note: 'Each point follows the handles around it, by their weights. You can also move the lens with the arrow keys.',
+  note: 'Each point follows the handles around it according to their weights. You can also move the lens with the arrow keys.',
   tap: 'Tap a point to inspect it',
   click: 'Click to pin this point',
   follow: 'Follow the pointer',
@@ -60,7 +60,7 @@ export const cells = {
   /** In the key of the saved figure. */
   toFarthest: 'to the farthest point of the cell',
   toNearest: 'to the nearest other handle',
-  times: 'Solving time by stage',
+  times: 'Computing time by stage',
   stages: {
     domain: 'Finding the outline',
     sampling: 'Building the mesh',
@@ -104,7 +104,7 @@ export const compare = {
   labels: {
     paper: 'The picture warped as in the paper',
     rigid: 'The picture warped in rigid mode',
-    plain: 'The picture warped by plain distance',
+    plain: 'The picture warped with plain distances',
   },
   notes: {
     paper: 'Distances inside the shape, and harmonic fields. You turn the handles yourself.',

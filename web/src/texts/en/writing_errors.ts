@@ -17,7 +17,8 @@ export const writingErrors = {
     filmTooLarge: 'it is too large for memory in this browser. Choose a smaller size, or another format.',
     zipTooLarge: 'a zip holds at most 4 GB. Choose a smaller size, or fewer frames.',
     diskFull: 'the disk is full.',
-    diskRefuses: 'the disk refused it. Check that the disk is connected and that this page may write to it.',
+    diskRefuses:
+      'the disk rejected the file. Check that the disk is connected and that this page may write to it.',
     /** @param detail a message of the encoder, in English. */
     other: (detail: string) => `${detail}.`,
   },
