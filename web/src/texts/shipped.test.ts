@@ -36,6 +36,7 @@ const SHARED: Readonly<Record<string, readonly string[]>> = {
     'engine.pose',
     'timeline.clips',
     'timeline.clip',
+    'timeline.eases.linear',
     'rounds.pause',
     'settings.linear',
   ],
@@ -104,9 +105,7 @@ const SHARED: Readonly<Record<string, readonly string[]>> = {
     'keys.presses.shift',
     'keys.presses.shiftF10',
     'files.placeholder',
-    'film.clip',
     'engine.zip',
-    'timeline.clip',
   ],
 };
 

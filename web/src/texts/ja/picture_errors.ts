@@ -5,9 +5,10 @@ import { number } from './language';
 export const pictureErrors: Texts['errors']['picture'] = {
   empty: 'ファイルが空です。',
   unreadable:
-    'ファイルを読み込めません。フォルダーであるか、移動または変更されています。ファイルを選び直してください。',
-  incomplete: '画像が不完全です。ファイルの末尾が欠けています。ファイルを入手し直してください。',
-  unknown: 'このブラウザーで読める画像ファイルではありません。PNG、JPEG、WebPを使ってください。',
+    'ファイルを読み込めませんでした。フォルダーであるか、移動または変更されています。ファイルを選び直してください。',
+  incomplete:
+    '画像が不完全です。ファイルの末尾が欠けています。もう一度ダウンロードまたはコピーしてください。',
+  unknown: 'このブラウザーはファイルを画像として読めません。PNG、JPEG、WebPを使ってください。',
   otherKind: (kind) => `これは${kind}です。PNG、JPEG、WebPのいずれかで保存してください。`,
   kinds: {
     png: 'PNG画像',
@@ -39,21 +40,22 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingTooLarge: '図形が64 MBを超えています。簡略化してください。',
   noWebgl:
     'このブラウザーはWebGL2で画像を読み込めません。ハードウェアアクセラレーションを有効にするか、別のブラウザーを使ってください。',
-  contextLost: '画像の読み込み中にグラフィックスコンテキストが失われました。画像を開き直してください。',
+  contextLost:
+    '画像の読み込み中に、ブラウザーがグラフィックスカードを使えなくなりました。画像を開き直してください。',
 };
 
 export const addressErrors: Texts['errors']['address'] = {
   status: (file, status) => `${file}を読み込めませんでした：サーバーの応答は${status}でした。`,
-  webPage: (file) =>
-    `${file}を読み込めませんでした：これはWebページです。画像そのもののアドレスを入力してください。`,
-  unreachable: (file) => `${file}を読み込めませんでした。アドレスとネットワーク接続を確認してください。`,
+  webPage: (file) => `${file}はWebページです。画像そのもののアドレスを入力してください。`,
+  unreachable: (file) => `${file}を読み込めませんでした。アドレスと接続を確認してください。`,
   refused: (file, host) =>
     `${file}を読み込めませんでした。${host}がこのページからの読み込みを許可していないか（CORS）、接続できません。画像を保存して、そのファイルを開いてください。`,
   damaged: 'アドレスに含まれる画像が壊れています。コピーし直すか、ファイルとして保存してください。',
 };
 
 export const carriedErrors: Texts['errors']['carried'] = {
-  tooLong: 'この画像に含まれるプロジェクトは長すぎます。',
+  tooLong: 'この画像に含まれるプロジェクトは大きすぎます。',
   damaged: 'この画像に含まれるプロジェクトは壊れています。',
-  compressed: 'この画像に含まれるプロジェクトは圧縮されており、対応していません。',
+  compressed:
+    'この画像に含まれるプロジェクトは圧縮されています。エディターが読めるのは非圧縮のプロジェクトだけです。',
 };

@@ -4,10 +4,10 @@ import type { Texts } from '../texts';
 export const timeline: Texts['timeline'] = {
   title: 'タイムライン',
   clips: 'クリップ',
-  first: '動かしてみましょう。まずクリップを作り、別の時刻でハンドルをドラッグします。',
+  first: 'クリップを追加し、再生ヘッドを動かしてハンドルをドラッグします。',
   presets: { sway: '揺れる', breathe: '呼吸', wave: '振る' },
   presetTips: {
-    sway: '左右に曲がるクリップ',
+    sway: '左右に揺れるクリップ',
     breathe: '少し膨らんだり縮んだりするクリップ',
     wave: '選択中のハンドルを振るクリップ',
   },
@@ -32,9 +32,9 @@ export const timeline: Texts['timeline'] = {
   zoomIn: '拡大',
   close: 'タイムラインを閉じる',
   keys: 'キーフレーム',
-  ease: '緩急',
-  easeTip: '次のキーフレームへの動き方',
-  eases: { smooth: '滑らか', linear: '等速', hold: '保持' },
+  ease: 'イージング',
+  easeTip: '次のキーフレームまでの動き',
+  eases: { smooth: '滑らか', linear: 'リニア', hold: '保持' },
   copyKeys: 'キーフレームをコピー',
   pasteKeys: '再生ヘッドにキーフレームを貼り付け',
   mirrorKeys: 'キーフレームを反対側に反転',
@@ -42,7 +42,7 @@ export const timeline: Texts['timeline'] = {
   playhead: '再生ヘッド',
   key: {
     smooth: (handle, time) => `${handle}、${time}のキーフレーム、滑らか`,
-    linear: (handle, time) => `${handle}、${time}のキーフレーム、等速`,
+    linear: (handle, time) => `${handle}、${time}のキーフレーム、リニア`,
     hold: (handle, time) => `${handle}、${time}のキーフレーム、保持`,
   },
 };
