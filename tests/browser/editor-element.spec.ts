@@ -123,7 +123,7 @@ test('invalid handles throw at once and add no step', async ({ page }) => {
     'handle "head", depth: expected a number, at most 1000000000000 from 0',
     'handle "head", id: cannot be changed',
     'handle "head", posed: expected a point [x, y]',
-    'there is a handle "head" already',
+    'handle "head" already exists',
     'handle "bar", rest: expected 2 points or more [x, y]',
     'handle "5", id: expected a name',
     'C2WarpError: pose.mode: expected "harmonic" or "rigid", found "bogus"',
@@ -730,7 +730,7 @@ test('without a picture handles are rejected, and a selection is kept', async ({
       return (error as Error).message;
     }
   });
-  expect(refused).toContain('no picture yet');
+  expect(refused).toContain('no picture is open');
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 });
 

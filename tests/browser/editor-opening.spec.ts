@@ -360,7 +360,7 @@ test('without a picture it is ready, fires no load and rejects exports', async (
       );
     return [await refusal(element as C2Warp), await refusal(document.createElement('c2-warp'))];
   });
-  expect(refusals[0]).toContain('no picture yet');
+  expect(refusals[0]).toContain('No picture is open');
   expect(refusals[1]).toContain('no picture');
 });
 

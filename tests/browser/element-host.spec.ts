@@ -236,7 +236,7 @@ test('exports take one object of options, and refuse the rest by name', async ({
     'toBlob: expected an object of options such as { scale: 2 }, found a string',
     'toBlob: expected an object of options such as { scale: 2 }, found a function',
     'toBlob: expected an object of options such as { scale: 2 }, found a number',
-    expect.stringContaining('toBlob: there is no option "size"'),
+    expect.stringContaining('toBlob: unknown option "size"'),
     'scale: expected a number above 0',
     'type: expected one of image/png, image/jpeg, image/webp',
   ]);

@@ -251,7 +251,7 @@ test('handles are posed without a solver, as in the editor, until the clip plays
     'there is no handle "tail"',
     'left-hand: posed: expected two numbers',
     'left-hand: posed: expected two numbers',
-    'left-hand: rotation: expected degrees, since turning by itself needs the solver',
+    'left-hand: rotation: expected degrees, because automatic rotation needs the solver',
     'left-hand: scale: expected a number above 0',
   ]);
 
@@ -373,7 +373,9 @@ test('clips play on without the solver, and one sentence says why nothing can be
         : fetch(input, init);
   });
   const said = await added(page, { src: '/solved.c2rig', posable: '' }, 'error');
-  expect(said).toMatch(/^The handles cannot be posed: the server answers 404 for \S+pose_bg\.wasm\.$/);
+  expect(said).toMatch(
+    /^The handles cannot be posed: the server answered with status 404 for \S+pose_bg\.wasm\.$/,
+  );
   await expect(player(page).locator('[part=handle]')).toHaveCount(0);
   await player(page).evaluate((element) => (element as C2WarpPlayer).play());
   await expect.poll(async () => (await state(page)).currentTime).toBeGreaterThan(0);
@@ -517,7 +519,7 @@ test('clips are chosen by name, and unknown ones are named', async ({ page }) =>
     player.clip = 'jump';
     return player.error?.message;
   });
-  expect(message).toBe('There is no clip “jump”: there is “wave”, “there and back”.');
+  expect(message).toBe('There is no clip “jump”: the clips are “wave”, “there and back”.');
 });
 
 test('nothing plays by itself with reduced motion', async ({ page }) => {
@@ -556,8 +558,8 @@ test('a damaged rig is reported, its content stays, and the page goes on', async
   });
   const messages = ['cut', 'altered', 'page'].map((name) => added(page, { src: `/${name}.c2rig` }, 'error'));
   expect(await Promise.all(messages)).toEqual([
-    `This rig is damaged: it has ${rig.length - 100} bytes in place of ${rig.length}.`,
-    'This rig is damaged: its checksum differs.',
+    `This rig is damaged: it has ${rig.length - 100} bytes instead of ${rig.length}.`,
+    'This rig is damaged: its checksum does not match.',
     'This is not a rig.',
   ]);
   const codes = await page

@@ -360,7 +360,7 @@ export class C2Warp extends TypedElement {
     // An address or a file is asked for at once.
     const picture = named instanceof Promise ? await coded(named) : named;
     if (asked !== this.#asked || runtime !== this.#runtime)
-      throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
+      throw new DOMException('another picture was requested, or the editor was removed', 'AbortError');
     options.signal?.throwIfAborted();
     await coded(runtime.load(picture, copied, options), options.signal);
   }
@@ -402,10 +402,10 @@ export class C2Warp extends TypedElement {
    */
   addHandle(handle: NewHandle): string {
     const { state, dispatch } = this.#present;
-    if (!state.picture) throw new C2WarpError('no-picture', 'there is no picture yet to put a handle on');
+    if (!state.picture) throw new C2WarpError('no-picture', 'no picture is open');
     if (typeof handle !== 'object' || handle === null) throw new RangeError('a handle: expected an object');
     const id = handle.id ?? freeId(projectOf(state));
-    if (handleById(documentOf(state), id)) throw new RangeError(`there is a handle "${id}" already`);
+    if (handleById(documentOf(state), id)) throw new RangeError(`handle "${id}" already exists`);
     const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
     if (added.kind === 'point' && this.#present.isOutside(added.rest))
       throw new C2WarpError(
@@ -540,7 +540,7 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The posed place of a point of the original, image pixels; null outside the warped area.
+   * The posed position of a point of the original, image pixels; null outside the warped area.
    *
    * @param point Pixels of the picture.
    */
@@ -549,8 +549,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The posed places of many points of the original: points × 2, image pixels, and NaN outside the warped area. All are
-   * found in one walk over the mesh, which costs hardly more than that for a single point.
+   * The posed positions of many points of the original: points × 2, image pixels, and NaN outside the warped area. All
+   * are found in one walk over the mesh, which costs hardly more than that for a single point.
    *
    * @param points Points × 2, pixels of the picture.
    * @throws TypeError unless `points` is a Float64Array of pairs.
@@ -839,7 +839,7 @@ export class C2Warp extends TypedElement {
 
   get #present(): EditorRuntime {
     if (!this.#runtime)
-      throw new C2WarpError('disconnected', '<c2-warp> is not on a page, and has no picture there');
+      throw new C2WarpError('disconnected', '<c2-warp> is not on a page, so it has no picture');
     return this.#runtime;
   }
 

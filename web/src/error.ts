@@ -15,7 +15,7 @@ export const TOO_MUCH = 'too-much';
  * | code | |
  * |---|---|
  * | `attribute` | a value of `tool`, `theme`, `features`, `crossorigin` or `submits` that means nothing |
- * | `address` | there is no such file, or no network |
+ * | `address` | the file does not exist, or the network is not available |
  * | `file` | a folder, or a file that no longer exists |
  * | `picture` | not a picture, not a readable one, or one of an unsupported size |
  * | `project` | an invalid project; the message names the key |
@@ -25,9 +25,9 @@ export const TOO_MUCH = 'too-much';
  * | `too-much` | the solver broke, nearly always for want of memory |
  * | `export` | an export that cannot hold this project |
  * | `rig` | not a rig, a damaged one, or one that cannot be posed without the solver |
- * | `clip` | there is no such clip, or no such time |
+ * | `clip` | the clip or the time does not exist |
  * | `points` | a list of points that is no list of pairs |
- * | `no-picture` | there is no picture yet |
+ * | `no-picture` | no picture is open |
  * | `disconnected` | the element is not on a page |
  * | `failed` | anything else, such as a full storage; the message says what |
  */

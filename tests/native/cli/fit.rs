@@ -44,7 +44,7 @@ fn picture_of_another_size_gets_the_same_warp() {
     folder.write("points.csv", "x,y\n");
     succeed(folder.path(), "map scene.c2warp.json --image large.png --at points.csv -o map.csv");
     let line = fail(folder.path(), "inspect scene.c2warp.json --image placed.png");
-    for part in ["placed.png: this picture has", "other proportions", "--fit box", "--fit alpha"] {
+    for part in ["placed.png: this picture of", "other proportions", "--fit box", "--fit alpha"] {
         assert!(line.contains(part), "{line}");
     }
     let opaque = RgbaImage::from_pixel(width, height, Rgba([9, 9, 9, 255]));

@@ -18,7 +18,7 @@ const FADE_LENGTHS: f64 = 4.0;
 /// Edges that share a box.
 const RUN: usize = 16;
 
-/// The posed places of points inside and outside the domain. Made by [`Solution::continued`].
+/// The posed positions of points inside and outside the domain. Made by [`Solution::continued`].
 #[derive(Debug)]
 pub struct ContinuedMap<'a> {
     solution: &'a Solution,
@@ -62,7 +62,7 @@ impl ContinuedMap<'_> {
         self.background_stays
     }
 
-    /// The posed place of a point, in pixels.
+    /// The posed position of a point, in pixels.
     #[must_use]
     pub fn place(&self, p: DVec2) -> DVec2 {
         if let Some(mapped) = self.solution.map(self.pose, p) {

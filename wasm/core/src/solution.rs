@@ -40,7 +40,7 @@ use crate::{
 /// let mapped = solution.map(&pose, [25.0, 15.0].into()).unwrap();
 /// assert!(mapped.posed.y < 15.0 && mapped.det > 0.0);
 /// assert_eq!(solution.posed_vertices(&pose).len(), solution.vertices().len());
-/// // Points outside the domain have no posed place.
+/// // Points outside the domain have no posed position.
 /// assert!(solution.map(&pose, [41.0, 15.0].into()).is_none());
 /// # Ok::<(), c2warp::Error>(())
 /// ```
@@ -243,7 +243,7 @@ impl Solution {
         &self.outside
     }
 
-    /// The posed place of a point (eq. 1), and the growth of areas there; `None` outside the domain.
+    /// The posed position of a point (eq. 1), and the growth of areas there; `None` outside the domain.
     ///
     /// # Panics
     /// If the pose is of another solution.
@@ -253,7 +253,7 @@ impl Solution {
         Some(pose.map(p, &self.influences_at(p)?))
     }
 
-    /// The posed places of the vertices.
+    /// The posed positions of the vertices.
     ///
     /// # Panics
     /// If the pose is of another solution.
@@ -319,8 +319,8 @@ impl Solution {
         moved.into_iter().zip(still).map(|(moved, still)| moved.or(still)).collect()
     }
 
-    /// The posed places of points of the picture: that of [`map`](Self::map) in the domain. Around it, the place that
-    /// the drawn mesh has for a point at rest; `None` where the picture has no mesh.
+    /// The posed positions of points of the picture: that of [`map`](Self::map) in the domain. Around it, the place
+    /// that the drawn mesh has for a point at rest; `None` where the picture has no mesh.
     ///
     /// Cost: that of [`map`](Self::map) for each point, and of [`posed_vertices`](Self::posed_vertices).
     ///

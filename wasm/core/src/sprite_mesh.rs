@@ -62,10 +62,10 @@ pub struct SpriteMesh {
 
 /// The outline needs more vertices than were asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the outline alone needs {least} vertices, but {asked} are asked for")]
+#[error("the outline alone needs {least} vertices, but only {asked} are allowed")]
 #[non_exhaustive]
 pub struct TooFewVertices {
-    /// The number asked for.
+    /// The requested number.
     pub asked: usize,
     /// The least number.
     pub least: usize,

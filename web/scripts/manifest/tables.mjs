@@ -1,4 +1,4 @@
-/** The tables of the reference: regions of documents between two comments, made from the manifest. */
+/** The tables of the reference: regions of documents between two comments, generated from the manifest. */
 
 /** @typedef {import('./manifest.mjs').Element} Element */
 /** @typedef {import('./manifest.mjs').Type} Type */

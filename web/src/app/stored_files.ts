@@ -46,7 +46,7 @@ async function downloaded(
   for (const pause of [...pausesMs, null]) {
     try {
       const response = await fetch(address, { integrity, cache });
-      if (!response.ok) throw new TypeError(`${address}: the server answers ${response.status}`);
+      if (!response.ok) throw new TypeError(`${address}: the server answered with status ${response.status}`);
       return response.redirected ? direct(response) : response;
     } catch (error) {
       if (pause === null) throw error;

@@ -175,7 +175,7 @@ describe('createWarper in Node', () => {
     expect(await codeOf(createWarper({ ...pixels(), width: 63 }))).toBe('picture');
     expect(await codeOf(createWarper({ width: 1, height: 1, data: new Uint8Array(4) }))).toBe('picture');
     await expect(createWarper(Uint8Array.of(0xff, 0xd8, 0xff, 0xe0))).rejects.toThrow(
-      'This is a JPEG picture, and Node reads PNG alone.',
+      'This is a JPEG picture, and Node reads only PNG.',
     );
     const damaged = Uint8Array.from(bytes);
     damaged[2000] = 1 - (damaged[2000] ?? 0);

@@ -45,4 +45,4 @@ export const node: Environment = {
 };
 
 const refusal = (name: KindName | undefined): string =>
-  `This is ${name ? pictureErrors.kinds[name] : 'an unknown kind of file'}, and Node reads PNG alone. Pass pixels as { width, height, data }, or a function as \`decode\`.`;
+  `This is ${name ? pictureErrors.kinds[name] : 'an unknown kind of file'}, and Node reads only PNG. Pass pixels as { width, height, data }, or a function as \`decode\`.`;

@@ -6,7 +6,7 @@ import type { Environment } from './environment';
 import type { PictureInput, PixelData, WarperOptions } from './types';
 
 const UNKNOWN =
-  'This is no picture: pass the bytes of a file, or pixels as { width, height, data } with four bytes a pixel.';
+  'This is not a picture: pass the bytes of a file, or pixels as { width, height, data } with four bytes per pixel.';
 
 /**
  * Returns a copy of the pixels.

@@ -25,7 +25,7 @@ function rgbaOf(png: DecodedPng): Uint8Array<ArrayBuffer> {
     const at = pixel * 4;
     if (palette) {
       const colour = palette[values[pixel] ?? 0];
-      if (!colour) throw new Error('a colour is beyond its palette');
+      if (!colour) throw new Error('a colour index is outside the palette');
       rgba.set(colour, at);
       rgba[at + 3] = colour[3] ?? 255;
       continue;

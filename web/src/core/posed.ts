@@ -21,7 +21,7 @@ export class PosedSolution {
   }
 
   /**
-   * The posed places of points of the picture: those of `c2warp map`.
+   * The posed positions of points of the picture: those of `c2warp map`.
    *
    * @param points Points × 2, in image pixels.
    * @throws C2WarpError with the code `pose` for a pose that cannot be made.

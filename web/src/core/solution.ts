@@ -115,8 +115,7 @@ export class Solution {
   clip(name: string, time: number): PosedSolution {
     const clip = this.project.clips?.find((clip) => clip.name === name);
     if (!clip) throw new C2WarpError('clip', `There is no clip ${JSON.stringify(name)}.`);
-    if (!Number.isFinite(time))
-      throw new C2WarpError('clip', `The time of a clip is in seconds, not ${time}.`);
+    if (!Number.isFinite(time)) throw new C2WarpError('clip', `Expected a time in seconds, found ${time}.`);
     return this.#posed(this.project, { clip: JSON.stringify(clip), time });
   }
 

@@ -14,7 +14,7 @@ import { C2WarpError, ENGINE } from '../error';
 import type { SolveOptions } from './types';
 
 const DISPOSED = 'The warper is disposed of.';
-const PAIRS = 'Points are a Float64Array of pairs: x and y.';
+const PAIRS = 'Expected points as a Float64Array of x, y pairs.';
 
 /** Points a request. The solver looks for a cancellation between requests. */
 const BATCH = 2 ** 15;

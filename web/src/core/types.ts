@@ -103,7 +103,7 @@ export interface HandlePose {
 
 /** The sites of a solution: the origins of its weights. */
 export interface Sites {
-  /** Sites × 2: rest places in image pixels. */
+  /** Sites × 2: rest positions in image pixels. */
   readonly rest: Float64Array<ArrayBuffer>;
   /** Sites: index of the handle in the project, −1 for a virtual site, −2 for a site of a held boundary. */
   readonly handle: Int32Array<ArrayBuffer>;
@@ -123,7 +123,7 @@ export interface Mesh {
 
 /** Posed points. */
 export interface MappedPoints {
-  /** Points × 2: posed places; NaN for a point outside the domain. */
+  /** Points × 2: posed positions; NaN for a point outside the domain. */
   readonly posed: Float64Array<ArrayBuffer>;
   /** Points: determinant of the Jacobian, the growth of areas; NaN outside the domain. */
   readonly det: Float64Array<ArrayBuffer>;

@@ -92,7 +92,10 @@ export class Warper {
     const { width, height } = this;
     const given: unknown = typeof input === 'string' ? parsed(input) : input;
     if (typeof given !== 'object' || given === null) {
-      throw new C2WarpError('project', 'A project is an object with handles, or the text of a project file.');
+      throw new C2WarpError(
+        'project',
+        'Expected a project: an object with handles, or the text of a project file.',
+      );
     }
     const image = { src: '', width, height };
     return copied({ format: 'c2warp/1', image, handles: [], ...given }) as ProjectFile;

@@ -55,5 +55,5 @@ function checkKeys(method: string, options: unknown, keys: readonly string[]): v
     );
   const unknown = Object.keys(options).find((key) => !keys.includes(key));
   if (unknown !== undefined)
-    throw new TypeError(`${method}: there is no option "${unknown}", only ${keys.join(', ')}`);
+    throw new TypeError(`${method}: unknown option "${unknown}", expected one of ${keys.join(', ')}`);
 }

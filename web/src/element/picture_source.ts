@@ -52,7 +52,7 @@ async function pngOf(source: Drawable): Promise<Blob> {
   } catch (cause) {
     throw new C2WarpError(
       'picture',
-      'load: the canvas has pixels of another origin, which no script may read',
+      'load: the canvas holds pixels of another origin, which scripts may not read',
       {
         cause,
       },

@@ -37,10 +37,10 @@ export function bytesOf(part: string, data: Uint8Array): Bytes {
       const digit = byte();
       number += (digit & 127) * place;
       if (digit > 127) continue;
-      check(number < 2 ** 32, 'has a number of more than 32 bits');
+      check(number < 2 ** 32, 'contains a number of more than 32 bits');
       return number;
     }
-    throw wrong('has a number of more than 32 bits');
+    throw wrong('contains a number of more than 32 bits');
   };
   const has = (count: number) => count <= data.length - at;
   const count = (bytes = 1) => {
@@ -63,10 +63,10 @@ export function bytesOf(part: string, data: Uint8Array): Bytes {
       try {
         return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
       } catch {
-        throw wrong('has a text that is not UTF-8');
+        throw wrong('contains text that is not UTF-8');
       }
     },
-    end: () => check(at === data.length, 'goes on after its end'),
+    end: () => check(at === data.length, 'continues after its expected end'),
     check,
     has,
   };

@@ -168,7 +168,7 @@ export class C2WarpPlayer extends PlayerAttributes {
    * @throws C2WarpError if the rig is not there yet, or cannot be posed.
    */
   pose(handles: readonly HandlePose[]): void {
-    if (!this.#source.loaded) throw new C2WarpError('no-picture', 'there is no rig yet that could be posed');
+    if (!this.#source.loaded) throw new C2WarpError('no-picture', 'no rig is loaded');
     const { shares, solved } = this.#source.loaded.rig;
     if (!(shares || solved))
       throw new C2WarpError('rig', 'this rig cannot be posed: it was baked without the poses of its handles');
@@ -358,7 +358,10 @@ export class C2WarpPlayer extends PlayerAttributes {
     const wanted = this.getAttribute('clip');
     const found = wanted === null ? clips[0] : clips.find(({ name }) => name === wanted);
     if (found) this.#error = null;
-    else this.#fail(new C2WarpError('clip', `There is no clip “${wanted}”: there is ${listed(this.clips)}.`));
+    else
+      this.#fail(
+        new C2WarpError('clip', `There is no clip “${wanted}”: the clips are ${listed(this.clips)}.`),
+      );
     const before = this.#clip;
     this.#clip = found ?? clips[0];
     if (before && before !== this.#clip) this.currentTime = 0;

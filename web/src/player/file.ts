@@ -28,9 +28,9 @@ function crc32(data: Uint8Array): number {
 }
 
 /**
- * The unpacked sections of a file, in its order, and whether it displaces its picture.
+ * Returns the unpacked sections in file order, and whether the rig displaces its picture.
  *
- * @throws C2WarpError with a sentence for people if the bytes are no rig of a known version, or a damaged one.
+ * @throws C2WarpError with a sentence for people if the bytes are not a rig, are damaged, or have an unknown version.
  */
 export async function sectionsOf(
   file: Uint8Array<ArrayBuffer>,
@@ -42,14 +42,14 @@ export async function sectionsOf(
     if (!isRight) throw new C2WarpError('rig', `This rig is damaged: ${reason}.`);
   };
   const [version, length, checksum, count] = [8, 12, 16, 20].map(word) as [number, number, number, number];
-  check(file.length >= HEADER, 'it is cut short');
+  check(file.length >= HEADER, 'it is truncated');
   if (!VERSIONS.includes(version))
     throw new C2WarpError(
       'rig',
       `This rig has version ${version} of the format: version 1 or 2 is expected.`,
     );
-  check(length === file.length, `it has ${file.length} bytes in place of ${length}`);
-  check(checksum === crc32(file.subarray(CHECKED)), 'its checksum differs');
+  check(length === file.length, `it has ${file.length} bytes instead of ${length}`);
+  check(checksum === crc32(file.subarray(CHECKED)), 'its checksum does not match');
   check(count <= (length - HEADER) / ROW, 'its table is longer than the file');
   let at = HEADER + ROW * count;
   const rows = Array.from({ length: count }, (_, row) => {
@@ -59,7 +59,7 @@ export async function sectionsOf(
     const tag = String.fromCharCode(...file.subarray(start, start + 4));
     return { tag, stored, length: word(start + 8) };
   });
-  check(at === length, 'its sections do not fill it');
+  check(at === length, 'its sections do not match its length');
   const sections = await Promise.all(
     rows.map(async ({ tag, stored, length }) => ({ tag, data: await unpacked(stored, length) })),
   );

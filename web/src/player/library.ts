@@ -39,10 +39,13 @@ export function giveBack(address: string, forget: (loaded: Loaded) => void): voi
 
 async function load(address: string): Promise<Loaded> {
   const response = await fetch(address).catch(() => {
-    throw new C2WarpError('address', `${address} cannot be loaded: is the file there?`);
+    throw new C2WarpError('address', `${address} cannot be loaded: check the address and the connection.`);
   });
   if (!response.ok)
-    throw new C2WarpError('address', `${address} cannot be loaded: the server answers ${response.status}.`);
+    throw new C2WarpError(
+      'address',
+      `${address} cannot be loaded: the server answered with status ${response.status}.`,
+    );
   const rig = await readRig(new Uint8Array(await response.arrayBuffer()));
   const picture = await createImageBitmap(new Blob([rig.picture]), { premultiplyAlpha: 'premultiply' }).catch(
     () => {

@@ -25,6 +25,6 @@ export async function modulePoser(section: Uint8Array): Promise<ModulePoser> {
 
 async function start(): Promise<unknown> {
   const response = await fetch(MODULE);
-  if (!response.ok) throw new Error(`the server answers ${response.status} for ${MODULE.href}`);
+  if (!response.ok) throw new Error(`the server answered with status ${response.status} for ${MODULE.href}`);
   return init({ module_or_path: response });
 }

@@ -14,7 +14,7 @@ export interface PosedHandle extends Omit<Handle, 'rest' | 'posed'> {
   readonly posed: Corners;
 }
 
-/** A handle with changes of its pose. The kind and the rest place of a project's handle are not looked at. */
+/** A handle with changes of its pose. The kind and the rest position of a project's handle are not looked at. */
 export type HandlePose = Pick<PosedHandle, 'id'> & Partial<PosedHandle>;
 
 /** A copy of a handle in the form of project files. */
@@ -62,7 +62,7 @@ function changed(handle: Handle, pose: HandlePose | Handle, turns: boolean): Han
   check(
     Number.isFinite(rotation) || (turns && rotation === 'auto'),
     'rotation',
-    turns ? 'degrees or "auto"' : 'degrees, since turning by itself needs the solver',
+    turns ? 'degrees or "auto"' : 'degrees, because automatic rotation needs the solver',
   );
   check(Number.isFinite(scale) && scale > 0, 'scale', 'a number above 0');
   check(Number.isFinite(depth), 'depth', 'a number');

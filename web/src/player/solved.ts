@@ -23,7 +23,7 @@ export function readSolved(
   const { handles, ...others } = readSources(from, names, sites);
   const turned = handles.map((handle) => {
     const turns = from.byte();
-    from.check(turns < 2, 'have a handle that no project has');
+    from.check(turns < 2, 'contain an invalid handle');
     return turns > 0 ? { ...handle, rotation: 'auto' as const } : handle;
   });
   return { ...others, handles: turned, section };

@@ -232,7 +232,7 @@ export class EditorRuntime {
   adopt(given: ProjectFile): void {
     const { picture, solution } = this.state;
     if (!picture || !solution.ready)
-      throw new C2WarpError('no-picture', 'there is no picture yet to set a project for');
+      throw new C2WarpError('no-picture', 'no picture is open to set a project for');
     const project = this.#solver.checkProject(given);
     const error = misfit(picture, project);
     if (error) throw error;
@@ -286,7 +286,7 @@ export class EditorRuntime {
 
   /** The warped picture, ready to be drawn, see `Engine.draw`; by default as pixel art if it is shown so. */
   async drawing(asked: Omit<DrawingOptions, 'pixelated'>, pixelated = this.#isPixelated): Promise<Drawing> {
-    if (!this.state.picture) throw new C2WarpError('no-picture', 'There is no picture yet.');
+    if (!this.state.picture) throw new C2WarpError('no-picture', 'No picture is open.');
     // The pose of this moment: the page may go on to the next one meanwhile.
     const { project, moment } = drawn(this.state);
     return this.#solver.draw(project, { ...asked, pixelated }, moment);
@@ -319,7 +319,7 @@ export class EditorRuntime {
     this.#solver.dispose();
     this.#pictures.dispose();
     for (const { reject } of this.#loads.values())
-      reject(new DOMException('the editor is gone', 'AbortError'));
+      reject(new DOMException('the editor was removed', 'AbortError'));
     this.#loads.clear();
   }
 

@@ -25,7 +25,7 @@ import { SolutionDeformation } from './deformation';
 import { editorError } from './editor_error';
 import { fillPatch } from './fill_patch';
 
-const gone = (): DOMException => new DOMException('the editor is gone', 'AbortError');
+const gone = (): DOMException => new DOMException('the editor was removed', 'AbortError');
 
 export class Solver {
   readonly #dispatch: Dispatch;

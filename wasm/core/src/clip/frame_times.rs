@@ -138,7 +138,7 @@ mod tests {
             assert!(matches!(refused, Error::FrameRange { .. }), "{from} to {to}: {refused}");
         }
         let refused = FrameTimes::new(&clip, 30.0, Some(0.5..3.0)).unwrap_err();
-        let expected = "clip “nod”: expected a range from 0 to 1.5 seconds, the end after the beginning, found 0.5..3";
+        let expected = "clip “nod”: expected a range within 0 to 1.5 seconds that ends after it begins, found 0.5..3";
         assert_eq!(refused.to_string(), expected);
     }
 

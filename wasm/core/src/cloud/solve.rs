@@ -23,7 +23,7 @@ pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolutio
 }
 
 impl SolveInput {
-    /// Refuses bars, polygons, a held boundary, stiff and displaced places, as a point cloud supports none of them.
+    /// Rejects bars, polygons, a fixed boundary, stiffness and displacements, because point clouds do not support them.
     ///
     /// # Errors
     /// [`Error::Unsupported`].
@@ -36,14 +36,14 @@ impl SolveInput {
             return Err(unsupported("fix_boundary".into(), "a fixed boundary of a point cloud"));
         }
         if self.weighting.continuity != Continuity::Exact {
-            let feature = "two continuous derivatives on a point cloud, which has no exact distances";
+            let feature = "a point cloud with two continuous derivatives";
             return Err(unsupported("weighting.continuity".into(), feature));
         }
         if !self.stiffness.is_soft() {
-            return Err(unsupported("stiffness".into(), "a stiff place of a point cloud"));
+            return Err(unsupported("stiffness".into(), "a stiff area of a point cloud"));
         }
         if self.displacement.is_some() {
-            return Err(unsupported("displacement".into(), "a displaced place of a point cloud"));
+            return Err(unsupported("displacement".into(), "a displacement of a point cloud"));
         }
         Ok(())
     }

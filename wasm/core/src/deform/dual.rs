@@ -68,13 +68,13 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    /// The posed place of p.
+    /// The posed position of p.
     pub(super) fn place(&self, p: DVec2) -> DVec2 {
         self.place_along(p, &[]).0
     }
 
-    /// The posed place of p, and its derivatives along the variables that `changes` holds the derivatives of the sums
-    /// for.
+    /// The posed position of p, and its derivatives along the variables that `changes` holds the derivatives of the
+    /// sums for.
     fn place_along<const N: usize>(&self, p: DVec2, changes: &[Self; N]) -> (DVec2, [DVec2; N]) {
         let Self { posed, half, moved } = *self;
         // The rigid blend minus the linear one, times P̄.
@@ -92,7 +92,7 @@ impl Sums {
     }
 }
 
-/// The posed place of p and the Jacobian there, from each site's weight and its gradient. `slopes` are those of p
+/// The posed position of p and the Jacobian there, from each site's weight and its gradient. `slopes` are those of p
 /// itself, which depends on the place that weights are of.
 pub(super) fn mapped<'a>(
     p: DVec2,

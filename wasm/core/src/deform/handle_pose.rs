@@ -1,4 +1,4 @@
-//! The pose of one handle, without its name and its rest place.
+//! The pose of one handle, without its name and its rest position.
 
 use glam::DVec2;
 

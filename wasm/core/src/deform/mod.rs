@@ -1,5 +1,5 @@
-//! The blended map on the processor (sections III and IV-B, eq. 1): from the motions of all sites to the posed place of
-//! every point, and back. The shader `web/src/render/warp.vert.glsl` is the only other implementation.
+//! The blended map on the processor (sections III and IV-B, eq. 1): from the motions of all sites to the posed position
+//! of every point, and back. The shader `web/src/render/warp.vert.glsl` is the only other implementation.
 //!
 //! For every point:
 //!

@@ -1,5 +1,5 @@
-//! The posed place of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual). Where a brush
-//! has displaced the picture, sites take p + d(p) in place of p: p′ = Σ w_i(p) T_i(p + d(p)).
+//! The posed position of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual). Where a
+//! brush has displaced the picture, sites take p + d(p) in place of p: p′ = Σ w_i(p) T_i(p + d(p)).
 //!
 //! `web/src/render/warp.vert.glsl` is the only other implementation. Cost: some floating-point operations for each site
 //! that moves the point.
@@ -36,18 +36,18 @@ struct SiteMap {
     linear: DMat2,
 }
 
-/// The posed place of a point, and the local change of area.
+/// The posed position of a point, and the local change of area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Mapped {
-    /// The posed place, p′.
+    /// The posed position, p′.
     pub posed: DVec2,
     /// Determinant of the Jacobian: the factor by which areas grow, negative where the picture is inverted.
     pub det: f64,
 }
 
 impl Poser {
-    /// The pose of handles, given in any order. Their rest places matter for the turns of bars and polygons alone.
+    /// The pose of handles, given in any order. Their rest positions matter for the turns of bars and polygons alone.
     ///
     /// # Errors
     /// - [`Error::PoseMismatch`] if the number of handles differs from the solved one;
@@ -109,7 +109,7 @@ impl Pose {
         self.displacement.is_some()
     }
 
-    /// The posed place of a point, in pixels, from the sites that move it and their weights, for example a row of
+    /// The posed position of a point, in pixels, from the sites that move it and their weights, for example a row of
     /// [`SparseWeights`]. A point without weights stays where it is [displaced](Self::displaced) to.
     ///
     /// # Panics
@@ -119,7 +119,7 @@ impl Pose {
         self.blended_place(self.displaced(p), weights)
     }
 
-    /// The posed place of a point that is displaced to a place.
+    /// The posed position of a point that is displaced to a place.
     pub(crate) fn blended_place(&self, p: DVec2, weights: impl IntoIterator<Item = (usize, f64)>) -> DVec2 {
         let weights = weights.into_iter();
         if let Some(duals) = &self.duals {
@@ -129,7 +129,7 @@ impl Pose {
         weights.map(|(site, weight)| weight * self.moved(site, p)).reduce(Add::add).unwrap_or(p)
     }
 
-    /// The posed place of a point, in pixels, and the determinant of the Jacobian there, from the influences of
+    /// The posed position of a point, in pixels, and the determinant of the Jacobian there, from the influences of
     /// [`Solution::influences_at`](crate::Solution::influences_at). A point without influences stays where it is
     /// [displaced](Self::displaced) to.
     ///
@@ -160,7 +160,7 @@ impl Pose {
         Mapped { posed, det: derivative.determinant() }
     }
 
-    /// The posed places of points, from the row of each in the weights.
+    /// The posed positions of points, from the row of each in the weights.
     ///
     /// # Panics
     /// If a point has no row, or the solution has no such site.
@@ -168,7 +168,7 @@ impl Pose {
         points.iter().enumerate().map(|(row, &p)| self.blended(p, weights.row(row))).collect()
     }
 
-    /// The posed places of points that are displaced to places, from the row of each in the weights.
+    /// The posed positions of points that are displaced to places, from the row of each in the weights.
     ///
     /// # Panics
     /// As [`blend_all`](Self::blend_all).

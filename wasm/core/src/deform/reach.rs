@@ -1,9 +1,8 @@
 //! The reach of some handles: how much of their move each vertex follows.
 //!
-//! Reach is the norm of the derivative of the posed place with respect to the move: the root of half the sum of its
-//! four squared entries. A vertex of reach 1 moves as far as the handles, straight or turned; at 0 it stays; above 1
-//! it swings farther than they do. Whole poses are compared, which works alike in both pose modes and for both
-//! blends.
+//! Reach is the norm of the derivative of the posed position with respect to the move: the root of half the sum of its
+//! four squared entries. A vertex of reach 1 moves as far as the handles, straight or turned; at 0 it stays; above 1 it
+//! swings farther than they do. Whole poses are compared, which works alike in both pose modes and for both blends.
 //!
 //! Cost: four blends.
 

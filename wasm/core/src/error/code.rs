@@ -49,7 +49,7 @@ impl Error {
     /// | `canvas` | a warped picture that is too large to be drawn as a whole |
     /// | `nothing-drawn` | a covered part without a pixel |
     /// | `nothing-opaque` | a picture without an opaque region of sufficient size |
-    /// | `nothing-to-fill-from` | a domain that covers all of the picture, with a fill behind it |
+    /// | `nothing-to-fill-from` | a domain that covers the whole picture, with a fill behind it |
     /// | `no-outline` | a picture without transparency, to be fitted by its outline |
     /// | `domain` | invalid rings, or rings with too many corners |
     /// | `handle-outside` | a handle outside the domain |

@@ -5,8 +5,8 @@ use glam::{DMat2, DVec2};
 use super::Strain;
 use crate::limits::MAX_POSED;
 
-/// A stretch and then a rotation about the site's rest place, and a translation: T(p) = posed + R(angle)
-/// exp(strain) (p − rest).
+/// A stretch and then a rotation about the site's rest position, and a translation: T(p) = posed + R(angle) exp(strain)
+/// (p − rest).
 ///
 /// Stored as logarithms, which blend as sums (eq. 4): opposite rotations cannot cancel to nothing, as the paper's
 /// quaternions can, and more than half a turn remains more than half a turn. Blending about the site's own place
@@ -18,7 +18,7 @@ pub struct Motion {
     pub angle: f64,
     /// Logarithm of the stretch, in the rest frame.
     pub strain: Strain,
-    /// Posed place minus rest place, in pixels.
+    /// Posed place minus rest position, in pixels.
     pub translation: DVec2,
     /// Drawing order where the picture covers itself: greater is nearer.
     pub depth: f64,

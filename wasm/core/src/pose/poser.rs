@@ -115,7 +115,7 @@ impl Poser {
         &self.harmonic
     }
 
-    /// The rest places of the sites.
+    /// The rest positions of the sites.
     pub(crate) fn rest(&self) -> &Arc<[DVec2]> {
         &self.rest
     }

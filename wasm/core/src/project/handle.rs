@@ -150,7 +150,7 @@ impl Handle {
             Shape::Point { .. } => "point",
             Shape::Bar { .. } => "bar",
         };
-        at.refuse(format_args!("only a polygon can be stiff, and {:?} is a {kind}", self.id))
+        at.refuse(format_args!("only a polygon can be stiff, but {:?} is a {kind}", self.id))
     }
 }
 

@@ -27,7 +27,7 @@ use crate::{
 
 /// Vertices are at most so far from their places, in pixels.
 pub(super) const TOLERANCE: f64 = 0.1;
-/// The part of it for the steps of rest places, then for places and weights together, then for motions as well.
+/// The part of it for the steps of rest positions, then for places and weights together, then for motions as well.
 /// Straight lines between frames take the rest.
 const PLACE_TOLERANCE: f64 = 0.02;
 const MESH_TOLERANCE: f64 = 0.03;

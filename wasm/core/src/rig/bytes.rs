@@ -82,11 +82,11 @@ impl<'a> Reader<'a> {
             let byte = self.byte()?;
             number |= u32::from(byte & 0x7f) << shift;
             if byte < 0x80 {
-                self.expect(shift < 28 || byte < 0x10, "has a number of more than 32 bits")?;
+                self.expect(shift < 28 || byte < 0x10, "contains a number of more than 32 bits")?;
                 return Ok(number);
             }
         }
-        Err(self.wrong("has a number of more than 32 bits"))
+        Err(self.wrong("contains a number of more than 32 bits"))
     }
 
     pub(super) fn signed(&mut self) -> Result<i32, RigError> {
@@ -114,11 +114,11 @@ impl<'a> Reader<'a> {
     pub(super) fn text(&mut self) -> Result<String, RigError> {
         let count = self.count(1)?;
         let text = std::str::from_utf8(self.take(count)?);
-        Ok(text.map_err(|_| self.wrong("has a text that is not UTF-8"))?.to_owned())
+        Ok(text.map_err(|_| self.wrong("contains text that is not UTF-8"))?.to_owned())
     }
 
     pub(super) fn end(self) -> Result<(), RigError> {
-        self.expect(self.rest.is_empty(), "goes on after its end")
+        self.expect(self.rest.is_empty(), "continues after its expected end")
     }
 }
 

@@ -142,26 +142,26 @@ impl RigClip {
             0 => Looping::None,
             1 => Looping::Repeat,
             2 => Looping::Alternate,
-            _ => return Err(from.wrong("has an unknown loop")),
+            _ => return Err(from.wrong("has an unknown loop mode")),
         };
         let last_frame = from.varint()?;
         from.expect(last_frame <= MOST_FRAMES, "has too many frames")?;
         let is_still = last_frame == 0;
         let has_time = if is_still { duration == 0.0 } else { duration > 0.0 && duration.is_finite() };
-        from.expect(has_time, "has a duration that does not fit its frames")?;
+        from.expect(has_time, "has a duration that does not match its frames")?;
         let count = from.count(1)?;
         from.expect(count >= 1, "has no motions")?;
         let mut keys = vec![0_u32];
         for _ in 1..count {
             let step = from.varint()?;
             let key = keys[keys.len() - 1].saturating_add(step);
-            from.expect(step > 0 && key <= last_frame, "has keys in disorder")?;
+            from.expect(step > 0 && key <= last_frame, "has keys out of order")?;
             keys.push(key);
         }
         from.expect(keys.last() == Some(&last_frame), "has no motions at its end")?;
         let bits = MotionBits { angle: from.byte()?, strain: from.byte()?, place: from.byte()? };
         let are_coarse = [bits.angle, bits.strain, bits.place].iter().all(|&bits| bits <= MOST_BITS);
-        from.expect(are_coarse, "has too fine motions")?;
+        from.expect(are_coarse, "stores motions with too many bits")?;
         from.expect(from.has(count.checked_mul(sites).and_then(|n| n.checked_mul(NUMBERS))), "ends too early")?;
         let mut motions = vec![[0; NUMBERS]; count * sites];
         for number in 0..NUMBERS {
@@ -178,7 +178,7 @@ impl RigClip {
             let step = from.varint()?;
             let is_next = orders.last().map_or(step == 0, |_| step > 0);
             let frame = orders.last().map_or(0, |order| order.frame).saturating_add(step);
-            from.expect(is_next && frame <= last_frame, "has drawing orders in disorder")?;
+            from.expect(is_next && frame <= last_frame, "has drawing orders out of order")?;
             let order = Order::read(from, frame, orders.last(), triangles)?;
             orders.push(order);
         }

@@ -61,7 +61,7 @@ pub(super) fn read_driven(from: &mut Reader<'_>, sources: &Sources, sites: usize
     for _ in 0..sites {
         let kind = from.varint()?;
         let is_known = kind < 2 || sources.has(kind as usize - 2);
-        from.expect(is_known, "name a handle or bone that there is not")?;
+        from.expect(is_known, "refer to an unknown handle or bone")?;
         driven.push(match kind {
             0 => Driven::Virtual,
             1 => Driven::Still,

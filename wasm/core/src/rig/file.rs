@@ -83,12 +83,15 @@ pub(super) fn unpacked(file: &[u8]) -> Result<(u32, VecDeque<Section>), RigError
         let at = HEADER + ROW * row;
         let tag = file[at..at + 4].try_into().expect("four bytes");
         let [stored, length] = [4, 8].map(|offset| word(at + offset));
-        let (bytes, after) = rest.split_at_checked(stored as usize).ok_or(wrong("has a section beyond the end"))?;
+        let (bytes, after) = rest.split_at_checked(stored as usize).ok_or(wrong(
+            "lists a section beyond the end of the \
+                                                                                 file",
+        ))?;
         rest = after;
         sections.push_back(Section { tag, bytes: inflated(bytes, length).ok_or(wrong("has a damaged section"))? });
     }
     if !rest.is_empty() {
-        return Err(wrong("ends before the file"));
+        return Err(wrong("does not cover the whole file"));
     }
     Ok((version, sections))
 }

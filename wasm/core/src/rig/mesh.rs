@@ -22,7 +22,7 @@ use crate::{
 const MOST_PLACE_BITS: u8 = 16;
 const MOST_WEIGHT_BITS: u8 = 24;
 
-/// Vertices, triangles, and the rest places of the sites that move them.
+/// Vertices, triangles, and the rest positions of the sites that move them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Mesh {
     /// Places are multiples of 2 to the power of minus this, in pixels.
@@ -105,7 +105,7 @@ impl Mesh {
 
     pub(super) fn read(from: &mut Reader<'_>) -> Result<Self, RigError> {
         let place_bits = from.byte()?;
-        from.expect(place_bits <= MOST_PLACE_BITS, "has too fine places")?;
+        from.expect(place_bits <= MOST_PLACE_BITS, "stores positions with too many bits")?;
         let [vertices, triangles, sites] = [from.count(2)?, from.count(3)?, from.count(2)?];
         let vertices = read_places(from, vertices)?;
         let rest = read_places(from, sites)?;
@@ -119,7 +119,7 @@ impl Mesh {
         };
         let triangle = |_| Ok([corner()?, corner()?, corner()?]);
         let triangles = (0..triangles).map(triangle).collect::<Result<_, RigError>>()?;
-        from.expect(seen as usize == vertices.len(), "has triangles of other vertices")?;
+        from.expect(seen as usize == vertices.len(), "has triangles that do not match its vertices")?;
         Ok(Self { place_bits, vertices, displacements: None, triangles, rest })
     }
 
@@ -197,7 +197,7 @@ impl Weights {
 
     pub(super) fn read(from: &mut Reader<'_>, vertices: usize, sites: usize) -> Result<Self, RigError> {
         let bits = from.byte()?;
-        from.expect(bits <= MOST_WEIGHT_BITS, "are too fine")?;
+        from.expect(bits <= MOST_WEIGHT_BITS, "have too many bits")?;
         from.expect(from.has(Some(vertices)), "end too early")?;
         let mut offsets = vec![0_u32];
         let mut entries = 0_usize;
@@ -211,7 +211,7 @@ impl Weights {
             let mut next = 0_usize;
             for _ in weights.offsets[vertex]..weights.offsets[vertex + 1] {
                 let site = next.saturating_add(from.varint()? as usize);
-                from.expect(site < sites, "name a site that there is not")?;
+                from.expect(site < sites, "refer to an unknown site")?;
                 weights.sites.push(site as u32);
                 next = site + 1;
             }

@@ -127,7 +127,7 @@ impl Rig {
     ///   clips of more than eight million motions of sites together;
     /// - [`BakeError::TooFar`] if 32 bits are too few for the motions.
     pub fn bake(project: &Project, solution: &Solution, picture: RigPicture) -> Result<Self, BakeError> {
-        Self::bake_telling(project, solution, picture, Posable::default(), &mut |_| {})
+        Self::bake_with_progress(project, solution, picture, Posable::default(), &mut |_| {})
     }
 
     /// As [`bake`](Self::bake) with handles that can be posed, and tells the part that is done, from 0 to 1, about a
@@ -135,7 +135,7 @@ impl Rig {
     ///
     /// # Errors
     /// As [`bake`](Self::bake).
-    pub fn bake_telling(
+    pub fn bake_with_progress(
         project: &Project,
         solution: &Solution,
         picture: RigPicture,
@@ -308,9 +308,9 @@ impl Rig {
         }
         for Section { tag, bytes } in sections {
             let mut from = Reader::new(RigPart::Clip, &bytes);
-            from.expect(tag == CLIP, "is in the wrong place")?;
+            from.expect(tag == CLIP, "is in the wrong position")?;
             let clip = RigClip::read(&mut from, rig.sites(), rig.mesh.triangles.len())?;
-            from.expect(rig.clips.iter().all(|other| other.name != clip.name), "has the name of another one")?;
+            from.expect(rig.clips.iter().all(|other| other.name != clip.name), "has the name of another clip")?;
             from.end()?;
             rig.clips.push(clip);
         }
@@ -329,7 +329,7 @@ impl Rig {
     /// A rig without mesh and clips.
     fn read_head(from: &mut Reader<'_>, picture: Vec<u8>) -> Result<Self, RigError> {
         let [width, height] = [from.varint()?, from.varint()?];
-        from.expect(width > 0 && height > 0, "has an empty picture")?;
+        from.expect(width > 0 && height > 0, "describes an empty picture")?;
         let flags = from.byte()?;
         from.expect(flags < 4, "has an unknown setting")?;
         let handles = (0..from.count(1)?).map(|_| from.text()).collect::<Result<_, _>>()?;
@@ -403,7 +403,7 @@ mod tests {
         project.clips = vec![wave, Clip::new("still", 1.0, Looping::None)];
         let solution = solve(&project, &Picture::new(24, 18, &rgba).unwrap()).unwrap();
         let picture = RigPicture { width: 24, height: 18, file: b"a picture".to_vec() };
-        let mut rig = Rig::bake_telling(&project, &solution, picture, Posable::Always, &mut |_| {}).unwrap();
+        let mut rig = Rig::bake_with_progress(&project, &solution, picture, Posable::Always, &mut |_| {}).unwrap();
         let triangles = (0..rig.triangles().len() as u32).rev().collect();
         rig.clips[0].orders.push(order::Order { frame: 3, crosses: true, triangles });
         let triangles = rig.clips[0].orders[1].triangles.clone();

@@ -83,7 +83,7 @@ impl Order {
             let t = next.wrapping_add(from.signed()?);
             let drawn = usize::try_from(t).ok().and_then(|t| is_drawn.get_mut(t));
             let is_new = drawn.is_some_and(|drawn| !std::mem::replace(drawn, true));
-            from.expect(is_new, "has a drawing order that is no order of the triangles")?;
+            from.expect(is_new, "has a drawing order that does not list each triangle once")?;
             triangles.push(t as u32);
             next = t + 1;
         }

@@ -30,7 +30,7 @@ const MOST_BITS: u8 = 24;
 /// The greatest logarithm to the base 2 of an area or a flow.
 const MOST_LOG: f64 = 64.0;
 /// Why a number of a site is refused.
-const UNKNOWN_SITE: &str = "name a site that there is not";
+const UNKNOWN_SITE: &str = "refer to an unknown site";
 
 /// Handles and their solver, in whole numbers of steps.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +43,7 @@ pub(super) struct Posing {
 /// Numbers are multiples of 2 to the power of minus these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct PosingBits {
-    /// Of rest places of sites, in pixels.
+    /// Of rest positions of sites, in pixels.
     pub(super) place: u8,
     /// Of harmonic weights.
     pub(super) share: u8,
@@ -93,7 +93,7 @@ impl Posing {
     /// Poses the handles.
     pub(super) fn poser(&self) -> Poser {
         let Sources { handles, skeleton } = &self.sources;
-        Poser::from_parts(&self.parts, skeleton, handles).expect("they are checked before")
+        Poser::from_parts(&self.parts, skeleton, handles).expect("the parts were checked")
     }
 
     pub(super) fn write(&self, to: &mut Writer) {
@@ -164,7 +164,7 @@ impl Posing {
         let kinds = kinds_of(&read_driven(from, &sources, count)?, &sources);
         for handle in &mut sources.handles {
             let turns = from.byte()?;
-            from.expect(turns < 2, "have a handle that no project has")?;
+            from.expect(turns < 2, "contain an invalid handle")?;
             if turns == 1 {
                 handle.rotation = Rotation::Auto;
             }
@@ -174,7 +174,7 @@ impl Posing {
         let mut bits = [0; 7];
         for bits in &mut bits {
             *bits = from.byte()?;
-            from.expect(*bits <= MOST_BITS, "are too fine")?;
+            from.expect(*bits <= MOST_BITS, "have too many bits")?;
         }
         let [place, share, link, log, node, weight, gradient] = bits;
         let bits = PosingBits { place, share, link, log, node, weight, gradient };
@@ -213,10 +213,10 @@ fn read_rigid(
     let links = pairs.into_iter().map(weight).collect::<Result<_, RigError>>()?;
     for handle in sources.handles.iter_mut().filter(|handle| matches!(handle.shape, Shape::Polygon { .. })) {
         handle.stiffness = from.number()?;
-        from.expect((0.0..=1.0).contains(&handle.stiffness), "have a stiffness that no project has")?;
+        from.expect((0.0..=1.0).contains(&handle.stiffness), "contain a stiffness outside 0 to 1")?;
     }
     let has_mask = from.byte()?;
-    from.expect(has_mask < 2, "have an unknown stiffness")?;
+    from.expect(has_mask < 2, "have an unknown kind of stiffness")?;
     let mask = if has_mask == 1 { Some(read_mask(from)?) } else { None };
     let stiffness = StiffnessField::of(mask, &sources.handles);
     let levels = [from.count(5)?, from.count(5)?, from.count(5)?];
@@ -227,7 +227,7 @@ fn read_rigid(
     let rows = read_rows(from, count, |site| site < sites, UNKNOWN_SITE)?;
     let mut nodes = Vec::new();
     for ((place, area), sites) in places.into_iter().zip(areas).zip(rows) {
-        from.expect(!sites.is_empty(), "have a node that no site moves")?;
+        from.expect(!sites.is_empty(), "contain a node that no site moves")?;
         let influence = |site: u32| Influence { site: site as usize, weight: 0.0, gradient: DVec2::ZERO };
         let influences = sites.into_iter().map(influence).collect();
         nodes.push(Node { at: place_of(place, bits.node), area, influences });
@@ -238,7 +238,7 @@ fn read_rigid(
             one.weight = read_fraction(from, bits.weight)?;
             left -= one.weight;
         }
-        from.expect(left >= 0.0, "have weights of more than 1")?;
+        from.expect(left >= 0.0, "contain weights that sum to more than 1")?;
         node.influences[0].weight = left;
     }
     for axis in 0..2 {
@@ -388,7 +388,7 @@ fn read_logs(from: &mut Reader<'_>, count: usize, bits: u8) -> Result<Vec<f64>, 
     let mut numbers = Vec::new();
     for _ in 0..count {
         log = log.wrapping_add(from.signed()?);
-        from.expect(value(log, bits).abs() <= MOST_LOG, "have an area that no picture has")?;
+        from.expect(value(log, bits).abs() <= MOST_LOG, "contain a number that is too large")?;
         numbers.push(exp(log, bits));
     }
     Ok(numbers)
@@ -396,7 +396,7 @@ fn read_logs(from: &mut Reader<'_>, count: usize, bits: u8) -> Result<Vec<f64>, 
 
 fn read_fraction(from: &mut Reader<'_>, bits: u8) -> Result<f64, RigError> {
     let steps = from.varint()?;
-    from.expect(steps <= 1 << bits, "have a weight of more than 1")?;
+    from.expect(steps <= 1 << bits, "contain a weight greater than 1")?;
     Ok(f64::from(steps) / whole(bits))
 }
 

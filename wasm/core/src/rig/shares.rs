@@ -109,7 +109,7 @@ impl Shares {
     /// The motions of sites at these places, with the handles posed as given.
     pub(super) fn motions(&self, rest: &[DVec2], handles: &[Handle]) -> Vec<Motion> {
         let sources = self.sources.posed(handles);
-        let source = |source: u32| sources[source as usize].as_ref().expect("bars are no sources");
+        let source = |source: u32| sources[source as usize].as_ref().expect("bars are not sources");
         let whole = f64::from(1_u32 << self.bits);
         let mut rows = self.rows.iter();
         let motion = |(&place, driven): (&DVec2, &Driven)| match *driven {
@@ -145,9 +145,9 @@ impl Shares {
         let sources = Sources::read(from, names)?;
         let driven = read_driven(from, &sources, sites)?;
         let bits = from.byte()?;
-        from.expect(bits <= MOST_BITS, "are too fine")?;
+        from.expect(bits <= MOST_BITS, "have too many bits")?;
         let rows = driven.iter().filter(|driven| **driven == Driven::Virtual).count();
-        let named = read_rows(from, rows, |source| sources.has(source), "name a handle or bone that there is not")?;
+        let named = read_rows(from, rows, |source| sources.has(source), "refer to an unknown handle or bone")?;
         let unread = |source: u32| Share { source, share: 0, along: 0 };
         let rows = named.into_iter().map(|row| row.into_iter().map(unread).collect()).collect();
         let mut shares = Self { sources, sites: driven, bits, rows };
@@ -163,7 +163,7 @@ impl Shares {
         let first_bone = shares.sources.handles.len();
         for part in shares.rows.iter_mut().flatten().filter(|part| part.source as usize >= first_bone) {
             part.along = from.varint()?;
-            from.expect(part.along <= whole, "come from beyond a bone")?;
+            from.expect(part.along <= whole, "refer to a point beyond the end of a bone")?;
         }
         Ok(shares)
     }

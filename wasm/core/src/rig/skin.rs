@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use crate::{deform::Pose, pose::Motion, project::Blend, weight::SparseWeights};
 
-/// Vertices before sites move them, with their weights, and the rest places of the sites.
+/// Vertices before sites move them, with their weights, and the rest positions of the sites.
 #[derive(Debug)]
 pub(super) struct Skin {
     pub(super) vertices: Vec<DVec2>,

@@ -119,7 +119,7 @@ impl Sources {
     /// Reads the sources of named handles.
     pub(super) fn read(from: &mut Reader<'_>, names: &[String]) -> Result<Self, RigError> {
         let handles: Vec<Handle> = names.iter().map(|name| read_handle(name, from)).collect::<Result<_, _>>()?;
-        from.expect(check_handles(&handles).is_ok(), "have a handle that no project has")?;
+        from.expect(check_handles(&handles).is_ok(), "contain an invalid handle")?;
         let mut joints = Vec::new();
         for _ in 0..from.count(1)? {
             let anchors = (0..from.count(10)?).map(|_| read_anchor(from)).collect::<Result<Vec<_>, _>>()?;
@@ -128,7 +128,7 @@ impl Sources {
         let bones = (0..from.count(68)?).map(|_| read_bone(&handles, from)).collect::<Result<_, _>>()?;
         let skeleton = Skeleton { bones, joints };
         let is_whole = skeleton.is_consistent(handles.len()) && skeleton.fits(&handles);
-        from.expect(is_whole, "have bones that do not fit their handles")?;
+        from.expect(is_whole, "have bones that do not match their handles")?;
         Ok(Self { handles, skeleton })
     }
 }
@@ -173,7 +173,7 @@ fn write_handle(handle: &Handle, to: &mut Writer) {
 
 fn read_handle(name: &str, from: &mut Reader<'_>) -> Result<Handle, RigError> {
     let kind = from.byte()?;
-    from.expect(kind <= POLYGON, "have a handle of an unknown kind")?;
+    from.expect(kind <= POLYGON, "contain a handle of an unknown kind")?;
     let corners = if kind == POINT { 1 } else { from.count(32)? };
     let rest = read_places(corners, from)?;
     let posed = read_places(corners, from)?;
@@ -199,7 +199,7 @@ fn read_bone(handles: &[Handle], from: &mut Reader<'_>) -> Result<Bone, RigError
     let are_numbers = rest[0] != rest[1]
         && rest.iter().all(|end| end.is_finite())
         && beyond.iter().chain(&beside).all(|number| number.is_finite());
-    from.expect(are_numbers, "have a bone without a length")?;
+    from.expect(are_numbers, "contain a bone of zero length")?;
     let of_loop = handles.get(handle as usize).is_some_and(|handle| matches!(handle.shape, Shape::Polygon { .. }));
     Ok(Bone { handle, segment, rest, of_loop, joints, beyond, beside, body: 0 })
 }

@@ -166,7 +166,7 @@ fn located(navigation: &Navigation, p: DVec2) -> NavTriangle {
 /// A skirt without a fringe.
 struct NarrowSkirt {
     skirt: Skirt,
-    /// Whether it draws all of the picture.
+    /// Whether it draws the whole picture.
     is_enough: bool,
 }
 
@@ -184,7 +184,7 @@ impl NarrowSkirt {
         Self { skirt: self.skirt.renumbered(before, now), ..self }
     }
 
-    /// The skirt with a fringe if it does not draw all of the picture.
+    /// The skirt with a fringe if it does not draw the whole picture.
     fn completed(self, Samples { mesh, outline, .. }: &Samples, prepared: &PreparedDomain) -> Skirt {
         let Self { skirt, is_enough } = self;
         let Some(opacity) = prepared.around.as_ref().filter(|_| !is_enough) else { return skirt };

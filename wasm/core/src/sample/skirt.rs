@@ -53,7 +53,7 @@ impl Skirt {
         skirt
     }
 
-    /// The rest place of a sample or of a vertex of the skirt.
+    /// The rest position of a sample or of a vertex of the skirt.
     pub(super) fn place(&self, samples: &[DVec2], vertex: u32) -> DVec2 {
         let vertex = vertex as usize;
         samples.get(vertex).copied().unwrap_or_else(|| self.vertices[vertex - samples.len()])

@@ -61,8 +61,8 @@ struct Lines {
 const LANES: usize = Jacobians::LANES;
 
 impl<'a> Relaxing<'a> {
-    /// Begins at the given parts of all sites, whose places are the sites' posed places; `scales` are those requested
-    /// at the sites, `regularisation` is ε of the distortion.
+    /// Begins at the given parts of all sites, whose places are the sites' posed positions; `scales` are those
+    /// requested at the sites, `regularisation` is ε of the distortion.
     pub(super) fn new(
         relaxation: &'a Relaxation,
         level: &'a Level,
