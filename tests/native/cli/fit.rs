@@ -156,7 +156,7 @@ fn several_projects_have_results_with_their_names() {
     let line = fail(folder.path(), "warp 1.c2warp.json --image solo -o solo");
     assert_eq!(line, "solo/strip.png: this is the picture itself: choose another folder for the results");
     let line = fail(folder.path(), "warp 1.c2warp.json 2.c2warp.json --image strip.png --image strip.png -o out");
-    assert!(line.starts_with("give one project"), "{line}");
+    assert!(line.starts_with("pass one project"), "{line}");
     fs::create_dir(folder.file("empty")).unwrap();
     assert_eq!(fail(folder.path(), "warp 1.c2warp.json --image empty -o out"), "empty: this folder has no files");
 }

@@ -12,9 +12,9 @@ use crate::{
 /// The project's picture, domain and number of samples are ignored.
 ///
 /// # Errors
-/// - Those of [`Solver::begin`](crate::Solver::begin) and [`Solver::advance`](crate::Solver::advance) that concern
+/// - The errors of [`Solver::begin`](crate::Solver::begin) and [`Solver::advance`](crate::Solver::advance) that concern
 ///   handles and settings.
-/// - [`Error::Unsupported`] for bars, polygons, a held boundary, stiff and displaced places.
+/// - [`Error::Unsupported`] for bars, polygons, a fixed boundary, stiffness and displacements.
 pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
     let input = SolveInput::new(project)?;
     input.check_points_only()?;

@@ -354,10 +354,10 @@ pub enum Error {
     #[error("expected a frame rate above 0 and up to {max}, found {}", DisplayNumber(*rate),
         max = limits::MAX_FRAME_RATE)]
     FrameRate {
-        /// Frames a second.
+        /// Frames per second.
         rate: f64,
     },
-    /// The part of a clip for a film is empty, or reaches beyond the clip.
+    /// The part of a clip for a film is empty, or extends beyond the clip.
     #[error(
         "clip “{clip}”: expected a range within 0 to {} seconds that ends after it begins, found {}..{}",
         DisplayNumber(*duration),
@@ -396,7 +396,8 @@ pub enum Error {
     },
     /// The scene needs too many sites.
     ///
-    /// Handles close to one another or to a fixed boundary need many, and so do bars, polygons and a high density.
+    /// Handles close to one another or to a fixed boundary need many sites, and so do bars, polygons and a high
+    /// density.
     #[error(
         "the scene needs more than {max} sites: move close handles apart, use fewer or shorter bars and polygons, or \
          lower pose.density",
@@ -405,7 +406,7 @@ pub enum Error {
     TooManySites,
     /// The distances of all sites need too much memory.
     ///
-    /// An outline with many corners needs much for each site.
+    /// An outline with many corners needs much memory for each site.
     #[error(
         "the scene is too large for the memory of a browser: use fewer bars, polygons or handles, simplify the \
          outline, or lower pose.density"
@@ -503,7 +504,7 @@ pub enum Error {
         /// Index of a vertex on the outline of the part.
         vertex: usize,
     },
-    /// The number of neighbours does not suit the number of points of a cloud.
+    /// The number of neighbours is invalid for the number of points of a cloud.
     #[error(
         "a cloud of {points} points cannot have {neighbours} neighbours per point: use at least 1, and fewer than the \
          number of points"

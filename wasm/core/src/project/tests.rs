@@ -1,4 +1,4 @@
-//! Tests of the format: reading, writing, and messages of refusals.
+//! Tests of the format: reading, writing, and error messages.
 
 use glam::DVec2;
 
@@ -24,7 +24,7 @@ const FULL: &str = r#"{
 }
 "#;
 
-/// A change of a project, and the error of the changed project.
+/// A change to a project, and the error of the changed project.
 type Refused = (fn(&mut Project), &'static str);
 
 /// The error of the full project after an edit of its text.

@@ -1,6 +1,6 @@
 //! Numbers as bytes.
 //!
-//! Whole numbers are varints: seven bits a byte from the lowest, with the top bit set on all bytes but the last. Signed
+//! Integers are varints: seven bits per byte from the lowest, with the top bit set on all bytes but the last. Signed
 //! ones are zigzag varints: 0, −1, 1, −2, … are 0, 1, 2, 3, …
 
 use super::error::{RigError, RigPart};
@@ -45,7 +45,7 @@ impl Writer {
     }
 }
 
-/// The bytes of a part that are not read yet.
+/// The remaining bytes of a part.
 #[derive(Debug)]
 pub(super) struct Reader<'a> {
     part: RigPart,
@@ -57,7 +57,7 @@ impl<'a> Reader<'a> {
         Self { part, rest: bytes }
     }
 
-    /// The error that this part is wrong.
+    /// An error about this part.
     pub(super) fn wrong(&self, reason: &'static str) -> RigError {
         RigError::Part { part: self.part, reason }
     }
@@ -94,14 +94,14 @@ impl<'a> Reader<'a> {
         Ok((number >> 1) as i32 ^ -((number & 1) as i32))
     }
 
-    /// A number of items that take at least `bytes` bytes each: with more, the part would end too early.
+    /// Reads a number of items of at least `bytes` bytes each, and checks that the part is long enough.
     pub(super) fn count(&mut self, bytes: usize) -> Result<usize, RigError> {
         let count = self.varint()? as usize;
         self.expect(count <= self.rest.len() / bytes, "ends too early")?;
         Ok(count)
     }
 
-    /// Whether so many items of at least a byte may follow.
+    /// Whether this many items of at least one byte each may follow.
     pub(super) fn has(&self, count: Option<usize>) -> bool {
         count.is_some_and(|count| count <= self.rest.len())
     }

@@ -1,4 +1,4 @@
-//! The motions of a clip: whole numbers at some of its frames, with straight lines between them.
+//! The motions of a clip: integers at some of its frames, interpolated linearly.
 
 use super::{
     bytes::{Reader, Writer},
@@ -13,7 +13,7 @@ use crate::{
 
 /// The finest steps of any number.
 const MOST_BITS: u8 = 24;
-/// Longest clips in frames, so that no reader runs out of memory.
+/// Greatest number of frames of a clip, so that no reader runs out of memory.
 const MOST_FRAMES: u32 = 1 << 16;
 /// Numbers of a motion: angle, three of the strain, and two of the translation.
 const NUMBERS: usize = 6;
@@ -23,9 +23,9 @@ const NUMBERS: usize = 6;
 pub struct RigClip {
     /// The name in the project. It is empty for the pose of the handles, in a rig of a project without clips.
     pub name: String,
-    /// Seconds. 0 for a pose.
+    /// Duration in seconds. 0 for a pose.
     pub duration: f64,
-    /// Whether and how it goes on after the end.
+    /// Whether and how it continues after the end.
     pub looping: Looping,
     /// The last frame is at the end of the clip, the first one is frame 0.
     pub last_frame: u32,
@@ -41,11 +41,11 @@ pub struct RigClip {
 /// Numbers of motions are multiples of 2 to the power of minus these.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MotionBits {
-    /// Of angles in radians.
+    /// For angles in radians.
     pub(super) angle: u8,
     /// Of strains.
     pub(super) strain: u8,
-    /// Of translations in pixels.
+    /// For translations in pixels.
     pub(super) place: u8,
 }
 
@@ -65,7 +65,7 @@ impl MotionBits {
         Some(steps)
     }
 
-    /// The motion between two, from 0 at the first to 1 at the second.
+    /// The motion between two motions, from 0 at the first to 1 at the second.
     pub(super) fn between(self, [a, b]: [&[i32; NUMBERS]; 2], along: f64) -> Motion {
         let number = |at: usize| {
             let [a, b] = [a, b].map(|steps| value(steps[at], self.of(at)));

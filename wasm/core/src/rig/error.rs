@@ -71,7 +71,7 @@ pub enum RigError {
     Part {
         /// The part.
         part: RigPart,
-        /// The fault, as the rest of a sentence.
+        /// The fault, as the predicate of a sentence.
         reason: &'static str,
     },
 }

@@ -5,18 +5,18 @@ use std::collections::VecDeque;
 use super::error::{BakeError, RigError, RigPart};
 
 const MAGIC: [u8; 8] = *b"\x89C2RIG\r\n";
-/// Files of a displaced picture have the last version, so that no reader of the first one shows them wrongly.
+/// Files of a displaced picture have the latest version, so that readers of the first version do not show them wrongly.
 const VERSIONS: std::ops::RangeInclusive<u32> = 1..=DISPLACED;
 pub(super) const DISPLACED: u32 = 2;
 /// Magic, version, length, checksum and number of sections.
 const HEADER: usize = 24;
 /// Tag, stored bytes and unpacked bytes.
 const ROW: usize = 12;
-/// Bytes that come before the ones that the checksum is of.
+/// Number of bytes before those covered by the checksum.
 const UNCHECKED: usize = 20;
-/// No deflated bytes unpack to more than so many times their number.
+/// Greatest compression ratio of deflate.
 const MOST_UNPACKED: u64 = 1032;
-/// The best compression that the encoder has, without its exhaustive search.
+/// The encoder's best compression without its exhaustive search.
 const LEVEL: u8 = 9;
 
 pub(super) type Tag = [u8; 4];

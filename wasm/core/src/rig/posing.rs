@@ -1,8 +1,8 @@
-//! Handles whose poses need a solver, and all that it needs: in the rigid mode, and where handles turn by themselves.
+//! Handles whose poses need a solver, and its data: for the rigid mode, and for automatic rotations.
 //!
-//! It is the content of a [`Poser`], in the coarsest steps that leave its poses as they are.
+//! This is the content of a [`Poser`], in the coarsest steps that preserve its poses.
 //!
-//! Cost: a third of the bytes of the poser itself, most of them for the nodes of the rigid mode.
+//! Cost: a third of the bytes of the poser itself, mostly for the nodes of the rigid mode.
 
 use glam::DVec2;
 
@@ -23,16 +23,16 @@ use crate::{
     weight::Influence,
 };
 
-/// The format of the section. Readers skip a section of another one.
+/// The format of the section. Readers skip sections of other formats.
 const FORMAT: u8 = 1;
 /// The finest steps.
 const MOST_BITS: u8 = 24;
 /// The greatest logarithm to the base 2 of an area or a flow.
 const MOST_LOG: f64 = 64.0;
-/// Why a number of a site is refused.
+/// The reason for rejecting a site number.
 const UNKNOWN_SITE: &str = "refer to an unknown site";
 
-/// Handles and their solver, in whole numbers of steps.
+/// Handles and their solver, in integer steps.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Posing {
     pub(super) sources: Sources,
@@ -43,7 +43,7 @@ pub(super) struct Posing {
 /// Numbers are multiples of 2 to the power of minus these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct PosingBits {
-    /// Of rest positions of sites, in pixels.
+    /// For rest positions of sites, in pixels.
     pub(super) place: u8,
     /// Of harmonic weights.
     pub(super) share: u8,
@@ -51,7 +51,7 @@ pub(super) struct PosingBits {
     pub(super) link: u8,
     /// Of logarithms to the base 2: of areas and of flows.
     pub(super) log: u8,
-    /// Of places of nodes, in pixels.
+    /// Of positions of nodes, in pixels.
     pub(super) node: u8,
     /// Of weights at nodes.
     pub(super) weight: u8,
@@ -60,7 +60,7 @@ pub(super) struct PosingBits {
 }
 
 impl PosingBits {
-    /// Steps as fine as this for a picture of this longest side.
+    /// Steps for a picture with this longest side.
     pub(super) fn of(fineness: u8, side: u32) -> Self {
         // A gradient acts over a sixty-fourth of the picture. With finer ones poses are hardly nearer.
         let gradient = fineness + (u32::BITS - side.leading_zeros()) as u8 - 6;
@@ -272,7 +272,7 @@ struct Rounding<'a> {
 }
 
 impl Rounding<'_> {
-    /// `None` for places that are too far out.
+    /// `None` for positions that are too far away.
     fn parts(&self) -> Option<PoserParts> {
         let Self { bits, parts } = self;
         let is_moved = |&&(site, _): &&(u32, f64)| parts.kinds[site as usize] != SiteKind::Boundary;
@@ -348,7 +348,7 @@ fn whole(bits: u8) -> f64 {
     f64::from(1_u32 << bits)
 }
 
-/// The steps of a number that is a multiple of them.
+/// A number in steps, of which it is a multiple.
 fn steps(number: f64, bits: u8) -> i32 {
     round(number, bits).expect("rounded numbers have 32 bits")
 }
@@ -400,8 +400,8 @@ fn read_fraction(from: &mut Reader<'_>, bits: u8) -> Result<f64, RigError> {
     Ok(f64::from(steps) / whole(bits))
 }
 
-/// Pairs in ascending order, the lesser number first. It is written minus that of the pair before. The greater one is
-/// written minus the lesser one, minus 1.
+/// Pairs in ascending order, the lesser number first. The lesser number is written relative to that of the previous
+/// pair, and the greater relative to the lesser, minus 1.
 fn write_pairs(pairs: impl Iterator<Item = [u32; 2]>, to: &mut Writer) {
     let mut before = 0;
     for [i, j] in pairs {

@@ -1,7 +1,7 @@
-//! Handles, and the motions that they and their bones have in a pose: the sources that sites have shares of.
+//! Handles and their bones with their motions in a pose: the sources in which sites have shares.
 //!
-//! A point is one source, and so is each bone of a bar or polygon. Every source is a map of the plane: it does not
-//! depend on the sites along a bone. So the shares of all those sites add up to one.
+//! A point is one source, and so is each bone of a bar or polygon. Every source is a map of the plane, independent of
+//! the sites along a bone. So the shares of all sites along a bone add up to one share.
 
 use glam::{DMat2, DVec2};
 
@@ -22,16 +22,16 @@ pub(super) struct Sources {
     pub(super) skeleton: Skeleton,
 }
 
-/// The map of a source: rotation and stretch around `anchor`, which goes to `posed`.
+/// The map of a source: rotation and stretch around `anchor`, which moves to `posed`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Source {
     anchor: DVec2,
     posed: DVec2,
-    /// The way from the anchor along the bone, to its end.
+    /// The vector from the anchor along the bone to its end.
     bone: DVec2,
     motion: Motion,
     linear: DMat2,
-    /// The motion as virtual sites get it: a bone that is posed to no length does not collapse them.
+    /// The motion passed to virtual sites: a bone that is posed to zero length does not collapse them.
     passed_on: Motion,
     passed_on_linear: DMat2,
 }
@@ -48,8 +48,8 @@ impl Source {
         Motion { translation: self.posed + self.linear * (place - self.anchor) - place, ..self.motion }
     }
 
-    /// The motion that a virtual site has a share of. The sites that it comes from lie at the mean fraction `along` of
-    /// the bone.
+    /// The motion in which a virtual site has a share. The sites behind it lie at the mean fraction `along` of the
+    /// bone.
     pub(super) fn spread(&self, place: DVec2, along: f64) -> Motion {
         let kept = along * ((self.linear - self.passed_on_linear) * self.bone);
         let translation = self.posed + self.passed_on_linear * (place - self.anchor) + kept - place;
@@ -70,7 +70,7 @@ impl Sources {
         self.handles.len() + self.skeleton.bones.len()
     }
 
-    /// Whether a number names a source: bars and polygons are none themselves.
+    /// Whether a number refers to a source: bars and polygons themselves are not sources.
     pub(super) fn has(&self, source: usize) -> bool {
         self.handles.get(source).map_or(source < self.count(), |handle| matches!(handle.shape, Shape::Point { .. }))
     }
@@ -83,7 +83,7 @@ impl Sources {
             && handles.iter().all(|handle| !turns_by_itself(handle))
     }
 
-    /// The maps of all sources, with the handles posed as given. Bars and polygons themselves have none.
+    /// The maps of all sources, with the handles posed as given. Bars and polygons themselves have no map.
     pub(super) fn posed(&self, handles: &[Handle]) -> Vec<Option<Source>> {
         let bones = self.skeleton.bones.iter().zip(self.skeleton.motions(handles));
         let of_bone = |(bone, motion): (&Bone, BoneMotion)| {
@@ -133,7 +133,7 @@ impl Sources {
     }
 }
 
-/// Whether the rotation of a handle depends on others: that of a bar or polygon does by whole turns.
+/// Whether the rotation of a handle depends on other handles; for a bar or polygon, by whole turns.
 pub(super) fn turns_by_itself(handle: &Handle) -> bool {
     handle.rotation == Rotation::Auto
 }
