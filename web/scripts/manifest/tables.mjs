@@ -104,4 +104,4 @@ const code = (text) => `\`${text}\``;
 
 /** @param {Type} type */
 const attributeValue = ({ text, words }) =>
-  text === 'boolean' ? 'none: it is there or not' : (words?.map(code).join(', ') ?? code(text));
+  text === 'boolean' ? 'boolean: present or absent' : (words?.map(code).join(', ') ?? code(text));

@@ -6,18 +6,18 @@ export interface Bytes {
   byte(): number;
   varint(): number;
   signed(): number;
-  /** A number of items of at least so many bytes: there are bytes for all of them. */
+  /** Reads a number of items of at least `bytes` bytes each, and checks that the section is long enough. */
   count(bytes?: number): number;
   float(): number;
   text(): string;
-  /** Nothing may follow. */
+  /** Checks that nothing follows. */
   end(): void;
   check(isRight: boolean, reason: string): void;
-  /** Whether so many bytes may follow. */
+  /** Whether this many bytes may follow. */
   has(count: number): boolean;
 }
 
-/** @param part the words for the section in errors. */
+/** @param part the name of the section in errors. */
 export function bytesOf(part: string, data: Uint8Array): Bytes {
   const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
   let at = 0;

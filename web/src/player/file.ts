@@ -9,11 +9,11 @@ export interface Section {
 const MAGIC = [0x89, 0x43, 0x32, 0x52, 0x49, 0x47, 0x0d, 0x0a];
 const HEADER = 24;
 const ROW = 12;
-/** The checksum is of all bytes from here. */
+/** The checksum covers all bytes from here. */
 const CHECKED = 20;
-/** Versions of the format. The last one displaces the picture before sites move it. */
+/** Versions of the format. The latest version displaces the picture before sites move it. */
 const VERSIONS: readonly number[] = [1, 2];
-/** No deflated bytes unpack to more than so many times their number. */
+/** Greatest compression ratio of deflate. */
 const MOST_UNPACKED = 1032;
 
 const CRCS = Uint32Array.from({ length: 256 }, (_, crc) => {

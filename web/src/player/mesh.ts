@@ -1,4 +1,4 @@
-/** The mesh of a rig and its weights, as a graphics card takes them. */
+/** The mesh of a rig and its weights, in the layout for a graphics card. */
 import type { Bytes } from './bytes';
 
 export interface Mesh {
@@ -8,7 +8,7 @@ export interface Mesh {
   readonly triangles: Uint32Array;
   /** Sites × 2: their rest positions. */
   readonly rest: Float64Array;
-  /** Places are whole numbers of a pixel over 2 to this. */
+  /** Positions are multiples of 2 to the power of minus this, in pixels. */
   readonly placeBits: number;
 }
 
@@ -41,7 +41,7 @@ export function readDisplaced(from: Bytes, { positions, placeBits }: Mesh): Floa
   return positions.map((place, at) => place + (by[at] ?? 0));
 }
 
-/** Numbers × 2 in pixels: first along x, then along y, each as the difference from the one before. */
+/** Numbers × 2 in pixels: first along x, then along y, each as the difference from the previous one. */
 function readPlaces(from: Bytes, count: number, bits: number): Float64Array {
   const values = new Float64Array(2 * count);
   for (const axis of [0, 1]) {

@@ -8,18 +8,18 @@ import { readShares, type Shares } from './shares';
 import { readSolved, type Solved } from './solved';
 
 export interface Rig extends Mesh, Weights {
-  /** Of the picture, pixels. */
+  /** Width and height of the picture, pixels. */
   readonly width: number;
   readonly height: number;
   readonly rigid: boolean;
   /** Whether edges are drawn where parts cross. */
   readonly edges: boolean;
   readonly handles: readonly string[];
-  /** Vertices × 2: the places that sites move, image pixels. Texture coordinates are those of `positions`. */
+  /** Vertices × 2: the positions before sites move them, image pixels. Texture coordinates are those of `positions`. */
   readonly displaced: Float32Array;
-  /** Null where poses of handles need a solver. */
+  /** Null if poses of handles need a solver. */
   readonly shares: Shares | null;
-  /** Null where they need none, and for a rig that cannot be posed. */
+  /** Null if poses need no solver, and for a rig that cannot be posed. */
   readonly solved: Solved | null;
   /** The file of the picture. */
   readonly picture: Uint8Array<ArrayBuffer>;
