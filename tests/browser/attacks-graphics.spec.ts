@@ -22,7 +22,7 @@ async function lose({ page }: Editor): Promise<Loss> {
   return context;
 }
 
-/** The deeds during which the context is lost. Each returns once all of it has come to its end. */
+/** The actions during which the context is lost. Each returns once all of it has come to its end. */
 const MOMENTS: Readonly<Record<string, (editor: Editor, random: () => number) => Promise<Loss>>> = {
   async 'in a drag'(editor, random) {
     const { mouse } = editor.page;

@@ -48,7 +48,7 @@ async function open(editor: Editor, random: () => number): Promise<void> {
   await expect(editor.solved).toContainText(`${SIDE} × ${SIDE} px`);
 }
 
-/** The deeds during which a worker ends. Each returns whether it came to its end, or a notice came instead. */
+/** The actions during which a worker ends. Each returns whether it came to its end, or a notice came instead. */
 const MOMENTS: Readonly<Record<string, (editor: Editor, random: () => number) => Promise<boolean>>> = {
   async 'while a handle is solved'(editor, random) {
     const { page } = editor;

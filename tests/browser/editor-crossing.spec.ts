@@ -4,7 +4,7 @@ import { expect, test } from './fixtures';
 
 const depthOf = async (editor: Editor, id: string) => (await editor.projectHandle(id))?.depth ?? 0;
 
-/** Drags the right hand of the sample from its rest place to another. */
+/** Drags the right hand of the sample from its rest position to another. */
 async function dragRightHand(editor: Editor, to: readonly [number, number]): Promise<void> {
   const scale = await editor.scale();
   await editor.dragHandle('right hand', { x: (to[0] - 900) * scale, y: (to[1] - 516) * scale });

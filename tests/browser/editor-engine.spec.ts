@@ -157,7 +157,7 @@ test('too few vertices are named, and an export can be cancelled', async ({ page
   await press(page, 'Zip');
   await press(page, 'Export rig');
   await expect(page.getByRole('alert')).toContainText(
-    /The outline alone needs \d+ vertices, but 3 are asked for\./,
+    /The outline alone needs \d+ vertices, but only 3 are allowed\./,
   );
   await showPanel(editor, page);
   await fill(page, { Vertices: 3000, Bones: 200 });

@@ -155,6 +155,6 @@ test('a clip that is too long for a rig is named', async ({ page }) => {
   await opened(page, { ...WAVE, duration: 700 });
   await exportRig(page).click();
   await expect(page.getByRole('alert')).toContainText(
-    'Clip "wave" lasts 700 s: a rig has clips of up to 600 s.',
+    'Clip "wave" lasts 700 s: a clip of a rig can last up to 600 s.',
   );
 });

@@ -1,5 +1,6 @@
 /**
- * The most that downloads take, compressed by brotli. The browser tests and the release compare them with the build.
+ * Upper bounds for the sizes of downloads, compressed by brotli. The browser tests and the release check the build
+ * against them.
  *
  * A page waits for the first two. It loads the others when they are first used.
  */

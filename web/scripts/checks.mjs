@@ -1,4 +1,4 @@
-/** The checks of `npm run check`: formats, lints, types, imports and prose of both languages, and generated files. */
+/** The checks of `npm run check`: format, lints, types, imports and prose of both languages, and generated files. */
 import { OF_CRATES } from './packing.mjs';
 import { heading, run, toolPath } from './steps.mjs';
 

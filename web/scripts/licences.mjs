@@ -1,6 +1,6 @@
 /**
- * The licences of a build's parts: the npm packages bundled in the page and in its workers, and the crates linked into
- * the WebAssembly modules. They require that their text accompanies every copy.
+ * Collects the licences of a build: of the npm packages bundled in the page and in its workers, and of the crates
+ * linked into the WebAssembly modules. These licences require that their text accompanies every copy.
  */
 import { execFile } from 'node:child_process';
 import { readdir, readFile } from 'node:fs/promises';
@@ -65,7 +65,7 @@ export async function licencesOf(folders, linked = MODULES) {
   const own = await readFile(join(ROOT, 'LICENSE-MIT'), 'utf8');
   return [
     `# c2warp\n\n${own.trim()}\n`,
-    'c2warp also holds the following, and the standard library of Rust (MIT or Apache-2.0).\n',
+    'c2warp also includes the following, and the standard library of Rust (MIT or Apache-2.0).\n',
     ...chapters,
   ].join('\n');
 }

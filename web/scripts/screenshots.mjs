@@ -1,6 +1,6 @@
 /**
- * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, its lens, the
- * timeline, every sample posed, and one pose by the methods that `npm run quality` compares.
+ * `npm run screenshots`: takes the pictures of the documentation. They show the editor with the bent sample, its lens,
+ * the timeline, every sample posed, and one pose by each method that `npm run quality` compares.
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ import { heading, main, ROOT, step } from './steps.mjs';
 
 const FOLDER = join(ROOT, 'web/screenshots');
 
-/** How the sample is bent: moves of handles from their rest places, in whole steps on screen. */
+/** How the sample is bent: moves of handles from their rest positions, in whole steps on screen. */
 const PULLS = /** @type {const} */ ([
   ['left hand', 30, -90],
   ['right hand', 0, 50],

@@ -1,6 +1,6 @@
 /**
  * Steps of a command line job. Each prints its title and the output of its programs. A failed step ends the job with
- * one line of advice. This file uses no npm packages, because it also installs them.
+ * one line of advice. This file uses no npm packages, because it installs them.
  */
 import { spawn, spawnSync } from 'node:child_process';
 import { join } from 'node:path';

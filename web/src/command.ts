@@ -1,18 +1,18 @@
 #!/usr/bin/env node
 /**
- * The command `c2warp` for machines without Rust: the same program as WebAssembly, with the files of this machine.
+ * The command `c2warp` for machines without Rust: the same program as WebAssembly, with access to local files.
  *
  * It starts in about 0.2 s. `web/docs/cli.md` has its limits.
  */
 import { readFile } from 'node:fs/promises';
 import { parse, relative, sep } from 'node:path';
 
-/** The exit status of a program of Rust that panicked. */
+/** The exit status of a Rust program that panicked. */
 const PANICKED = 101;
 
 const program = new URL(/* @vite-ignore */ './command.wasm', import.meta.url);
 
-/** Node warns that its system interface may change. That is no concern of a person at a terminal. */
+/** Node warns that its system interface may change. The warning is of no use at a terminal. */
 function muteExperimentalWarnings(): void {
   const emitWarning = process.emitWarning.bind(process) as (...args: unknown[]) => void;
   process.emitWarning = (...args: unknown[]) => {

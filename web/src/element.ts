@@ -1,18 +1,18 @@
 /**
  * `<c2-warp>`: the editor as a custom element.
  *
- * Its manifest, types for frameworks and the tables of `web/docs/element.md` are made from the comments here, of
- * `element/events.ts` and of `error.ts`.
+ * Its manifest, types for frameworks and the tables of `web/docs/element.md` are generated from the comments in this
+ * file, in `element/events.ts` and in `error.ts`.
  *
  * `tool` is selected when it is set, when the element is connected, and when `readonly` or `posable` is removed. With
- * `posable` people can only pose the existing handles. The page keeps all wheel, touch and key input that acts on no
- * handle. `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a
+ * `posable`, people can only pose the existing handles. The page keeps all wheel, touch and key input that does not act
+ * on a handle. `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a
  * document.
  *
  * Setting `readonly` or `disabled`, and setting or removing `posable`, cancels the drag, drawing or typed number in
  * progress. A page may have several elements. An element that is removed releases its worker and its WebGL context, and
- * keeps its document until it is connected again. Properties may be set before the element is connected, even before
- * it is defined. Servers and workers can import this file: it defines no element there.
+ * keeps its document until it is connected again. Properties may be set before the element is connected, or even
+ * defined. Servers and workers can import this file, but it defines no element there.
  */
 import type { Drawing } from './compute/drawing';
 import { checkDefaults, type ProjectDefaults } from './document/defaults';
@@ -86,12 +86,12 @@ export type { PartialTexts, Texts } from './texts/texts';
 export type { ToolName } from './tools/machine';
 
 /**
- * An editor that warps a picture by handles.
+ * An editor that warps a picture with handles.
  *
- * @slot toolbar - Controls of the page in the toolbar. They keep their keys. With `posable` they are not shown.
+ * @slot toolbar - Controls of the page in the toolbar. They handle their own keys. They are hidden with `posable`.
  * @slot panel - Controls of the page at the end of the panel.
- * @csspart stage - The picture with its handles, and the ground behind them.
- * @csspart handle - A point handle, the middle of a bar or polygon, or a corner: the square that a finger hits.
+ * @csspart stage - The picture with its handles, and the background behind them.
+ * @csspart handle - A point handle, the middle of a bar or polygon, or a corner: the square touch target.
  * @csspart toolbar - The bar at the top.
  * @csspart status - The line at the bottom.
  * @csspart tools - The card of tools.
@@ -100,12 +100,12 @@ export type { ToolName } from './tools/machine';
  * @csspart button - A button in any of these, or beside a drawing.
  * @csspart menu - The context menu, the list of keys, and the menu of a phone.
  * @csspart notice - A message of the editor, and the card that finishes a drawing.
- * @csspart hint - A few words over the picture, such as the purpose of a tool.
- * @cssprop {<color>} --c2-accent - The colour of the selection and the focus. Text on it is white, and nearly black on
- *   dark colours.
- * @cssprop {<color>} --c2-handle - The colour of handles, bars and polygons, on light and dark pictures alike.
- * @cssprop {<color>} --c2-ground - The first of two colours behind the picture. With `posable`, none unless set.
- * @cssprop {<color>} --c2-checker - The second of them, in the squares of the pattern.
+ * @csspart hint - A hint over the picture, such as the purpose of a tool.
+ * @cssprop {<color>} --c2-accent - The colour of the selection and the focus. Text on it is white, or nearly black in
+ * the dark theme.
+ * @cssprop {<color>} --c2-handle - The colour of handles, bars and polygons, on both light and dark pictures.
+ * @cssprop {<color>} --c2-ground - The first of two colours behind the picture. With `posable`, transparent unless set.
+ * @cssprop {<color>} --c2-checker - The second colour, in the squares of the pattern.
  * @cssprop {<color>} --c2-surface - The colour of bars and cards.
  * @cssprop {<color>} --c2-text - The colour of the text on bars and cards.
  * @cssprop {<length>} --c2-radius - The corner radius of cards.
@@ -115,14 +115,14 @@ export class C2Warp extends TypedElement {
   /** @internal */
   static override readonly styles = editorStyle;
 
-  /** It is a control of its form. */
+  /** The element is a form control. */
   static readonly formAssociated = true;
 
   /**
    * The tags of all languages: those of the package, and those that the page has added.
    *
-   * An element shows the language of its attribute `lang`, or of the nearest ancestor with one, as HTML has it. For
-   * `de-AT` without texts of its own it shows `de`, and without any English. It follows `dir` in the same way.
+   * An element uses the language of its attribute `lang`, or of the nearest ancestor with one, as in HTML. For `de-AT`
+   * without its own texts, it uses `de`; for an unknown language, English. It follows `dir` in the same way.
    */
   static get languages(): readonly string[] {
     return languageTags();
@@ -131,8 +131,8 @@ export class C2Warp extends TypedElement {
   /**
    * Adds a language, or changes texts of one. Elements on the page show it at once.
    *
-   * @param tag A BCP 47 tag, such as `pt-BR`. A second call with it replaces the first.
-   * @param texts All texts, or some of them. The others are those of the package, or English.
+   * @param tag A BCP 47 tag, such as `pt-BR`. A second call with the same tag replaces the first.
+   * @param texts All or some texts. Missing texts are those of the package, or English.
    */
   static addLanguage(tag: string, texts: PartialTexts): void {
     addLanguage(tag, texts);
@@ -164,45 +164,45 @@ export class C2Warp extends TypedElement {
 
   /** The address of the picture. A new address replaces the open picture. */
   declare src: string | null;
-  /** The address of the project file for `src`. Both are opened again when either changes. */
+  /** The address of the project file for `src`. Both are reopened when either changes. */
   declare projectSource: string | null;
-  /** The tool that the page has set last. People may have chosen another one since: see the property `tool`. */
+  /** The tool that the page set last. People may have chosen another tool since: see the property `tool`. */
   declare toolSource: ToolName | null;
-  /** People can look, pan and zoom, but change nothing. Methods still can. */
+  /** People can view, pan and zoom, but not change anything. Methods still work. */
   declare readonly: boolean;
-  /** People can do nothing. Methods still can. */
+  /** People cannot interact. Methods still work. */
   declare disabled: boolean;
-  /** Only the picture and its handles, for an article. With `readonly`, only the picture. */
+  /** Shows only the picture and its handles, for an article. With `readonly`, only the picture. */
   declare posable: boolean;
-  /** The name of the clip that `play()` plays. Without it the first one. */
+  /** The name of the clip that `play()` plays. By default, the first clip. */
   declare clip: string | null;
-  /** Plays the clip once the picture is open, unless people prefer reduced motion. */
+  /** Plays the clip once the picture is open, unless the user prefers reduced motion. */
   declare autoplay: boolean;
-  /** The clip begins again at its end. */
+  /** The clip repeats. */
   declare loop: boolean;
-  /** Light or dark colours. Without it, those of the system. */
+  /** Light or dark colours. By default, those of the system. */
   declare theme: 'light' | 'dark' | null;
-  /** With `posable`: what the picture shows, for screen readers. Without it they read its name. */
+  /** With `posable`: a description of the picture for screen readers. By default, they read its name. */
   declare alt: string | null;
   /** A hint, shown until the first change. */
   declare hint: string | null;
-  /** The id of the handle that the hint points to. Without it the first one. */
+  /** The id of the handle that the hint points to. By default, the first handle. */
   declare hintFor: string | null;
   /**
-   * A key in browser storage. Work is stored there after each step, and restored in place of the first `src`.
+   * A key in browser storage. Work is stored there after each step, and restored instead of the first `src`.
    */
   declare autosave: string | null;
   /** Pictures that the menu beside Open offers: a list of `{ name, src, project? }` with addresses. */
   declare samples: readonly Sample[];
-  /** The parts that people get: words of `tools`, `open`, `save`, `export` and `animate`. Without it all. */
+  /** The available features: any of `tools`, `open`, `save`, `export` and `animate`. By default, all. */
   declare features: string | null;
-  /** A form is not submitted without a picture. */
+  /** The form cannot be submitted without a picture. */
   declare required: boolean;
   /** The name under which a form submits the value. */
   declare name: string | null;
   /** The value in a form: the project as JSON, which is the default, or the warped picture as a PNG file. */
   declare submits: 'project' | 'picture' | null;
-  /** Whether requests to other origins carry cookies. Without it they do not. */
+  /** Whether requests to other origins carry cookies. By default, they do not. */
   declare crossOrigin: 'anonymous' | 'use-credentials' | null;
 
   readonly #emit = emitter(this);
@@ -224,7 +224,7 @@ export class C2Warp extends TypedElement {
   });
   /** While the element is connected. */
   #following = new AbortController();
-  /** What a runtime starts with: what the page set before, and what the last runtime left. */
+  /** The initial state of a runtime: values that the page set earlier, and the state of the last runtime. */
   #carried: Carried = nothingCarried;
   readonly #media = mediaOf(this);
 
@@ -256,8 +256,8 @@ export class C2Warp extends TypedElement {
   /**
    * A copy of the current project. Setting a project for the open picture is an undoable step.
    *
-   * A project that is set earlier is applied to the next picture, whoever opens it. If the sizes differ, the element
-   * emits an `error`. A string is the address of a project file, like the attribute.
+   * A project that is set earlier is applied to the next opened picture. If the sizes differ, the element emits an
+   * `error`. A string is the address of a project file, as in the attribute.
    *
    * @throws C2WarpError `project` that names the invalid key, `image-size` for another size, `disconnected` when read
    *   while the element is not connected.
@@ -282,7 +282,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Ids of the selected handles; null selects none. A selection that is set earlier is applied to the next picture.
+   * Ids of the selected handles; null selects none. A selection that is set earlier is applied to the next opened
+   * picture.
    *
    * @throws TypeError for anything but a list.
    */
@@ -300,10 +301,10 @@ export class C2Warp extends TypedElement {
 
   /**
    * Settings of new projects, with the keys of a project file: `samples`, `weighting`, `pose`, `fix_boundary`, `edges`
-   * and `loose_parts`. Those that are left out are the editor's. Projects that are opened keep their own.
+   * and `loose_parts`. Missing settings are the editor's. Opened projects keep their own settings.
    *
-   * @throws RangeError that names an unknown key; TypeError for anything but an object or null. An invalid value is an
-   *   `error` with the code `project`, and all settings are the editor's again.
+   * @throws RangeError that names an unknown key; TypeError for anything but an object or null. An invalid value emits
+   * an `error` with the code `project`, and resets all settings to the editor's.
    */
   get defaults(): ProjectDefaults {
     return deepCopy(this.#defaults);
@@ -317,8 +318,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The tool in hand, by whoever chose it. Setting one chooses it, where people could. A name that is none changes
-   * nothing and emits an `error`.
+   * The current tool, chosen by the page or by the user. Setting it selects a tool if people could select it. Unknown
+   * names are ignored and emit an `error`.
    */
   get tool(): ToolName {
     const { toolSource } = this;
@@ -334,16 +335,16 @@ export class C2Warp extends TypedElement {
 
   /**
    * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
-   * With `notice`, a failure is told to the person too. `signal` gives it up.
+   * With `notice`, the editor also shows failures. `signal` cancels the call.
    *
    * @param source An address, a file, or pixels.
    * @param project A project, or the address of a project file.
-   * @param options With `notice`, the editor names a failure.
-   * @throws C2WarpError if the picture cannot be opened. The previous one stays open. If there was none, the picture
-   *   stays without the handles that the solver refuses.
+   * @param options With `notice`, the editor also shows failures.
+   * @throws C2WarpError if the picture cannot be opened. The previous picture remains open. Without a previous picture,
+   * the new one remains open without the handles that the solver rejects.
    * @throws DOMException AbortError if another picture is opened or the element is removed first; the reason of
    *   `signal` if that is aborted.
-   * @throws TypeError if `source` is none of these.
+   * @throws TypeError for any other `source`.
    */
   async load(
     source: PictureSource,
@@ -366,9 +367,9 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Opens files as if a person had dropped them here: a picture, a project, or both. The rest is named in a notice.
+   * Opens files as if they were dropped on the editor: a picture, a project, or both. A notice names the other files.
    *
-   * Does nothing where people may not open files. The person hears of a failure.
+   * Does nothing if people may not open files. The editor shows failures.
    *
    * @param files At least a picture or a project.
    * @throws TypeError for anything but a list of files.
@@ -383,19 +384,19 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Tells a person something in a notice, which passes after some seconds. With `posable` there are none.
+   * Shows a notice for some seconds. With `posable`, notices are not shown.
    *
-   * @param text A sentence for people.
+   * @param text A sentence for the user.
    */
   inform(text: string): void {
     this.#present.dispatch({ type: 'person-informed', text: String(text) });
   }
 
   /**
-   * Adds a handle, with a generated id if it has none, and returns the id. The solver may refuse the handle
-   * later, for example too close to another. Then an `error` follows, and a `change` that removes this handle alone.
+   * Adds a handle, with a generated id if it has none, and returns the id. The solver may reject the handle later, for
+   * example if it is too close to another. Then an `error` follows, and a `change` that removes only this handle.
    *
-   * @param handle Its places are in pixels of the picture.
+   * @param handle Positions are in pixels of the picture.
    * @returns The id.
    * @throws RangeError if the id exists already, or the handle is invalid.
    * @throws C2WarpError `no-picture` if no picture is open, `handle-outside` for a point outside the picture.
@@ -420,11 +421,11 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Changes a handle, as a step. Keys that are left out stay.
+   * Changes a handle, as a step. Missing keys do not change.
    *
    * @param id The handle.
-   * @param change Places in pixels of the picture, degrees, and a factor of the size.
-   * @throws RangeError if there is no such handle, the id or kind would change, or the result is invalid.
+   * @param change Positions in pixels of the picture, degrees, and a scale factor.
+   * @throws RangeError if the handle does not exist, the id or kind would change, or the result is invalid.
    */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
     this.#present.dispatch({ type: 'handle-changed', handle: changedHandle(this.#document, id, change) });
@@ -433,11 +434,11 @@ export class C2Warp extends TypedElement {
   /**
    * Poses any number of handles at once, for animation. Takes the handles of a project, or ids with changes.
    *
-   * This is no undo step, emits nothing and is not stored until the next step. Handles that a person holds at the
-   * moment are left alone.
+   * This is not an undo step, emits no events, and is not stored until the next step. Handles that the user is dragging
+   * are not changed.
    *
-   * @param handles Places in pixels of the picture, degrees, and factors of the size.
-   * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
+   * @param handles Positions in pixels of the picture, degrees, and scale factors.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. Then nothing moves.
    */
   pose(handles: readonly HandlePose[]): void {
     const { state, dispatch } = this.#present;
@@ -451,7 +452,7 @@ export class C2Warp extends TypedElement {
    * Removes a handle, as a step.
    *
    * @param id The handle.
-   * @throws RangeError if there is no such handle.
+   * @throws RangeError if the handle does not exist.
    */
   removeHandle(id: string): void {
     this.#present.dispatch({ type: 'handle-removed', id: namedHandle(this.#document, id).id });
@@ -462,7 +463,7 @@ export class C2Warp extends TypedElement {
     this.#present.dispatch({ type: 'undo-asked' });
   }
 
-  /** Redoes the step that was undone last, if there is one. */
+  /** Redoes the last undone step, if there is one. */
   redo(): void {
     this.#present.dispatch({ type: 'redo-asked' });
   }
@@ -473,10 +474,10 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Plays the clip, from its beginning if it has ended. Closes the timeline. People can go on to pose handles. These
-   * ease back to the clip once they are let go.
+   * Plays the clip, from its beginning if it has ended. Closes the timeline. People can still pose handles, which ease
+   * back to the clip when released.
    *
-   * @throws C2WarpError `clip` if the project has no such clip.
+   * @throws C2WarpError `clip` if the project lacks the clip.
    */
   async play(): Promise<void> {
     const { state, dispatch } = this.#present;
@@ -493,7 +494,7 @@ export class C2Warp extends TypedElement {
     this.#runtime?.dispatch({ type: 'pause-asked' });
   }
 
-  /** Whether the clip does not play. */
+  /** Whether the clip is paused. */
   get paused(): boolean {
     return !this.#runtime?.state.playback.playing;
   }
@@ -518,7 +519,7 @@ export class C2Warp extends TypedElement {
     this.#present.dispatch({ type: 'seek-asked', time: seconds });
   }
 
-  /** Seconds; NaN without a clip. A clip that alternates lasts there and back. */
+  /** Seconds; NaN without a clip. For a clip that alternates, forwards and backwards together. */
   get duration(): number {
     const clip = this.#runtime && playedClip(this.#runtime.state);
     return clip ? playedDuration(clip) : Number.NaN;
@@ -540,7 +541,7 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The posed place of a point of the original, image pixels; null outside the warped area.
+   * The posed position of a point of the original, image pixels; null outside the warped area.
    *
    * @param point Pixels of the picture.
    */
@@ -549,8 +550,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The posed places of many points of the original: points × 2, image pixels, and NaN outside the warped area. All are
-   * found in one walk over the mesh, which costs hardly more than that for a single point.
+   * The posed positions of many points of the original: points × 2, image pixels, and NaN outside the warped area. One
+   * walk over the mesh finds all of them, and takes hardly longer than for a single point.
    *
    * @param points Points × 2, pixels of the picture.
    * @throws TypeError unless `points` is a Float64Array of pairs.
@@ -560,10 +561,10 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The points of the original that are drawn at many places of the warped picture: the inverse of `mapPoints`. NaN
-   * where nothing is drawn. Where the picture covers itself, it is the part on top.
+   * The points of the original that are drawn at many points of the warped picture: the inverse of `mapPoints`. NaN
+   * where nothing is drawn. Where the picture covers itself, the part on top.
    *
-   * @param places Places × 2, pixels of the picture.
+   * @param places Points × 2, pixels of the picture.
    * @throws TypeError unless `places` is a Float64Array of pairs.
    */
   unmapPoints(places: Float64Array): Float64Array {
@@ -571,8 +572,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The place of the shown picture, image pixels, under a place in the window such as `[event.clientX, event.clientY]`.
-   * It may lie beside the picture. Null without a picture.
+   * The position in the shown picture, image pixels, under a position in the window such as `[event.clientX,
+   * event.clientY]`. It may lie outside the picture. Null without a picture.
    *
    * @param client CSS pixels in the window.
    */
@@ -581,8 +582,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The place in the window, CSS pixels, of a place of the shown picture such as that of `mapPoint`. Null without a
-   * picture.
+   * The position in the window, CSS pixels, of a position in the shown picture, such as a result of `mapPoint`. Null
+   * without a picture.
    *
    * @param image Pixels of the picture.
    */
@@ -593,15 +594,15 @@ export class C2Warp extends TypedElement {
   /**
    * The warped picture as a file, at `scale` times the source's size: a PNG with alpha, or a JPEG or WebP by `type`.
    *
-   * With `grow` it is enlarged to hold the parts that are bent beyond the frame, with `crop` it holds only the drawn
-   * part. `pixelated` is for pixel art: each pixel is one of the original, or transparent. By default it is drawn as it
-   * is shown. `signal` stops it.
+   * With `grow`, it is enlarged to contain parts that are bent beyond the frame; with `crop`, it contains only the
+   * drawn part. `pixelated` is for pixel art: each pixel is one of the original, or transparent. By default, it is
+   * drawn as shown. `signal` cancels the export.
    *
-   * @param options How it is drawn and written.
-   * @throws C2WarpError `no-picture` if none is open; `scale`, `canvas` or `nothing-drawn` if the result would be
-   *   empty or too large.
-   * @throws TypeError for anything but an object of options, and for an unknown one; RangeError that names an invalid
-   *   option.
+   * @param options How the picture is drawn and written.
+   * @throws C2WarpError `no-picture` if no picture is open; `scale`, `canvas` or `nothing-drawn` if the result would be
+   * empty or too large.
+   * @throws TypeError for anything but an object of options, and for an unknown option; RangeError that names an
+   * invalid option.
    * @throws DOMException AbortError if another picture is opened, or the element is removed, first. The reason of
    *   `signal` if that is aborted.
    */
@@ -614,7 +615,7 @@ export class C2Warp extends TypedElement {
   /**
    * The warped picture on a canvas of the page's document.
    *
-   * @param options How it is drawn.
+   * @param options How the picture is drawn.
    * @throws as `toBlob`.
    */
   async toCanvas(options: WarpOptions = {}): Promise<HTMLCanvasElement> {
@@ -660,9 +661,10 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Resolves once a picture is open and solved, at once if one is.
+   * Resolves once a picture is open and solved; immediately if one already is.
    *
-   * @throws C2WarpError as an `error` event has it, if the picture of `src` cannot be opened and there is no other one.
+   * @throws C2WarpError the error of the `error` event, if the picture of `src` cannot be opened and no other picture
+   * is open.
    */
   get loaded(): Promise<void> {
     const state = this.#runtime?.state;
@@ -676,27 +678,27 @@ export class C2Warp extends TypedElement {
     dispatch({ type: 'project-saved', project: projectOf(state) });
   }
 
-  /** The form that the element is a control of, or null. */
+  /** The form of the element, or null. */
   get form(): HTMLFormElement | null {
     return this.#control.form;
   }
 
-  /** Whether the form may be submitted, and why not, as on form controls. */
+  /** The validity state, as on form controls. */
   get validity(): ValidityState {
     return this.#control.validity;
   }
 
-  /** Why the form may not be submitted, for people; empty if it may. */
+  /** The reason why the form cannot be submitted, for people; empty if it can. */
   get validationMessage(): string {
     return this.#control.validationMessage;
   }
 
-  /** Whether the form may be submitted. Fires `invalid` if not. */
+  /** Whether the form can be submitted. Fires `invalid` if not. */
   checkValidity(): boolean {
     return this.#control.checkValidity();
   }
 
-  /** Whether the form may be submitted. If not, the browser tells people why. */
+  /** Whether the form can be submitted. If not, the browser tells people why. */
   reportValidity(): boolean {
     return this.#control.reportValidity();
   }
@@ -705,7 +707,7 @@ export class C2Warp extends TypedElement {
     this.#control.associate(form);
   }
 
-  /** A form is reset: all handles return to their rest pose. */
+  /** Called on a form reset: all handles return to their rest pose. */
   formResetCallback(): void {
     if (this.naturalWidth > 0) this.reset();
   }
@@ -722,7 +724,7 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Focuses the editor itself, which handles the keys.
+   * Focuses the editor, so that it receives keys.
    *
    * @param options As those of other elements.
    */
@@ -770,7 +772,10 @@ export class C2Warp extends TypedElement {
     return shell(viewModel(runtime.state, texts), tag, runtime.dispatch, runtime.canvas, runtime.laterParts);
   }
 
-  /** @internal Asks at once for what the attributes name, so that what a page sets next is for that. */
+  /**
+   * @internal Immediately requests the content that the attributes name, so that later settings of the page apply to
+   * it.
+   */
   protected override propertyChanged(name: string, before: unknown): void {
     super.propertyChanged(name, before);
     // The attributes of the first update are the initial content, not a change.
@@ -812,20 +817,20 @@ export class C2Warp extends TypedElement {
     else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
   }
 
-  /** Whether the changed attributes name something to open. */
+  /** Whether the changed attributes name content to open. */
   #namesSource(changes: Changes): boolean {
     const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
     return named && Boolean(this.src);
   }
 
-  /** @throws RangeError at once for an invalid option. */
+  /** @throws RangeError immediately for an invalid option. */
   #drawing({ signal, pixelated, ...options }: WarpOptions): Promise<Drawing> {
     const settings = drawingSettings(options);
     if (signal?.aborted) return Promise.reject(signal.reason);
     return this.#present.drawing(settings, pixelated);
   }
 
-  /** The warped picture, named as an export is. */
+  /** The warped picture, with the file name of an export. */
   async #picture(): Promise<File> {
     const blob = await this.toBlob();
     return new File([blob], `${stem(this.#present.state.picture?.name ?? '')}-warped.png`, {
@@ -851,7 +856,7 @@ export class C2Warp extends TypedElement {
     return pageAttributes(this, this.#defaults);
   }
 
-  /** The layout goes the other way where another direction is asked for. */
+  /** Mirrors the layout if the direction changes. */
   #takeDirection(): void {
     const runtime = this.#runtime;
     const media = this.#media();

@@ -54,7 +54,7 @@ fn a_png_is_a_project_by_its_text_chunk() {
 fn a_png_without_a_project_is_rejected_by_name() {
     let folder = SceneFolder::new("strip");
     let line = fail(folder.path(), "warp strip.png -o out.png");
-    assert!(line.contains("strip.png: this PNG carries no project"), "{line}");
+    assert!(line.contains("strip.png: this PNG contains no project"), "{line}");
     let [broken, _] = with_texts(&[("c2warp", "{")]);
     folder.write("broken.png", broken);
     let line = fail(folder.path(), "warp broken.png -o out.png");

@@ -85,7 +85,7 @@ fn completions_and_pages_name_all_commands() {
         assert!(page.starts_with(".ie") && page.contains(&format!("c2warp {name}")), "{name}");
     }
     let line = fail(Path::new("."), "man bend");
-    assert!(line.starts_with("there is no command \"bend\": the commands are ") && line.contains("warp"), "{line}");
+    assert!(line.starts_with("unknown command \"bend\": the commands are ") && line.contains("warp"), "{line}");
     for arguments in ["completions zsh", "man", "schema"] {
         succeed_with_closed_pipe(Path::new("."), arguments);
     }

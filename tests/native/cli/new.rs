@@ -66,7 +66,7 @@ fn new_projects_replace_nothing_and_refuse_bad_handles() {
     RgbaImage::from_pixel(40, 30, Rgba([9, 9, 9, 3])).save(folder.file("faint.png")).unwrap();
     let before = fs::read(folder.file(PROJECT)).unwrap();
     for (arguments, reason) in [
-        ("new ring.png --handles 20,64 -o scene.c2warp.json", "scene.c2warp.json: this file exists: choose another"),
+        ("new ring.png --handles 20,64 -o scene.c2warp.json", "scene.c2warp.json: this file already exists: choose"),
         ("new ring.png --suggest --force -o ring.png", "ring.png: this is the picture: choose another output file"),
         ("new ring.png --handles 64,64", "ring.png: handle “handle-1” at (64, 64) lies outside the domain"),
         ("new ring.png --handles 3,1e9", "ring.png: handle “handle-1” at (3, 1000000000) lies outside the domain"),

@@ -1,4 +1,4 @@
-//! Tests of displaced pictures: a brush moves places at rest before the handles pose them.
+//! Tests of displaced pictures: a brush moves positions at rest before the handles pose them.
 
 use c2warp::{
     Filter, Picture, ResampleOptions, Solution, Solver, SpriteMesh, Stage,

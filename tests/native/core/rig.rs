@@ -175,7 +175,7 @@ fn rigs_of_the_rigid_mode_are_posable_only_if_wanted() {
 
 fn baked_posable(project: &Project, solution: &Solution) -> Rig {
     let picture = RigPicture { width: project.image.width, height: project.image.height, file: b"a picture".to_vec() };
-    let rig = Rig::bake_telling(project, solution, picture, Posable::Always, &mut |_| {}).expect("a valid scene");
+    let rig = Rig::bake_with_progress(project, solution, picture, Posable::Always, &mut |_| {}).expect("a valid scene");
     let read = Rig::from_bytes(&rig.to_bytes().expect("a valid scene")).expect("a valid scene");
     assert!(read == rig);
     read

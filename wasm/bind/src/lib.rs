@@ -1,9 +1,8 @@
-//! The core of c2warp for JavaScript: thin wrappers that turn typed arrays, JSON and errors into each other's
-//! terms.
+//! The core of c2warp for JavaScript: thin wrappers that convert typed arrays, JSON and errors.
 //!
-//! [`Session`] lives in a worker and solves; [`PosedPicture`] lives in the page and answers for a solution.
-//! Arrays are copied out once, into typed arrays that the caller may transfer: views of the module's memory
-//! become invalid when it grows.
+//! [`Session`] solves in a worker; [`PosedPicture`] runs in the page and answers questions about a solution. Arrays are
+//! copied out once, into typed arrays that the caller may transfer: views of the module's memory become invalid when it
+//! grows.
 
 mod cell_borders;
 mod clip_playback;
@@ -35,7 +34,7 @@ pub use posed_picture::{PictureArrays, PosedPicture};
 pub use session::Session;
 pub use solution::Solution;
 
-/// Reads a project file and writes it again with every key.
+/// Reads a project file and returns it with every key.
 ///
 /// # Errors
 /// Any deviation from the format, with the path of the offending key.

@@ -21,7 +21,7 @@ pub(crate) struct Arguments {
     /// The output file, or - for standard output
     #[arg(short, long, value_name = "OUT.c2rig")]
     output: PathBuf,
-    /// Readers may pose the handles in the rigid mode, too. The file grows by some 100 kB
+    /// Let readers pose the handles in the rigid mode, too. The file grows by about 100 kB
     #[arg(long)]
     posable: bool,
 }
@@ -36,7 +36,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let picture = RigPicture { width, height, file: smaller(loaded.picture_file()) };
     let posable = if arguments.posable { Posable::Always } else { Posable::WithoutSolver };
     let mut tell = |part: f64| progress::show(&format!("baking {:.0} %", 100.0 * part));
-    let rig = Rig::bake_telling(&loaded.project, &solution, picture, posable, &mut tell)
+    let rig = Rig::bake_with_progress(&loaded.project, &solution, picture, posable, &mut tell)
         .map_err(|reason| loaded.not_baked(reason))?;
     let file = rig.to_bytes().map_err(|reason| loaded.not_baked(reason))?;
     output.write(|writer| writer.write_all(&file))

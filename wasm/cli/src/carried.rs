@@ -1,4 +1,4 @@
-//! What files carry: a PNG its project, and a project its picture. `web/docs/editor.md` describes both.
+//! Embedded files: the project in a PNG, and the picture in a project. `web/docs/editor.md` describes both.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -15,7 +15,7 @@ const KEYWORD: &str = "c2warp";
 /// Memory limit for the chunks of a PNG. The editor reads projects of at most 100 MB.
 const CHUNK_BYTES: usize = 256 << 20;
 
-/// Returns the text of a project file, or of the project that a PNG carries.
+/// Returns the text of a project file, or of the project that a PNG contains.
 pub(crate) fn project_text(file: Vec<u8>, path: &Path) -> Result<String, CliError> {
     if image::guess_format(&file).is_ok_and(|format| format == ImageFormat::Png) {
         text_of_png(&file).ok_or_else(|| CliError::NoProject { path: path.to_owned() })
@@ -32,7 +32,7 @@ fn text_of_png(file: &[u8]) -> Option<String> {
     reader.info().utf8_text.iter().find(|chunk| chunk.keyword == KEYWORD)?.get_text().ok()
 }
 
-/// Whether an address holds its file itself (RFC 2397).
+/// Whether an address is a `data:` URL, which contains the file itself (RFC 2397).
 pub(crate) fn is_data_url(address: &str) -> bool {
     address.trim_start().get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("data:"))
 }

@@ -11,7 +11,7 @@ use crate::project::{InputFiles, LoadedProject};
 
 /// Writes the intrinsic distances from one point to others, as rows x,y,distance
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: the way from one point to others, inside the picture\n  \
+#[command(after_help = "Example: distances from one point to others, measured inside the picture\n  \
                         c2warp distance cat.c2warp.json --from 90,120 --at points.csv -o distances.csv")]
 pub(crate) struct Arguments {
     #[command(flatten)]

@@ -12,7 +12,7 @@ use crate::png_file::encode_png;
 use crate::progress;
 use crate::project::{InputFiles, LoadedProject};
 
-/// Writes the picture and its clips as a rig for a game engine, and prints the loss of the rig
+/// Writes the picture and its clips as a rig for a game engine, and prints how far the rig differs from the project
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example: a rig for Spine with 40 bones, as cat.spine.json, cat.atlas and cat.png\n  \
                         c2warp export cat.c2warp.json -o rigs/cat.spine.json --bones 40")]
@@ -23,16 +23,16 @@ pub(crate) struct Arguments {
     /// the picture are written beside it, except for glTF
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
-    /// The most bones besides the root, up to 255
+    /// The maximum number of bones besides the root, up to 255
     #[arg(long, value_name = "N", default_value_t = Options::default().bones as f64, allow_negative_numbers = true)]
     bones: f64,
-    /// The most bones that move a vertex. Godot and most engines have 4
+    /// The maximum number of bones that move a vertex. Godot and most engines support 4
     #[arg(long, value_name = "N", default_value_t = Options::default().influences as f64, allow_negative_numbers = true)]
     influences: f64,
-    /// The most vertices
+    /// The maximum number of vertices
     #[arg(long, value_name = "N", default_value_t = Options::default().vertices as f64, allow_negative_numbers = true)]
     vertices: f64,
-    /// Print the loss as one JSON object instead of a table
+    /// Print the differences as one JSON object instead of a table
     #[arg(long)]
     json: bool,
 }
@@ -86,7 +86,7 @@ fn whole(option: &'static str, number: f64) -> Result<usize, CliError> {
     }
 }
 
-/// The loss of a rig for other programs.
+/// The loss of a rig as JSON.
 fn report(rig: &EngineRig) -> Value {
     let ((bones, sites), (vertices, triangles), loss) = (rig.bones(), rig.size(), rig.loss());
     let errors = |Errors { largest, percentile_99, mean }: &Errors| json!({ "largest": largest, "percentile_99": percentile_99, "mean": mean });
@@ -110,7 +110,7 @@ fn report(rig: &EngineRig) -> Value {
     })
 }
 
-/// The loss of a rig for people.
+/// The loss of a rig as a table.
 fn table(rig: &EngineRig) -> String {
     let ((bones, sites), (vertices, triangles), loss) = (rig.bones(), rig.size(), rig.loss());
     let line = |name: &str, Errors { largest, percentile_99, mean }: &Errors| {

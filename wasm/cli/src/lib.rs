@@ -65,7 +65,7 @@ enum Command {
     Man(man::Arguments),
 }
 
-/// The definition of the command line, for whoever describes it.
+/// The definition of the command line, for programs that describe it.
 fn definition() -> clap::Command {
     Arguments::command()
 }
@@ -107,16 +107,16 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Reads the bytes of a picture file as the command does: for tests of damaged files.
+/// Reads the bytes of a picture file as the command does, for tests of damaged files.
 ///
 /// # Errors
-/// The line that the command prints.
+/// The line that the command would print.
 #[doc(hidden)]
 pub fn read_picture(bytes: &[u8]) -> Result<image::RgbaImage, String> {
     picture::read_from(bytes, Path::new("picture"), None).map(|file| file.pixels).map_err(|error| error.to_string())
 }
 
-/// As WebAssembly, the program starts in the root folder. Relative paths begin at the caller's.
+/// As WebAssembly, the program starts in the root folder. Relative paths are relative to the caller's folder.
 fn enter_folder() {
     if cfg!(target_os = "wasi")
         && let Some(folder) = std::env::var_os("PWD")

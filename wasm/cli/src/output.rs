@@ -15,7 +15,7 @@ const STANDARD_OUTPUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self
 /// A CSV writer for an output.
 pub(crate) type Table<'a> = csv::Writer<&'a mut dyn Write>;
 
-/// An output that is checked before the work starts. So a path that cannot be written is reported at once.
+/// An output that is checked before the work starts, so that an unwritable path is reported at once.
 pub(crate) struct Output {
     path: PathBuf,
     target: Target,
@@ -54,7 +54,7 @@ impl Output {
         .map_err(CliError::write(self.path))
     }
 
-    /// Writes a CSV table. Failures act as in [`write`](Self::write).
+    /// Writes a CSV table. Failures are handled as in [`write`](Self::write).
     pub(crate) fn write_table(self, write: impl FnOnce(&mut Table<'_>) -> csv::Result<()>) -> Result<(), CliError> {
         self.write(|writer| {
             let mut table = csv::Writer::from_writer(writer);

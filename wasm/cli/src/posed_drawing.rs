@@ -1,4 +1,4 @@
-//! The options of a drawn pose, which `warp` and `maps` share.
+//! The options of a drawn pose, shared by `warp` and `maps`.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -44,7 +44,7 @@ fn finite(text: &str) -> Result<f64, String> {
 }
 
 impl PosedDrawing {
-    /// Rejects unknown clips and invalid scales, before solving.
+    /// Rejects unknown clips and invalid scales before solving.
     pub(crate) fn check(&self, loaded: &LoadedProject) -> Result<(), CliError> {
         if let Some(clip) = &self.moment.clip {
             loaded.clip(clip)?;
@@ -71,7 +71,7 @@ impl PosedDrawing {
         }
     }
 
-    /// Prints where the picture lies in a result that may grow. `written` are the paths of all outputs.
+    /// Prints the position of the picture in a result that may grow. `written` are the paths of all outputs.
     pub(crate) fn print_origin<'a>(
         &self,
         [left, top]: [f64; 2],

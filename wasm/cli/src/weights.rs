@@ -26,19 +26,19 @@ pub(crate) struct Arguments {
     /// The points: the centres of every N-th pixel in both directions, row by row. 1 takes all pixels
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     every: Option<f64>,
-    /// Write the weight of this handle, with the virtual sites that follow it, in place of all sites
+    /// Write the weight of this handle, including the virtual sites that follow it, instead of all sites
     #[arg(long, value_name = "NAME")]
     handle: Option<String>,
     /// The output file, or - for standard output. OUT.csv has a row for each weight above 0:
-    /// point,site,kind,handle,site_x,site_y,weight, or point,x,y,handle,weight of one handle. Points and sites count
-    /// from 0. OUT.npy has all weights as 64-bit floats, points × sites, with zeros outside the domain. OUT.png has the
-    /// picture at rest under the editor's heat map of one handle
+    /// point,site,kind,handle,site_x,site_y,weight, or point,x,y,handle,weight with --handle. Points and sites are
+    /// numbered from 0. OUT.npy has all weights as 64-bit floats, points × sites, with zeros outside the domain.
+    /// OUT.png has the picture at rest under the editor's heat map of one handle
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
-    /// The format of the output, in place of its extension
+    /// The format of the output, regardless of its extension
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<Format>,
-    /// Also write the sites, in the order of an array: site,kind,handle,site_x,site_y
+    /// Also write the sites in the order of the array, as rows site,kind,handle,site_x,site_y
     #[arg(long, value_name = "OUT.csv")]
     sites: Option<PathBuf>,
 }
@@ -92,7 +92,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     sites.map_or(Ok(()), |sites| sites.write(|writer| weights.write_sites(writer)))
 }
 
-/// The format by the extension. Everything unknown is CSV.
+/// Chooses the format by the extension. Unknown extensions mean CSV.
 fn format(path: &Path) -> Format {
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     match extension.to_ascii_lowercase().as_str() {

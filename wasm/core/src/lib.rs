@@ -2,10 +2,10 @@
 //!
 //! # Start here
 //!
-//! 1. State the problem in a [`Project`](project::Project), made in code or [read](project::Project::from_json).
+//! 1. Describe the problem in a [`Project`](project::Project), built in code or [read](project::Project::from_json).
 //! 2. Solve it: [`solve()`] on a [`Picture`], [`solve_domain`] on a [`Domain`](domain::Domain), [`solve_mesh`] on an
 //!    [`InputMesh`], or [`solve_cloud`] on a [`PointCloud`](cloud::PointCloud). A [`Solver`] works in stages.
-//! 3. Pose it: the solution's [`Poser`](pose::Poser) makes a [`Pose`](deform::Pose) for each frame of a drag.
+//! 3. Pose it: the solution's [`Poser`](pose::Poser) computes a [`Pose`](deform::Pose) for each frame of a drag.
 //! 4. Use the [`Solution`] at any point: [`map`](Solution::map) it, read its [weights](Solution::influences_at), or
 //!    draw the [warped picture](Solution::warped).
 //!

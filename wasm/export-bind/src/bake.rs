@@ -15,10 +15,10 @@ use crate::solution::solution;
 /// Solves a project, and bakes its clips.
 ///
 /// `rgba` is straight, rows from top to bottom. `picture_file` is a PNG, WebP or JPEG file of the same picture.
-/// `posable`: readers may pose the handles in the rigid mode, too. `tell` gets the part that is done, from 0 to 1.
+/// `posable`: readers may pose the handles in the rigid mode, too. `tell` receives the completed fraction, from 0 to 1.
 ///
 /// # Errors
-/// For a project that cannot be solved with this picture, and for clips that no rig can hold.
+/// For a project that cannot be solved with this picture, and for clips that do not fit in a rig.
 #[wasm_bindgen]
 pub fn bake(
     project_json: &str,
@@ -39,6 +39,6 @@ pub fn bake(
         // Nothing can be done about a listener that fails.
         let _ = tell.call1(&JsValue::NULL, &part.into());
     };
-    let rig = Rig::bake_telling(&project, &solution, picture, posable, &mut tell);
+    let rig = Rig::bake_with_progress(&project, &solution, picture, posable, &mut tell);
     rig.and_then(|rig| rig.to_bytes()).map_err(|reason| refused(&reason))
 }

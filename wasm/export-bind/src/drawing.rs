@@ -23,7 +23,7 @@ impl BentDrawing {
         self.svg.clone()
     }
 
-    /// Parts that are left out or do not bend, in words.
+    /// Descriptions of parts that are left out or do not bend.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn remarks(&self) -> Vec<String> {
@@ -33,8 +33,8 @@ impl BentDrawing {
 
 #[wasm_bindgen]
 impl SolvedProject {
-    /// Bends a drawing over the whole of the picture, by the project's pose or by its clip with a name at a time in
-    /// seconds. `grow`: the frame of the drawing holds all that is bent beyond it.
+    /// Bends a drawing over the whole picture, in the project's pose, or at a time of a named clip. `grow`: the frame
+    /// of the drawing grows to contain everything that is bent beyond it.
     ///
     /// # Errors
     /// For an unknown clip, and for a drawing that cannot be read.

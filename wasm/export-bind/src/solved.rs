@@ -1,4 +1,4 @@
-//! A solved project, which several kinds of exports begin with.
+//! A solved project, the first step of several kinds of exports.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::solution::solution;
 
-/// The part of the work that is done once the project is solved.
+/// The completed fraction of the work once the project is solved.
 const SOLVED: f64 = 0.2;
 
 /// A solved project with its picture.
@@ -30,7 +30,7 @@ pub(crate) fn refused(reason: impl fmt::Display) -> JsError {
 impl SolvedProject {
     /// Solves a project.
     ///
-    /// `rgba` is straight, rows from top to bottom. `tell` gets the part of the export that is done, from 0 to 1.
+    /// `rgba` is straight, rows from top to bottom. `tell` receives the completed fraction of the export, from 0 to 1.
     ///
     /// # Errors
     /// For a project that cannot be solved with this picture.

@@ -1,7 +1,7 @@
-//! Which sites become bones: those whose motion others cannot take over.
+//! Selects the sites that become bones: those whose motion other sites cannot represent.
 //!
-//! Sites are merged into a neighbour one by one, each time the pair that loses least. The loss of a pair is the squared
-//! distance between the two motions, over all poses and over the vertices that the vanishing site moves.
+//! Sites are merged into a neighbour one by one, always the pair with the smallest loss. The loss of a pair is the
+//! squared distance between the two motions, over all poses and over the vertices that the removed site moves.
 //!
 //! Cost: linear in the poses, for each link of the cell graph, and for each link of a merged site.
 
@@ -11,16 +11,16 @@ use glam::{DAffine2, DVec2};
 
 use c2warp::weight::SparseWeights;
 
-/// The sites that become bones, and the one that stands for each site.
+/// The sites that become bones, and the bone that represents each site.
 #[derive(Debug, PartialEq)]
 pub(crate) struct ChosenSites {
     /// Ascending.
     pub(crate) kept: Vec<usize>,
-    /// Sites: the kept one that takes its weights.
+    /// For each site, the kept site that receives its weights.
     pub(crate) leader: Vec<usize>,
 }
 
-/// Where a site has its weights: sums of w², w² p and w² p pᵀ over the vertices.
+/// The distribution of a site's weights: sums of w², w² p and w² p pᵀ over the vertices.
 #[derive(Debug, Clone, Copy, Default)]
 struct Moments {
     mass: f64,
@@ -55,7 +55,7 @@ impl Moments {
     }
 }
 
-/// At most `most` sites, by their maps in some poses (poses × sites) and the weights of vertices.
+/// Selects at most `most` sites, given their maps in some poses (poses × sites) and the weights of vertices.
 pub(crate) fn chosen_sites(
     maps: &[Vec<DAffine2>],
     vertices: &[DVec2],

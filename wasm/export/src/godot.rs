@@ -1,7 +1,7 @@
 //! A scene of Godot 4: a `Polygon2D` with a `Skeleton2D`, and an `AnimationPlayer`.
 //!
 //! Lengths are pixels, and y goes down. The origin is the picture's top left corner. Angles are radians, clockwise.
-//! The texture is looked up beside the scene, so both can lie in any folder of a project.
+//! The texture is looked up beside the scene, so both can be in any folder of a project.
 
 use std::fmt::{self, Write};
 

@@ -1,9 +1,9 @@
-//! Motions of bones that take the vertices to their exact places as nearly as fixed weights allow.
+//! Motions of bones that move the vertices as close to their exact positions as fixed weights allow.
 //!
-//! With fixed weights, the places are linear in the maps of the bones. So each pose is a least squares problem, and the
-//! matrix of all poses is the same. A slight pull towards the site's own motion decides where few vertices do.
+//! With fixed weights, the positions are linear in the maps of the bones. So each pose is a least squares problem, and
+//! all poses share one matrix. A slight pull towards the site's own motion determines bones with few vertices.
 //!
-//! Cost: a factorisation of three unknowns a bone once, and a substitution for each pose.
+//! Cost: one factorisation with three unknowns per bone, and a substitution for each pose.
 
 use glam::{DAffine2, DMat2, DVec2};
 
@@ -11,9 +11,9 @@ use c2warp::weight::SparseWeights;
 
 use crate::cholesky::Cholesky;
 
-/// The pull towards the site's motion, over the mass of the vertices that the bone moves.
+/// The pull towards the site's motion, relative to the mass of the vertices that the bone moves.
 const PULL: f64 = 1e-3;
-/// The pull where a bone moves no vertex.
+/// The pull for a bone that moves no vertex.
 const LEAST_PULL: f64 = 1e-9;
 /// Unknowns of a bone for each axis: two of the linear part, and a translation.
 const UNKNOWNS: usize = 3;
@@ -22,13 +22,13 @@ const UNKNOWNS: usize = 3;
 #[derive(Debug)]
 pub(crate) struct MotionFit {
     rest: Vec<DVec2>,
-    /// For each vertex its bones with the three factors of their unknowns.
+    /// For each vertex, its bones with the three factors of their unknowns.
     rows: Vec<Vec<(usize, [f64; UNKNOWNS])>>,
     factor: Cholesky,
 }
 
 impl MotionFit {
-    /// For bones at rest at some places. The first bone does not move.
+    /// Prepares the problem for bones at given rest positions. The first bone does not move.
     pub(crate) fn new(vertices: &[DVec2], weights: &SparseWeights, rest: &[DVec2]) -> Self {
         let size = UNKNOWNS * rest.len().saturating_sub(1);
         let mut matrix = vec![0.0; size * size];
@@ -68,7 +68,7 @@ impl MotionFit {
         Self { rest: rest.to_vec(), rows, factor: Cholesky::new(size, &matrix) }
     }
 
-    /// The maps of all bones in a pose, from those of their sites and the exact places of the vertices.
+    /// The maps of all bones in a pose, from those of their sites and the exact positions of the vertices.
     pub(crate) fn fitted(
         &self,
         sites: &[DAffine2],
@@ -105,7 +105,7 @@ impl MotionFit {
     }
 }
 
-/// The place of a vertex by linear blend skinning.
+/// The position of a vertex by linear blend skinning.
 pub(crate) fn blended(maps: &[DAffine2], p: DVec2, weights: impl Iterator<Item = (usize, f64)>) -> DVec2 {
     weights.map(|(bone, weight)| weight * maps[bone].transform_point2(p)).sum()
 }

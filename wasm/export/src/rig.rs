@@ -1,18 +1,18 @@
 //! A solved project as an engine's rig: vertices that few bones move linearly.
 //!
-//! Engines blend affine maps of bones linearly, as eq. 1 blends those of sites. So with all sites as bones and all
-//! weights, the linear blend is exact. Otherwise the rig is fitted to poses:
+//! Engines blend affine maps of bones linearly, as eq. 1 blends those of sites. So the linear blend is exact if all
+//! sites are bones and all weights are kept. Otherwise the rig is fitted to poses:
 //!
-//! 1. Sites are merged until few enough are left: see `bones`.
-//! 2. Weights are fitted to the exact places of the vertices in all poses: see `weights`.
-//! 3. The motions of the bones are fitted to the same places: see `motions`. Both are repeated.
+//! 1. Sites are merged until few enough remain: see `bones`.
+//! 2. Weights are fitted to the exact positions of the vertices in all poses: see `weights`.
+//! 3. The motions of the bones are fitted to the same positions: see `motions`. Both are repeated.
 //!
 //! The poses are the project's, some of each clip, and random ones. The loss is measured in other random poses. The
 //! motions of the bones are then fitted again in each frame of each clip.
 //!
 //! Cost: seconds for 300 vertices and 100 bones.
 //!
-//! Known limits: the rigid blend is not linear, so a rig of it always loses something. Bones hang from the root alone.
+//! Known limits: the rigid blend is not linear, so its rigs are never exact. All bones are children of the root.
 
 use glam::{DAffine2, DVec2};
 
@@ -38,27 +38,27 @@ use crate::{
     weights::WeightFit,
 };
 
-/// Random poses that a rig is fitted to, and the first seed of those that it is measured in.
+/// Number of random poses that a rig is fitted to, and the first seed of those in which it is measured.
 const FITTED_POSES: u64 = 40;
 const MEASURED_POSES: u64 = 20;
 const MEASURED_SEED: u64 = 1000;
-/// Times of a clip that a rig is fitted to and measured at.
+/// Number of times of a clip at which a rig is fitted and measured.
 const TIMES: u32 = 12;
-/// How often weights and motions are fitted in turn.
+/// How often weights and motions are fitted alternately.
 const ROUNDS: usize = 4;
-/// The parts of the work that are done once poses are made, and once bones are fitted.
+/// The completed fractions of the work once poses are computed, and once bones are fitted.
 const POSED: f64 = 0.15;
 const FITTED: f64 = 0.6;
-/// Frames a second that clips are baked at.
+/// Frame rate at which clips are baked.
 pub const FRAMES_PER_SECOND: u32 = 60;
 /// The longest clip: all frames of all bones are in memory while keys are chosen.
 const MOST_SECONDS: f64 = 120.0;
 
-/// A bone, which hangs from the root.
+/// A bone, a child of the root.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bone {
     pub(crate) name: String,
-    /// Its place at rest. It has no turn there.
+    /// Its position at rest. Its rotation at rest is 0.
     pub(crate) rest: DVec2,
 }
 
@@ -68,13 +68,13 @@ pub struct EngineRig {
     pub(crate) name: String,
     pub(crate) width: u32,
     pub(crate) height: u32,
-    /// At rest, where textures are read.
+    /// The vertices at rest, where the texture is sampled.
     pub(crate) vertices: Vec<DVec2>,
     /// The vertices before bones move them: displaced as the project says.
     pub(crate) displaced: Vec<DVec2>,
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) hull: usize,
-    /// The root comes first. It stays at the picture's top left corner.
+    /// The root comes first, fixed at the picture's top left corner.
     pub(crate) bones: Vec<Bone>,
     /// Vertices × bones.
     pub(crate) weights: SparseWeights,
@@ -101,18 +101,18 @@ pub(crate) struct Timeline {
     pub(crate) name: String,
     pub(crate) looping: Looping,
     pub(crate) duration: f64,
-    /// Seconds of one frame.
+    /// Duration of a frame in seconds.
     pub(crate) frame: f64,
     pub(crate) last_frame: u32,
-    /// For each bone but the root.
+    /// One entry for each bone but the root.
     pub(crate) bones: Vec<Keys>,
 }
 
 impl EngineRig {
-    /// The rig of a project with a name, by its solution and picture.
+    /// Builds the rig of a project, with a name, from its solution and picture.
     ///
     /// # Errors
-    /// An [`ExportError`] for an outline with too many corners, a long clip, or a pose that cannot be made.
+    /// An [`ExportError`] for an outline with too many corners, a long clip, or a pose that cannot be computed.
     pub fn new(
         name: &str,
         project: &Project,
@@ -120,14 +120,14 @@ impl EngineRig {
         picture: &Picture,
         options: Options,
     ) -> Result<Self, ExportError> {
-        Self::new_telling(name, project, solution, picture, options, &mut |_| {})
+        Self::new_with_progress(name, project, solution, picture, options, &mut |_| {})
     }
 
-    /// The same as [`new`](Self::new). Tells the part that is done, from 0 to 1.
+    /// Like [`new`](Self::new), with progress: `tell` receives the completed fraction, from 0 to 1.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
-    pub fn new_telling(
+    /// The errors of [`new`](Self::new).
+    pub fn new_with_progress(
         name: &str,
         project: &Project,
         solution: &Solution,
@@ -206,7 +206,7 @@ impl EngineRig {
         &self.loss
     }
 
-    /// The number of bones besides the root, and of the sites that they stand for.
+    /// The number of bones besides the root, and of the sites that they represent.
     #[must_use]
     pub fn bones(&self) -> (usize, usize) {
         (self.bones.len() - 1, self.sites)
@@ -218,13 +218,13 @@ impl EngineRig {
         (self.vertices.len(), self.triangles.len())
     }
 
-    /// The most bones that move a vertex.
+    /// The greatest number of bones that move a vertex.
     #[must_use]
     pub fn influences(&self) -> usize {
         self.weights.offsets().windows(2).map(|row| row[1] - row[0]).max().unwrap_or(0) as usize
     }
 
-    /// How far the outline may be from that of the visible pixels, in pixels.
+    /// The greatest distance between the outline and that of the visible pixels, in pixels.
     #[must_use]
     pub fn outline_tolerance(&self) -> f64 {
         self.outline
@@ -276,7 +276,7 @@ impl EngineRig {
 }
 
 impl Timeline {
-    /// The same clip there and back, for formats that cannot play backwards.
+    /// The clip forwards and backwards, for formats that cannot play backwards.
     pub(crate) fn there_and_back(mut self) -> Self {
         if self.looping != Looping::Alternate {
             return self;
@@ -294,7 +294,7 @@ impl Timeline {
     }
 }
 
-/// A map as the pose of a bone: about its place at rest.
+/// Converts a map to the pose of a bone, relative to its position at rest.
 fn seen_from(rest: DVec2, map: &DAffine2) -> DAffine2 {
     DAffine2 { matrix2: map.matrix2, translation: map.transform_point2(rest) }
 }
@@ -324,14 +324,14 @@ impl<'a> Moments<'a> {
         (0..=count).map(pose).collect()
     }
 
-    /// At some times, evenly spread.
+    /// Poses at evenly spaced times.
     fn some(&mut self, blend: Blend) -> Result<Vec<Pose>, ExportError> {
         let mut poses = self.at(TIMES, blend)?;
         poses.pop();
         Ok(poses)
     }
 
-    /// At all frames, with both ends.
+    /// Poses at all frames, including both ends.
     fn all(&mut self, blend: Blend) -> Result<Vec<Pose>, ExportError> {
         let frames = (self.clip.duration * f64::from(FRAMES_PER_SECOND)).round().max(1.0) as u32;
         self.at(frames, blend)
@@ -407,7 +407,7 @@ impl Skeleton {
         }
     }
 
-    /// The maps of the sites that the bones stand for.
+    /// The maps of the sites that the bones represent.
     fn site_maps(&self, pose: &Pose) -> Vec<DAffine2> {
         let moving = self.sites.iter().map(|&site| map_of(pose, site));
         [DAffine2::IDENTITY].into_iter().chain(moving).collect()
@@ -422,7 +422,7 @@ impl Skeleton {
         }
     }
 
-    /// How far bones with such maps take the vertices from their exact places in some poses.
+    /// Distances between the vertices moved by these maps and their exact positions in some poses.
     fn errors(
         &self,
         mesh: &SpriteMesh,
@@ -446,7 +446,7 @@ fn map_of(pose: &Pose, site: usize) -> DAffine2 {
     DAffine2 { matrix2: glam::DMat2::from_cols(x, y), translation: origin }
 }
 
-/// The weights of sites as those of the bones that stand for them. Vertices that stay belong to the root.
+/// Converts weights of sites to weights of the bones that represent them. Vertices that do not move belong to the root.
 fn of_bones(weights: &SparseWeights, kept: &[usize], leader: &[usize]) -> SparseWeights {
     let (mut offsets, mut bones, mut shares) = (vec![0], Vec::new(), Vec::new());
     for vertex in 0..weights.len() {
@@ -471,7 +471,7 @@ fn of_bones(weights: &SparseWeights, kept: &[usize], leader: &[usize]) -> Sparse
     SparseWeights::from_parts(offsets, bones, shares).expect("rows of all vertices")
 }
 
-/// The root, and a bone for each site, named by its handle or its number.
+/// The root, and a bone for each site, named after its handle or its number.
 fn named(project: &Project, solution: &Solution, sites: &[usize]) -> Vec<Bone> {
     let mut names = Names::default();
     let root = Bone { name: names.unique("root"), rest: DVec2::ZERO };

@@ -1,4 +1,4 @@
-//! Spine JSON 4.2 with its atlas, as <http://esotericsoftware.com/spine-json-format> documents them.
+//! Spine JSON 4.2 with its atlas, as documented at <http://esotericsoftware.com/spine-json-format>.
 //!
 //! Lengths are pixels, and y goes up. The origin is the picture's top left corner: a point at (x, y) of it is at
 //! (x, −y). Angles are degrees, anticlockwise. Keys add to the setup pose. Scales multiply it.

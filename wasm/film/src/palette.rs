@@ -1,7 +1,7 @@
 //! A palette of 255 colours for a picture, and mixtures of its colours.
 //!
 //! The palette: median cut (Heckbert 1982) on a histogram, then some rounds of k-means. Mixtures: for each colour, the
-//! palette's colours whose mean is nearest to it, ordered by brightness and picked by a fixed pattern (Knoll's pattern
+//! palette's colours whose mean is nearest to it, ordered by brightness and chosen by a fixed pattern (Knoll's pattern
 //! dithering, US 6,606,166, expired).
 
 /// Colours of the palette. One index is left for transparency.
@@ -12,7 +12,7 @@ const BITS: u32 = 6;
 const ROUNDS: usize = 4;
 /// Colours in a mixture: the cells of the pattern.
 const MIX: usize = 16;
-/// How much of the error of a mixture its next colour makes good. With all of it, flat colours get grainy.
+/// Fraction of the error of a mixture that its next colour compensates. With 1, flat colours get grainy.
 const STRENGTH: f32 = 0.7;
 
 /// The order in which 4 × 4 pixels take the colours of a mixture (Bayer 1973).
@@ -20,13 +20,13 @@ const PATTERN: [[usize; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], 
 
 type Colour = [f32; 3];
 
-/// A palette, and the mixtures that were asked for.
+/// A palette, and a cache of mixtures.
 #[derive(Debug)]
 pub(crate) struct Dithering {
     /// 256 × 3 bytes.
     bytes: Vec<u8>,
     colours: Vec<Colour>,
-    /// By the bits of a colour.
+    /// Mixtures by the bits of a colour.
     mixtures: Vec<Option<Box<[u8; MIX]>>>,
 }
 
@@ -56,7 +56,7 @@ impl Dithering {
         &self.bytes
     }
 
-    /// The index of the colour for a pixel at a place.
+    /// The index of the colour for a pixel at a position.
     pub(crate) fn index(&mut self, colour: [u8; 3], [x, y]: [usize; 2]) -> u8 {
         let Self { colours, mixtures, .. } = self;
         if colours.is_empty() {
@@ -108,7 +108,7 @@ fn median_cut(bins: &mut [Bin]) -> Vec<Colour> {
     parts.into_iter().map(|(from, to)| mean(&bins[from..to])).collect()
 }
 
-/// The channel of the greatest squared error, that error, and the channel's mean. No error for a single bin.
+/// The channel of the greatest squared error, that error, and the channel's mean. The error is 0 for a single bin.
 fn widest(bins: &[Bin]) -> (f32, usize, f32) {
     let mean = mean(bins);
     if bins.len() < 2 {

@@ -1,7 +1,7 @@
 //! OpenEXR files with 32-bit floats.
 //!
-//! The channels are R, G, B and A, in blocks of 16 rows that are packed without loss. The attribute `comments` has the
-//! convention of the map.
+//! The channels are R, G, B and A, in blocks of 16 rows with lossless compression. The attribute `comments` describes
+//! the map.
 
 use std::io::Cursor;
 use std::ops::Range;
@@ -15,13 +15,13 @@ use exr::prelude::Text;
 
 use crate::error::MapError;
 
-/// The rows that were made last.
+/// The most recently computed rows.
 struct Band {
     rows: Range<u32>,
     values: Vec<[f32; 4]>,
 }
 
-/// Encodes a picture whose rows are made in bands, from top to bottom.
+/// Encodes a picture whose rows are computed in bands, from top to bottom.
 pub(crate) fn encode(
     [width, height]: [u32; 2],
     about: &str,
@@ -49,7 +49,7 @@ pub(crate) fn encode(
     Ok(file.into_inner())
 }
 
-/// The text of a header has one byte for each character. Others are named by their code.
+/// Header text has one byte per character. Other characters are written as escapes.
 fn latin(text: &str) -> String {
     let character = |c: char| if c.is_ascii() { c.to_string() } else { c.escape_unicode().to_string() };
     text.chars().map(character).collect()

@@ -1,8 +1,8 @@
-//! The weight of a handle as colours over the picture at rest: those of the editor's heat maps.
+//! The weight of a handle over the picture at rest, in the colours of the editor's heat maps.
 //!
 //! Weights are interpolated between the vertices of the mesh, as in the editor.
 //!
-//! Cost: linear in the pixels, and for each band of rows in the triangles.
+//! Cost: linear in the pixels, plus linear in the triangles for each band of rows.
 
 use c2warp::{Picture, Solution, glam::DVec2};
 use png::BitDepth;
@@ -14,8 +14,8 @@ pub type RampColour = [f64; 4];
 
 /// The colours of 0, 0.2, … 1: from transparent through blue to yellow.
 ///
-/// The OKLab lightness rises in equal steps from 0.42 to 0.93, so that the ramp reads without hues. Nearly everyone can
-/// tell blue from yellow.
+/// The OKLab lightness rises in equal steps from 0.42 to 0.93, so that the ramp is readable without hue. Nearly
+/// everyone can distinguish blue from yellow.
 pub const HEAT_RAMP: [RampColour; 6] = [
     [85.0, 40.0, 169.0, 0.0],
     [59.0, 98.0, 196.0, 0.55],
@@ -25,13 +25,13 @@ pub const HEAT_RAMP: [RampColour; 6] = [
     [244.0, 240.0, 78.0, 0.78],
 ];
 
-/// The bytes of a PNG with the picture under the colours of the weights. `tell` gets the fraction that is done.
+/// The bytes of a PNG with the picture under the colours of the weights. `tell` receives the completed fraction.
 ///
 /// # Errors
 /// [`MapError`] if the file cannot be encoded.
 ///
 /// # Panics
-/// If the weights are of another solution.
+/// If the weights belong to another solution.
 pub fn heat_map(
     solution: &Solution,
     weights: &Weights<'_>,
@@ -52,7 +52,7 @@ pub fn heat_map(
     })
 }
 
-/// A pixel under the colour of a weight from 0 to 1.
+/// A pixel covered with the colour of a weight from 0 to 1.
 fn heated([red, green, blue, alpha]: [u8; 4], heat: f64) -> [u8; 4] {
     let at = heat.clamp(0.0, 1.0) * 5.0;
     let below = (at as usize).min(4);

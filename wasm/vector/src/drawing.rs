@@ -1,4 +1,4 @@
-//! A drawing, read by usvg into a plain form: paths, groups and definitions. Nothing outside the file is loaded.
+//! A drawing, simplified by usvg to paths, groups and definitions. Nothing outside the file is loaded.
 //!
 //! Sizes are bounded before usvg makes copies of used elements: see [`Burden`].
 
@@ -14,11 +14,11 @@ use crate::{error::VectorError, remark::Remark};
 
 /// Largest file, in bytes.
 pub const MAX_BYTES: usize = 64 << 20;
-/// Most elements and texts, with a copy for each use.
+/// Greatest number of elements and texts, counting a copy for each use.
 const MAX_ELEMENTS: u32 = 250_000;
-/// Deepest nesting, through uses as well: usvg recurses.
+/// Greatest nesting depth, including uses, because usvg recurses.
 const MAX_DEPTH: usize = 200;
-/// Characters of a text in a remark.
+/// Greatest number of characters of a text in a remark.
 const TEXT_CHARACTERS: usize = 40;
 
 /// A drawing whose shapes are paths.
@@ -31,10 +31,10 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Reads an SVG file. Its texts are left out.
+    /// Reads an SVG file. Texts are left out.
     ///
     /// # Errors
-    /// For files that are no drawings, and for drawings that are too large.
+    /// For files that are not drawings, and for drawings that are too large.
     pub fn read(text: &str) -> Result<Self, VectorError> {
         let mut remarks = Vec::new();
         let source = parse(text, &mut remarks)?;
@@ -43,10 +43,10 @@ impl Drawing {
         Ok(Self::new(&tree, remarks))
     }
 
-    /// Reads an SVG file. Its texts become paths by these fonts.
+    /// Reads an SVG file. Texts become paths, using these fonts.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read).
+    /// The errors of [`read`](Self::read).
     #[cfg(feature = "text")]
     pub fn read_with_fonts(text: &str, fonts: Arc<usvg::fontdb::Database>) -> Result<Self, VectorError> {
         let mut remarks = Vec::new();
@@ -54,7 +54,7 @@ impl Drawing {
         let replaced = Arc::new(Mutex::new(Vec::new()));
         let mut options = options();
         options.fontdb = fonts;
-        options.font_resolver.select_font = telling(Arc::clone(&replaced));
+        options.font_resolver.select_font = font_selector(Arc::clone(&replaced));
         let tree = usvg::Tree::from_xmltree(&source, &options).map_err(refused)?;
         let mut drawn = HashSet::new();
         note_texts(tree.root(), &mut drawn);
@@ -78,7 +78,7 @@ impl Drawing {
         self.size
     }
 
-    /// The drawing at rest, as SVG with shapes as paths and with nothing that needs another file.
+    /// The drawing at rest, as SVG with shapes as paths and without references to other files.
     #[must_use]
     pub fn plain_svg(&self) -> &str {
         &self.text
@@ -91,7 +91,7 @@ impl Drawing {
     }
 }
 
-/// Options under which nothing is loaded: data in the file is all there is.
+/// Options that prevent loading: only data in the file is used.
 fn options() -> usvg::Options<'static> {
     let mut options = usvg::Options::default();
     options.image_href_resolver.resolve_string = Box::new(|_, _| None);
@@ -106,7 +106,7 @@ fn refused(reason: usvg::Error) -> VectorError {
     }
 }
 
-/// Parses a file, checks its size, and remarks on all that is left out.
+/// Parses a file, checks its size, and records remarks on everything that is left out.
 fn parse<'a>(text: &'a str, remarks: &mut Vec<Remark>) -> Result<Document<'a>, VectorError> {
     if text.len() > MAX_BYTES {
         return Err(VectorError::TooLarge { bytes: text.len(), most: MAX_BYTES });
@@ -125,10 +125,12 @@ fn parse<'a>(text: &'a str, remarks: &mut Vec<Remark>) -> Result<Document<'a>, V
     Ok(document)
 }
 
-/// The elements that usvg makes of an element, with a copy of all that it refers to, and how deeply they are nested.
+/// The number of elements that usvg creates from an element, including copies of everything that it refers to, and
+/// their nesting depth.
 struct Burden<'a, 'input> {
     by_id: HashMap<&'a str, Node<'a, 'input>>,
-    /// Elements, and levels of nesting. `None` while they are counted: the element refers to itself.
+    /// Elements, and levels of nesting. `None` while they are being counted, to detect elements that refer to
+    /// themselves.
     known: HashMap<NodeId, Option<(u64, usize)>>,
 }
 
@@ -194,7 +196,7 @@ fn references<'a>(name: &str, value: &'a str) -> Vec<&'a str> {
         .collect()
 }
 
-/// Remarks on all that usvg leaves out but text.
+/// Records remarks on everything that usvg leaves out, except text.
 fn note_left_out(document: &Document<'_>, remarks: &mut Vec<Remark>) {
     let mut note = |remark: Remark| {
         if !remarks.contains(&remark) {
@@ -238,13 +240,13 @@ fn texts<'a>(document: &'a Document<'_>) -> impl Iterator<Item = String> + 'a {
     })
 }
 
-/// A text without white space, as white space counts little in SVG.
+/// A text without white space, because SVG mostly ignores it.
 #[cfg(feature = "text")]
 fn compact(text: &str) -> String {
     text.split_whitespace().collect()
 }
 
-/// Notes the beginnings of the texts that became paths.
+/// Records the beginnings of texts that became paths.
 #[cfg(feature = "text")]
 fn note_texts(group: &usvg::Group, drawn: &mut HashSet<String>) {
     for node in group.children() {
@@ -261,9 +263,9 @@ fn note_texts(group: &usvg::Group, drawn: &mut HashSet<String>) {
     }
 }
 
-/// Selects fonts as usvg does, and notes those that take the place of others.
+/// Selects fonts as usvg does, and records substitutions.
 #[cfg(feature = "text")]
-fn telling(replaced: Arc<Mutex<Vec<Remark>>>) -> usvg::FontSelectionFn<'static> {
+fn font_selector(replaced: Arc<Mutex<Vec<Remark>>>) -> usvg::FontSelectionFn<'static> {
     let select = usvg::FontResolver::default_font_selector();
     Box::new(move |font, fonts| {
         let id = select(font, fonts)?;

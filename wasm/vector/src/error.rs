@@ -1,6 +1,6 @@
-//! Drawings that cannot be read or bent.
+//! Errors about drawings that cannot be read or bent.
 
-/// Why a drawing was refused.
+/// Why a drawing was rejected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VectorError {
@@ -12,31 +12,31 @@ pub enum VectorError {
         /// The limit.
         most: usize,
     },
-    /// The file is no well-formed XML.
+    /// The file is not well-formed XML.
     #[error("this is not a drawing: {0}")]
     Xml(String),
-    /// The root is another element.
+    /// The root element is not `<svg>`.
     #[error("this is not a drawing: the first element is <{0}>, not <svg>")]
     Root(String),
-    /// More elements and texts than the limit, perhaps after copies were made of elements in use.
+    /// The number of elements and texts exceeds the limit, perhaps after copying used elements.
     #[error("this drawing has more than {most} elements: simplify it")]
     TooManyElements {
         /// The limit.
         most: u32,
     },
-    /// Elements lie in one another too deeply.
+    /// Elements are nested too deeply.
     #[error("elements of this drawing are nested more than {most} deep: ungroup some")]
     TooDeep {
         /// The limit.
         most: usize,
     },
-    /// More segments of paths than the limit.
+    /// The number of path segments exceeds the limit.
     #[error("the paths of this drawing have more than {most} nodes: simplify them")]
     TooManyNodes {
         /// The limit.
         most: usize,
     },
-    /// Neither a size nor a view box with an area.
+    /// The drawing has neither a size nor a view box with an area.
     #[error("this drawing has no size: give it a width, a height or a viewBox")]
     NoSize,
 }

@@ -1,16 +1,16 @@
 //! Drawings bent by a solution: SVG in, SVG out.
 //!
-//! - `drawing`: an SVG as usvg understands it: shapes are paths, styles are attributes, references are resolved.
-//! - `course`: the bent course of one segment, sampled as finely as it bends.
+//! - `drawing`: an SVG, simplified by usvg: shapes are paths, styles are attributes, references are resolved.
+//! - `course`: the bent course of one segment, sampled according to its curvature.
 //! - `fit`: few Béziers along a course.
 //! - `outline`: a path, segment by segment. `warp`: the map of the picture in the units of the drawing.
-//! - `rewrite`: the drawing again, with bent paths. `spread`: the affine map that gradients, patterns and pictures
+//! - `rewrite`: writes the drawing with bent paths. `spread`: the affine map that gradients, patterns and pictures
 //!   follow.
 //!
-//! Guaranteed: a bent path is at most [`TOLERANCE`] pixels from the map of the path, besides 0.002 by the rounding
-//! of numbers. The order of drawing stays.
+//! Guaranteed: a bent path is at most [`TOLERANCE`] pixels from the map of the path, plus 0.002 for the rounding of
+//! numbers. The drawing order is preserved.
 //!
-//! Cost: some evaluations of the map for every eight pixels of a path.
+//! Cost: a few evaluations of the map for every eight pixels of a path.
 
 mod course;
 mod drawing;

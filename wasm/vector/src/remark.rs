@@ -14,13 +14,13 @@ pub enum Remark {
     Foreign,
     /// Another file is needed, and is not loaded.
     External(String),
-    /// A text is left out: there is no font for it.
+    /// A text is left out, because it has no font.
     Text(String),
     /// A text is drawn in another font.
     Font {
-        /// The families that the drawing asks for.
+        /// The families that the drawing requests.
         wanted: String,
-        /// The family in their place.
+        /// The family that is used instead.
         used: String,
     },
     /// Pictures move as a whole.
@@ -38,9 +38,9 @@ impl fmt::Display for Remark {
                 write!(f, "the text “{text}” is left out: convert it to paths, or install its font")
             }
             Self::Font { wanted, used } => {
-                write!(f, "the font {wanted:?} is not installed, so {used:?} takes its place")
+                write!(f, "the font {wanted:?} is not installed, so {used:?} is used instead")
             }
-            Self::Pictures => write!(f, "pictures in the drawing move as a whole, and do not bend"),
+            Self::Pictures => write!(f, "pictures in the drawing move as a whole and do not bend"),
         }
     }
 }

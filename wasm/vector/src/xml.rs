@@ -1,12 +1,12 @@
-//! XML as text, one element a line.
+//! XML as text, one element per line.
 
 use std::fmt::{Display, Write};
 
-/// Elements in the order of their beginnings.
+/// Writes elements in document order.
 #[derive(Debug, Default)]
 pub(crate) struct Xml {
     text: String,
-    /// The start tag of the last element still lacks its `>`.
+    /// Whether the start tag of the last element still lacks its `>`.
     is_open: bool,
 }
 
@@ -44,7 +44,7 @@ impl Xml {
         self.is_open = false;
     }
 
-    /// Whole elements as text.
+    /// Complete elements as text.
     pub(crate) fn append(&mut self, elements: &str) {
         self.end_start_tag();
         self.text.push_str(elements);
@@ -62,7 +62,7 @@ impl Xml {
     }
 }
 
-/// A number with as many digits after the point as asked for, and no zeros at the end.
+/// A number with a given number of decimals, without trailing zeros.
 pub(crate) fn number(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };

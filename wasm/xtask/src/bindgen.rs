@@ -1,10 +1,10 @@
 //! `xtask bindgen`: the WebAssembly modules of pages with their TypeScript glue, or one of another crate.
 //!
-//! Builds crates for `wasm32-unknown-unknown` and passes the results to `wasm-bindgen`. That is a library here, in
-//! the version that the crates are compiled with. So nothing must be installed, and versions always match. Takes half a
-//! second if nothing has changed.
+//! Builds crates for `wasm32-unknown-unknown` and passes the results to `wasm-bindgen`. `wasm-bindgen` is used as a
+//! library, in the version that the crates are compiled with, so nothing must be installed and versions always match.
+//! Takes half a second if nothing has changed.
 //!
-//! One run of cargo builds all modules. They share what they depend on, and their last steps run side by side.
+//! One run of cargo builds all modules. The modules share their dependencies, and their last steps run in parallel.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,18 +16,18 @@ use crate::split::{JOINING_TYPES, Parts, joining_glue, split};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// A module: its crate, the folder to write it into, from the root of the repository, and the name of its files.
+/// A module: its crate, its output folder relative to the root of the repository, and the name of its files.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Module<'a> {
     pub(crate) package: &'a str,
     pub(crate) output: &'a Path,
     pub(crate) name: &'a str,
-    /// The exports that a page loads later, as `NAME_later_bg.wasm`; none for a module in one part.
+    /// The exports that a page loads later, as `NAME_later_bg.wasm`; empty for a module in one part.
     pub(crate) later: &'a [&'a str],
 }
 
-/// The exports of the solver that few pages need, or only after a while: suggestions, drawings, films, fills,
-/// explanations, and questions that `c2warp/core` alone asks. A name that ends with `_` is a beginning.
+/// The exports of the solver that few pages need, or only later: suggestions, drawings, films, fills, explanations, and
+/// queries that only `c2warp/core` uses. A name that ends with `_` is a prefix.
 const LATER: &[&str] = &[
     "session_begin_fill",
     "session_advance_fill",
@@ -60,7 +60,7 @@ const LATER: &[&str] = &[
 /// The name of a solver's files, also of its benchmark's.
 pub(crate) const SOLVER: &str = "c2warp";
 
-/// The modules that pages load: the solver, the makers of films and of other exports, and the poser of baked rigs.
+/// The modules that pages load: the solver, the modules for films and other exports, and the poser of baked rigs.
 pub(crate) fn page_modules() -> [Module<'static>; 4] {
     let solver =
         Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER, later: LATER };
@@ -85,7 +85,7 @@ pub(crate) enum Profile {
     Dev,
     /// The module of a published editor.
     Release,
-    /// As a release, with the names of functions: for measuring what it is made of.
+    /// As a release, with the names of functions: for measuring its composition.
     Named,
 }
 

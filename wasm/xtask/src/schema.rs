@@ -1,4 +1,4 @@
-//! `xtask schema`: the types and constants of the solver that others read.
+//! `xtask schema`: the types and constants that the solver shares with other code.
 //!
 //! Writes a JSON schema of the project file for editors and validators, and TypeScript for the page. The page shares
 //! the project, the report of a solve, its stages, codes of errors, limits and settings. The files are committed, so
@@ -99,19 +99,19 @@ fn picture_limits() -> String {
     })
 }
 
-/// The colours of heat maps, which maps of the command have too.
+/// The colours of heat maps, in the editor and in the command.
 fn heat_ramp() -> String {
     let comment = "The colours of 0, 0.2, … 1: sRGB, 0 to 255, and an opacity, 0 to 1.";
     let lines = HEAT_RAMP.map(|[red, green, blue, alpha]| format!("  [{red}, {green}, {blue}, {alpha}],\n")).concat();
     format!("{HEADER}\n/** {comment} */\nexport const HEAT_RAMP = [\n{lines}] as const;\n")
 }
 
-/// The settings of the editor, and the defaults of the format. These are the paper's.
+/// The settings of the editor, and the defaults of the format, taken from the paper.
 fn settings(schema: &Value) -> String {
     let paper = Project::new(ImageRef::new("", 2, 2)).with_handles([Handle::point("point", [1.0, 1.0])]);
     let editor = paper.clone().with_editor_settings();
     let all = [
-        ("The defaults of the format, which are the paper's.", "PAPER_SETTINGS", paper),
+        ("The defaults of the format, taken from the paper.", "PAPER_SETTINGS", paper),
         ("The editor's settings for new projects.", "EDITOR_SETTINGS", editor),
     ];
     let text = HEADER.to_owned() + &ranges(schema) + &stiffness_cells(schema) + &displacement_points(schema);
@@ -160,7 +160,7 @@ fn stiffness_cells(schema: &Value) -> String {
 fn displacement_points(schema: &Value) -> String {
     let side = &schema["$defs"]["Displacement"]["properties"]["width"];
     let [least, most] = ["minimum", "maximum"].map(|end| literal(&side[end]));
-    let comment = "The fewest and the most control points of a displacement, each way.";
+    let comment = "The least and the greatest number of control points of a displacement along each axis.";
     format!("\n/** {comment} */\nexport const DISPLACEMENT_POINTS = [{least}, {most}] as const;\n")
 }
 

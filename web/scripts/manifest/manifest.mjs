@@ -1,7 +1,7 @@
 /**
  * The custom-elements manifest of both elements (schema 2.1.0), from the doc comments of their sources.
  *
- * The types and editor data of the package, and tables of the documentation, are made from it.
+ * The package's types and editor data, and tables of the documentation, are generated from it.
  */
 import { StepError } from '../steps.mjs';
 import { withSource } from './source.mjs';

@@ -1,4 +1,4 @@
-/** A plugin of Vite: the tables of the component for React, from the manifest. */
+/** A Vite plugin that generates the tables of the React component from the manifest. */
 import { reactListener, settable } from './frameworks.mjs';
 import { elements } from './manifest.mjs';
 

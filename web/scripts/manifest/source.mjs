@@ -1,5 +1,5 @@
 /**
- * Reads classes and interfaces with their doc comments, by the API of the TypeScript compiler.
+ * Reads classes and interfaces with their doc comments, through the API of the TypeScript compiler.
  *
  * The checker knows the members that a class inherits, and the words of a type such as `ToolName`.
  */

@@ -22,7 +22,7 @@ import { forwardingServer, staticServer } from './counting_server.mjs';
  * @property {string} folder
  * @property {string} pictures The folder for the samples.
  * @property {string[]} [samples] Their names.
- * @property {import('./first_deed.mjs').Deed} [deed] What a person does to the page.
+ * @property {import('./first_interaction.mjs').Interaction} [interaction] The interaction that bends the picture.
  * @property {string} [handle] The handle that is dragged.
  * @property {Embedding[]} embeddings
  */

@@ -1,5 +1,5 @@
 /**
- * The ten edits, each as a person makes it: draw around a part, place handles, drag them. Places are pixels of the
+ * The ten edits, as a user makes them: draw around a part, place handles, drag them. Coordinates are pixels of the
  * pictures in `tests/quality/photographs/pictures`.
  *
  * `choose` draws the lasso and the handles, and leaves the picture as it is. `edit` moves the handles.

@@ -1,5 +1,5 @@
 /**
- * `npm run quality -- photographs`: ten photographs edited by a hand in the browser, and fills beside OpenCV's.
+ * `npm run quality -- photographs`: edits ten photographs in the browser, and compares fills with OpenCV's.
  *
  * Writes a sheet before and after each edit, an overview, and blind sheets of fills with their key. Prints the seam
  * at rest and the times.

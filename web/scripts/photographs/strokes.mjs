@@ -1,4 +1,4 @@
-/** Strokes of the brush at 12 megapixels: the script that a move takes, and the time up to the frame after it. */
+/** Strokes of the brush at 12 megapixels: script time per move, and the time until the next frame. */
 import { join } from 'node:path';
 import { enlarged } from './enlarged.mjs';
 import { Hand } from './hand.mjs';

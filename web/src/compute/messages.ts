@@ -92,7 +92,7 @@ export interface Messages {
   include: [request: { readonly film: number; readonly frame: number }, response: FilmSize];
   /** Prepares a frame, which is drawn by `rows` as any drawing. */
   frame: [request: { readonly film: number; readonly frame: number }, response: DrawingSize];
-  /** Prepares all of the picture at the scale of a film: it has the colours of all frames. */
+  /** Prepares the whole picture at the scale of a film: it has the colours of all frames. */
   'at-rest': [request: { readonly film: number }, response: DrawingSize];
   'release-film': [request: { readonly film: number }, response: null];
   /** Points × 3: posed x and y, and the growth of areas. NaN outside the domain. */

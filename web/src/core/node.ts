@@ -1,4 +1,4 @@
-/** Node: PNG files are decoded here, for other kinds the program brings a decoder. */
+/** Node: PNG files are decoded here; programs pass a decoder for other formats. */
 
 import { readFile } from 'node:fs/promises';
 import { LATER, once, SOLVER } from '../compute/loading';

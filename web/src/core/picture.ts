@@ -1,4 +1,4 @@
-/** The pixels of a picture that a program hands over. */
+/** The pixels of a picture from the caller. */
 import type { Pixels } from '../compute/solution';
 import { C2WarpError } from '../error';
 import { checkSize } from '../io/limits';

@@ -1,4 +1,4 @@
-/** Decodes PNG files without a canvas. Its pixels are those of the command, bit for bit. */
+/** Decodes PNG files without a canvas. The pixels equal those of the command, bit for bit. */
 import { type DecodedPng, decode } from 'fast-png';
 import type { Pixels } from '../compute/solution';
 import { orientationOf } from '../io/formats/exif';
@@ -38,7 +38,7 @@ function rgbaOf(png: DecodedPng): Uint8Array<ArrayBuffer> {
   return rgba;
 }
 
-/** The samples, one an element. */
+/** The samples, one per element. */
 function unpacked({ data, depth, width, height, channels }: DecodedPng): ArrayLike<number> {
   if (depth >= 8) return data;
   const row = width * channels;

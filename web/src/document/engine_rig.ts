@@ -2,7 +2,7 @@
 
 export type EngineFormat = 'spine' | 'dragonbones' | 'gltf' | 'godot';
 
-/** Distances from exact places, in pixels: the largest, and that of 99 of 100 places. */
+/** Distances from exact positions, in pixels: the largest, and that of 99 of 100 places. */
 export type Errors = readonly [largest: number, percentile99: number];
 
 /** The size of a rig, and its loss. */

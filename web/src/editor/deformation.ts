@@ -22,7 +22,7 @@ export interface SiteGraph {
   readonly handles: Int32Array;
   /** Edges × 2: sites whose cells touch. */
   readonly edges: Uint32Array;
-  /** Sites × 2: posed places. */
+  /** Sites × 2: posed positions. */
   readonly places: Float32Array;
 }
 

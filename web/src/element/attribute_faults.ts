@@ -1,4 +1,4 @@
-/** Attributes with values that mean nothing. */
+/** Checks attributes for invalid values. */
 import { FEATURES, unknownFeatures } from '../editor/features';
 import { C2WarpError } from '../error';
 import { isToolName, TOOL_NAMES } from '../tools/machine';
@@ -6,7 +6,7 @@ import { isSubmitted, SUBMITTED } from './form_control';
 
 const ORIGINS = ['', 'anonymous', 'use-credentials'];
 
-/** The faults of attributes with these names, in sentences for the author of the page. */
+/** The errors of attributes with these names, as sentences for the author of the page. */
 export function attributeFaults(
   element: {
     readonly toolSource: string | null;

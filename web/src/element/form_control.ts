@@ -9,7 +9,7 @@ type Submitted = (typeof SUBMITTED)[number];
 export const isSubmitted = (word: string | null): word is Submitted =>
   (SUBMITTED as readonly (string | null)[]).includes(word);
 
-/** The element, as its form sees it. */
+/** The interface of the element to its form. */
 export interface Submitting {
   readonly node: HTMLElement;
   /** Null without a picture. */
@@ -49,7 +49,7 @@ export class FormControl implements FormPicture {
     return this.#internals.reportValidity();
   }
 
-  /** Called when the element gets another form. The value is made when it is submitted, not at each step. */
+  /** Called when the element gets another form. The value is computed on submission, not at each step. */
   associate(form: HTMLFormElement | null): void {
     this.#listening.abort();
     this.#listening = new AbortController();
@@ -58,7 +58,7 @@ export class FormControl implements FormPicture {
     if (form) FormPictures.of(form).add(this, signal);
   }
 
-  /** @param missing tells people that a picture is required and missing; null if none is. */
+  /** @param missing the message that a required picture is missing; null if it is not. */
   validate(missing: string | null): void {
     if (missing !== null) this.#internals.setValidity({ valueMissing: true }, missing);
     else this.#internals.setValidity({});

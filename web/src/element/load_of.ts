@@ -2,7 +2,7 @@
 import type { C2WarpError } from '../error';
 import type { TypedElement } from './events';
 
-/** Resolves with the next `load`. Rejects with the `error` that comes before `ready`, if no `load` does. */
+/** Resolves with the next `load`. Rejects with the `error` before `ready`, if no `load` occurs. */
 export function loadOf(element: TypedElement): Promise<void> {
   const heard = new AbortController();
   const { signal } = heard;

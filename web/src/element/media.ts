@@ -1,11 +1,11 @@
-/** The device and its settings, as an element sees them. */
+/** The settings of the device that affect an element. */
 import type { Media } from '../editor/page';
 import { isFromRight } from './inherited_language';
 
 /**
- * Tells them of an element, each time they are asked for.
+ * Returns the current settings for an element.
  *
- * The queries are kept: every frame of an animation asks them.
+ * The queries are cached, because every frame of an animation uses them.
  */
 export function mediaOf(node: Element & { readonly theme: string | null }): () => Media {
   const darkScheme = matchMedia('(prefers-color-scheme: dark)');

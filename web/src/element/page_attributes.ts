@@ -1,10 +1,10 @@
-/** The attributes of an element as the editor takes them. */
+/** The attributes of an element in the form for the editor. */
 import { featuresOf } from '../editor/features';
 import type { PageAttributes } from '../editor/page';
 
 type Plain = Omit<PageAttributes, 'tool' | 'hint' | 'credentials' | 'features'>;
 
-/** The properties of the element of which they are made. */
+/** The properties of the element from which they are derived. */
 interface Source extends Plain {
   readonly toolSource: string | null;
   readonly hint: string | null;

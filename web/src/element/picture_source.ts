@@ -1,4 +1,4 @@
-/** Pictures that a page has at hand, as the editor opens them: an address, or a file with its name. */
+/** Converts pictures of a page to the form that the editor opens: an address, or a file with its name. */
 
 import type { NamedFile } from '../editor/picture';
 import { C2WarpError } from '../error';
@@ -7,7 +7,7 @@ import type { PictureSource } from './api';
 /** The name of a picture without a file. */
 const NAME = 'picture.png';
 
-/** Pixels take time to become a file. @throws as {@link pngOf}; TypeError for anything that is no picture. */
+/** Encoding pixels as a file takes time. @throws as {@link pngOf}; TypeError for anything that is not a picture. */
 export function namedSource(source: PictureSource): string | NamedFile | Promise<NamedFile> {
   if (typeof source === 'string') return source;
   if (source instanceof URL) return source.href;
@@ -20,7 +20,7 @@ export function namedSource(source: PictureSource): string | NamedFile | Promise
   );
 }
 
-/** By name: an image or a canvas of a frame is of another realm. */
+/** Compares names, because an image or a canvas of a frame belongs to another realm. */
 const isOf = (value: unknown, ...names: readonly string[]): boolean =>
   names.includes(Object.prototype.toString.call(value).slice('[object '.length, -1));
 

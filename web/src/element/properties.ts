@@ -3,7 +3,7 @@
 export interface PropertyOptions {
   /** Its attribute: by default its name in lower case. */
   readonly attribute?: string | false;
-  /** True while the attribute is present. Any other property is the attribute's text, or null. */
+  /** True while the attribute is present. Other properties are the attribute's text, or null. */
   readonly type?: BooleanConstructor;
   /** Whether setting the property sets the attribute. */
   readonly reflect?: boolean;
@@ -21,7 +21,7 @@ export const propertiesByAttribute = (properties: Properties): ReadonlyMap<strin
   return names;
 };
 
-/** The attribute of a property; null if it has none. */
+/** The attribute of a property; null without one. */
 export function attributeOf(properties: Properties, name: string): string | null {
   const { attribute = name.toLowerCase() } = properties[name] ?? {};
   return attribute === false ? null : attribute;
@@ -37,7 +37,7 @@ export function textOf({ type }: PropertyOptions, value: unknown): string | null
   return value === null || value === undefined ? null : String(value);
 }
 
-/** Takes an element's own properties, set before it was defined: they would hide accessors. */
+/** Removes and returns an element's own properties, set before it was defined, because they would hide accessors. */
 export function taken(from: object, names: readonly string[]): Record<string, unknown> {
   const values: Record<string, unknown> = {};
   for (const name of names) {

@@ -1,15 +1,15 @@
 /**
- * An element that draws a template in its shadow root, once after any number of changes in a task.
+ * An element that renders a template in its shadow root, once after all changes in a task.
  *
- * Properties mirror attributes. A property that a page set before the element was defined is set again at the first
- * update, after the attributes.
+ * Properties mirror attributes. A property set before the element was defined is set again at the first update, after
+ * the attributes.
  */
 import { type RootPart, render } from 'lit-html';
 import { AnyElement } from './html_element';
 import { attributeOf, type Properties, propertiesByAttribute, taken, textOf, valueFrom } from './properties';
 import { dress } from './style_sheets';
 
-/** Names of changed properties, with their values before. */
+/** Names of changed properties, with their previous values. */
 export type Changes = ReadonlyMap<string, unknown>;
 
 export abstract class UpdatingElement extends AnyElement {
@@ -18,7 +18,7 @@ export abstract class UpdatingElement extends AnyElement {
   /** @internal */
   static readonly styles: readonly string[] = [];
 
-  /** The browser asks when it defines the element. */
+  /** The browser reads this when it defines the element. */
   static get observedAttributes(): string[] {
     // biome-ignore lint/complexity/noThisInStatic: each element has properties of its own.
     return UpdatingElement.#observed(this);
@@ -29,7 +29,7 @@ export abstract class UpdatingElement extends AnyElement {
   readonly #early: Readonly<Record<string, unknown>>;
   #changes = new Map<string, unknown>();
   readonly #reflected = new Set<string>();
-  /** The property that is being set by its attribute, or the other way round. */
+  /** The property that is being set by its attribute, or vice versa. */
   #mirrored: string | null = null;
   #part: RootPart | undefined;
   #isPending = false;
@@ -92,11 +92,11 @@ export abstract class UpdatingElement extends AnyElement {
     this.requestUpdate();
   }
 
-  /** @internal Its changes belong to the update under way. */
+  /** @internal Its changes belong to the current update. */
   protected abstract willUpdate(changes: Changes): void;
   /** @internal A template of lit-html. */
   protected abstract render(): unknown;
-  /** @internal Its changes need another update. */
+  /** @internal Its changes cause another update. */
   protected abstract updated(changes: Changes): void;
 
   get #properties(): Properties {
@@ -107,7 +107,7 @@ export abstract class UpdatingElement extends AnyElement {
     return (this.constructor as typeof UpdatingElement).styles;
   }
 
-  /** @param before the update before, whose failure its own listeners hear of. */
+  /** @param before the previous update, which reports its failure to its own listeners. */
   async #updateAfter(before: Promise<void>): Promise<void> {
     // One turn of the queue: what waits for the update in a microtask comes after it.
     try {

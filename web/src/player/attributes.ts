@@ -6,7 +6,7 @@ const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class PlayerAttributes extends Base {
   /**
-   * The address of the rig. A new one replaces it, and the newest wins.
+   * The address of the rig. A new address replaces the rig, and the newest wins.
    *
    * @attr
    * @default ''
@@ -20,7 +20,7 @@ export class PlayerAttributes extends Base {
   }
 
   /**
-   * The address of an image that is shown until the rig is there, and if it fails.
+   * The address of an image that is shown until the rig is loaded, and if loading fails.
    *
    * @attr
    * @default ''
@@ -48,7 +48,7 @@ export class PlayerAttributes extends Base {
   }
 
   /**
-   * Readers may pose the handles, by pointer and by keyboard.
+   * Lets readers pose the handles, by pointer and by keyboard.
    *
    * @attr
    * @default false
@@ -62,7 +62,7 @@ export class PlayerAttributes extends Base {
   }
 
   /**
-   * Plays once the rig is there, unless people prefer reduced motion.
+   * Plays once the rig is loaded, unless the user prefers reduced motion.
    *
    * @attr
    * @default false
@@ -76,7 +76,7 @@ export class PlayerAttributes extends Base {
   }
 
   /**
-   * Begins again at the end.
+   * Repeats the clip.
    *
    * @attr
    * @default false
@@ -89,7 +89,7 @@ export class PlayerAttributes extends Base {
     this.toggleAttribute('loop', loop);
   }
 
-  /** @internal The size that the page says, or null. */
+  /** @internal The size that the page sets, or null. */
   protected get givenSize(): Size | null {
     const [width, height] = ['width', 'height'].map((name) => Number(this.getAttribute(name)));
     return width && height && width > 0 && height > 0 ? { width, height } : null;

@@ -6,7 +6,7 @@ export const NUMBERS = 6;
 /** Numbers of a motion for the vertex shader: three texels. */
 export const STRIDE = 12;
 
-/** After the end, 0: the clip stops. 1: it repeats. 2: it runs backwards. */
+/** Behaviour at the end. 0: the clip stops. 1: it repeats. 2: it runs backwards. */
 const ALTERNATE = 2;
 
 export interface Order {
@@ -31,7 +31,7 @@ export interface RigClip {
   readonly orders: readonly Order[];
 }
 
-/** Seconds until the clip begins again: there and back for one that alternates. */
+/** Seconds until the clip repeats: forwards and backwards for a clip that alternates. */
 export const cycleOf = ({ duration, end }: RigClip): number => (end === ALTERNATE ? 2 : 1) * duration;
 
 /** The frame at a time within the cycle. */
@@ -107,11 +107,11 @@ export function readClip(from: Bytes, sites: number, triangles: number): RigClip
   const name = from.text();
   const duration = from.float();
   const end = from.byte();
-  from.check(end <= ALTERNATE, 'has an unknown loop');
+  from.check(end <= ALTERNATE, 'has an unknown loop mode');
   const lastFrame = from.varint();
   from.check(lastFrame <= 2 ** 16, 'has too many frames');
   const fits = lastFrame === 0 ? duration === 0 : duration > 0 && duration < Number.POSITIVE_INFINITY;
-  from.check(fits, 'has a duration that does not fit its frames');
+  from.check(fits, 'has a duration that does not match its frames');
   const count = from.count();
   from.check(count > 0, 'has no motions');
   let frame = 0;

@@ -2,14 +2,14 @@
 
 export interface Step {
   readonly time: number;
-  /** Whether the end, or the beginning of a clip that plays backwards, has stopped it. */
+  /** Whether it has stopped at the end, or at the beginning if it plays backwards. */
   readonly stops: boolean;
 }
 
 /**
  * The time after some seconds.
  *
- * @param length Seconds of the clip, or of a pose: 0.
+ * @param length Seconds of the clip; 0 for a pose.
  */
 export function advanced(time: number, by: number, length: number, loops: boolean): Step {
   const next = time + by;

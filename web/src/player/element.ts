@@ -1,7 +1,7 @@
 /**
  * `<c2-warp-player>`: plays a rig, with the attributes, properties, methods and events of `<video>`.
  *
- * Out of sight and in hidden tabs its time stands still, and nothing is computed.
+ * While it is out of view or in a hidden tab, its time stops and nothing is computed.
  */
 
 import { asC2WarpError, C2WarpError } from '../error';
@@ -21,18 +21,18 @@ import { type Stage, stage } from './stage';
 
 /** Seconds of the clock between two `timeupdate` events. */
 const UPDATE_S = 0.25;
-/** A longer gap between frames is a break, for example of a hidden tab. Milliseconds. */
+/** A longer gap between frames is a pause, for example in a hidden tab. Milliseconds. */
 const BREAK_MS = 250;
 
 /**
- * A player of rigs, with the words of `<video>`.
+ * A player of rigs, with the interface of `<video>`.
  *
- * @attr {number} width - The width in pixels of the page, for the shape before the rig is there. It needs `height`.
- * @attr {number} height - The height in pixels of the page, for the same.
- * @slot - Shown until the rig is there, and if it fails, where there is no poster.
+ * @attr {number} width - The width in CSS pixels, for the shape before the rig is loaded. It requires `height`.
+ * @attr {number} height - The height in CSS pixels, for the same purpose.
+ * @slot - Shown until the rig is loaded, and if loading fails, unless a poster is set.
  * @csspart canvas - The picture.
  * @csspart poster - The image of `poster`.
- * @csspart handle - A grip, with `posable`.
+ * @csspart handle - The grip of a handle, with `posable`.
  */
 export class C2WarpPlayer extends PlayerAttributes {
   static readonly observedAttributes = [
@@ -53,7 +53,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   readonly #source: Source;
   #error: C2WarpError | null = null;
   #clip: RigClip | undefined;
-  /** The handles as a page posed them, in place of the clip. */
+  /** The handles as posed by the page, instead of the clip. */
   #posed: readonly Handle[] | undefined;
   /** The same as a clip; undefined while the solver loads. */
   #posedClip: RigClip | undefined;
@@ -134,7 +134,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /**
-   * The name of the clip. Without one, the first clip plays.
+   * The name of the clip. By default, the first clip plays.
    *
    * @attr
    */
@@ -146,13 +146,13 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.setAttribute('clip', clip);
   }
 
-  /** The names of all clips; empty until the rig is there. */
+  /** The names of all clips; empty until the rig is loaded. */
   get clips(): string[] {
     return this.#source.loaded?.rig.clips.map(({ name }) => name) ?? [];
   }
 
   /**
-   * A copy of the handles in their present poses, as in a project. It is empty until the rig is there, and for rigs
+   * A copy of the handles in their present poses, as in a project. It is empty until the rig is loaded, and for rigs
    * that cannot be posed.
    */
   get handles(): PosedHandle[] {
@@ -160,12 +160,12 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /**
-   * Poses handles in place of the clip, which pauses, until it plays or a time is set. Takes the handles of a project,
-   * or ids with changes. A rig whose poses need the solver loads it at the first pose, and shows the pose then.
+   * Pauses the clip and poses handles, until the clip plays or a time is set. Takes the handles of a project, or ids
+   * with changes. If the poses of a rig need the solver, the first pose loads it, and is then shown.
    *
-   * @param handles Places in pixels of the picture, degrees, and factors of the size.
-   * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
-   * @throws C2WarpError if the rig is not there yet, or cannot be posed.
+   * @param handles Positions in pixels of the picture, degrees, and scale factors.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. Then nothing moves.
+   * @throws C2WarpError if the rig is not loaded yet, or cannot be posed.
    */
   pose(handles: readonly HandlePose[]): void {
     if (!this.#source.loaded) throw new C2WarpError('no-picture', 'load a rig before you pose it');
@@ -176,7 +176,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#loadSolver();
   }
 
-  /** Seconds. A clip that alternates lasts there and back. NaN until the rig is there. */
+  /** Seconds. For a clip that alternates, forwards and backwards together. NaN until the rig is loaded. */
   get duration(): number {
     return this.#clip ? cycleOf(this.#clip) : Number.NaN;
   }
@@ -201,7 +201,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /**
-   * The speed. Below 0 the clip plays backwards.
+   * The speed. Below 0, the clip plays backwards.
    *
    * @default 1
    * @throws TypeError for anything but a finite number.
@@ -216,7 +216,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.dispatchEvent(new Event('ratechange'));
   }
 
-  /** Whether the clip does not play. */
+  /** Whether the clip is paused. */
   get paused(): boolean {
     return this.#paused;
   }
@@ -232,7 +232,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /**
-   * Plays, and resolves once the rig is there.
+   * Plays the clip, and resolves once the rig is loaded.
    *
    * @throws C2WarpError if the rig cannot be shown.
    */
@@ -265,7 +265,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#ask();
   }
 
-  /** Loads the solver if the rig needs it. Then a pose that waits for it is shown, and grips are. */
+  /** Loads the solver if the rig needs it. Then shows a waiting pose, and the grips. */
   async #loadSolver(): Promise<void> {
     const { rig } = this.#source.loaded ?? {};
     if (!rig?.solved || this.#poser) return;
@@ -292,7 +292,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.dispatchEvent(new Event('input', { bubbles: true }));
   }
 
-  /** Shows grips, or none. */
+  /** Shows or hides grips. */
   #offer(): void {
     if (this.posable) this.#loadSolver();
     // An image has no parts for screen readers.

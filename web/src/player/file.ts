@@ -9,11 +9,11 @@ export interface Section {
 const MAGIC = [0x89, 0x43, 0x32, 0x52, 0x49, 0x47, 0x0d, 0x0a];
 const HEADER = 24;
 const ROW = 12;
-/** The checksum is of all bytes from here. */
+/** The checksum covers all bytes from here. */
 const CHECKED = 20;
-/** Versions of the format. The last one displaces the picture before sites move it. */
+/** Versions of the format. The latest version displaces the picture before sites move it. */
 const VERSIONS: readonly number[] = [1, 2];
-/** No deflated bytes unpack to more than so many times their number. */
+/** Greatest compression ratio of deflate. */
 const MOST_UNPACKED = 1032;
 
 const CRCS = Uint32Array.from({ length: 256 }, (_, crc) => {
@@ -28,9 +28,9 @@ function crc32(data: Uint8Array): number {
 }
 
 /**
- * The unpacked sections of a file, in its order, and whether it displaces its picture.
+ * Returns the unpacked sections in file order, and whether the rig displaces its picture.
  *
- * @throws C2WarpError with a sentence for people if the bytes are no rig of a known version, or a damaged one.
+ * @throws C2WarpError with a sentence for people if the bytes are not a rig, are damaged, or have an unknown version.
  */
 export async function sectionsOf(
   file: Uint8Array<ArrayBuffer>,
@@ -42,7 +42,7 @@ export async function sectionsOf(
     if (!isRight) throw new C2WarpError('rig', `This rig is damaged: ${reason}.`);
   };
   const [version, length, checksum, count] = [8, 12, 16, 20].map(word) as [number, number, number, number];
-  check(file.length >= HEADER, 'it is cut short');
+  check(file.length >= HEADER, 'it is truncated');
   if (!VERSIONS.includes(version))
     throw new C2WarpError(
       'rig',

@@ -1,4 +1,4 @@
-/** The rigs of a page, each read once for all players that show it. */
+/** The rigs of a page, each loaded once for all players that show it. */
 import { C2WarpError } from '../error';
 import { type Rig, readRig } from './rig';
 

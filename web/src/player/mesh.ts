@@ -1,4 +1,4 @@
-/** The mesh of a rig and its weights, as a graphics card takes them. */
+/** The mesh of a rig and its weights, in the layout for a graphics card. */
 import type { Bytes } from './bytes';
 
 export interface Mesh {
@@ -6,9 +6,9 @@ export interface Mesh {
   readonly positions: Float32Array;
   /** Triangles × 3 in drawing order. */
   readonly triangles: Uint32Array;
-  /** Sites × 2: their rest places. */
+  /** Sites × 2: their rest positions. */
   readonly rest: Float64Array;
-  /** Places are whole numbers of a pixel over 2 to this. */
+  /** Positions are multiples of 2 to the power of minus this, in pixels. */
   readonly placeBits: number;
 }
 
@@ -31,7 +31,7 @@ export function readMesh(from: Bytes): Mesh {
     from.check(back <= seen, 'has a corner before the first vertex');
     return back === 0 ? seen++ : seen - back;
   });
-  from.check(seen === vertices, 'has triangles of other vertices');
+  from.check(seen === vertices, 'has triangles that do not match its vertices');
   return { positions, triangles: corners, rest, placeBits: bits };
 }
 
@@ -41,7 +41,7 @@ export function readDisplaced(from: Bytes, { positions, placeBits }: Mesh): Floa
   return positions.map((place, at) => place + (by[at] ?? 0));
 }
 
-/** Numbers × 2 in pixels: first along x, then along y, each as the difference from the one before. */
+/** Numbers × 2 in pixels: first along x, then along y, each as the difference from the previous one. */
 function readPlaces(from: Bytes, count: number, bits: number): Float64Array {
   const values = new Float64Array(2 * count);
   for (const axis of [0, 1]) {

@@ -1,15 +1,15 @@
-/** The handles of a rig, and the sources that its sites move by: see web/docs/rig-format.md. */
+/** The handles of a rig, and the sources that move its sites: see web/docs/rig-format.md. */
 import type { Bytes } from './bytes';
 
 export type Place = readonly [number, number];
 
-/** A handle as in project files, with a list of corners: a point has one. */
+/** A handle as in project files, with a list of corners: a point has one corner. */
 export interface Handle {
   readonly id: string;
   readonly kind: 'point' | 'bar' | 'polygon';
   readonly rest: readonly Place[];
   readonly posed: readonly Place[];
-  /** Degrees. A handle that turns by itself needs the solver. */
+  /** Degrees. Automatic rotations need the solver. */
   readonly rotation: number | 'auto';
   readonly scale: number;
   readonly depth: number;
@@ -32,10 +32,10 @@ export interface Bone {
 }
 
 export interface Share {
-  /** A handle, or after these a bone. */
+  /** The index of a handle, or after the handles, of a bone. */
   readonly source: number;
   share: number;
-  /** How far along the bone the share comes from, from 0 to 1. */
+  /** The position of the share along the bone, from 0 to 1. */
   along: number;
 }
 
@@ -44,12 +44,12 @@ export interface Sources {
   readonly handles: readonly Handle[];
   readonly joints: readonly (readonly Anchor[])[];
   readonly bones: readonly Bone[];
-  /** For each site 0: virtual. 1: it stays. 2 + k: it is one of source k. */
+  /** For each site, 0: virtual. 1: it does not move. 2 + k: it belongs to source k. */
   readonly driven: Uint32Array;
 }
 
 export interface Shares extends Sources {
-  /** One for each virtual site. */
+  /** One row for each virtual site. */
   readonly rows: readonly (readonly Share[])[];
 }
 
@@ -82,22 +82,25 @@ export function readSources(from: Bytes, names: readonly string[], sites: number
   const place = () => {
     const [handle, segment] = [from.varint(), from.varint()];
     const { kind, rest } = handles[handle] ?? {};
-    from.check(rest !== undefined && kind !== 'point' && segment < rest.length, 'have bones that do not fit');
+    from.check(
+      rest !== undefined && kind !== 'point' && segment < rest.length,
+      'have bones that do not match their handles',
+    );
     return { handle, segment };
   };
   const joints = list(from.count(), () => {
     const anchors = list(from.count(10), () => ({ ...place(), fraction: float() }));
-    from.check(anchors.length > 0, 'have bones that do not fit');
+    from.check(anchors.length > 0, 'have bones that do not match their handles');
     return anchors;
   });
   const joint = () => {
     const index = from.varint();
-    from.check(index < joints.length, 'have bones that do not fit');
+    from.check(index < joints.length, 'have bones that do not match their handles');
     return index;
   };
   const bones = list(from.count(68), (): Bone => {
     const [at, a, b] = [place(), pair(), pair()];
-    from.check(a[0] !== b[0] || a[1] !== b[1], 'have a bone without a length');
+    from.check(a[0] !== b[0] || a[1] !== b[1], 'contain a bone of zero length');
     return { ...at, rest: [a, b], joints: [joint(), joint()], beyond: pair(), beside: pair() };
   });
   from.check(from.has(sites), 'end too early');

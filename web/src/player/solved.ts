@@ -7,10 +7,10 @@ export interface Solved extends Sources {
   readonly section: Uint8Array;
 }
 
-/** The format of the section that the module reads. */
+/** The supported format of the section. */
 const FORMAT = 1;
 
-/** Null for a section of a later format: then the rig cannot be posed. */
+/** Null for a section of a later format. Then the rig cannot be posed. */
 export function readSolved(
   from: Bytes,
   section: Uint8Array,

@@ -221,7 +221,7 @@ export class SolutionDeformation implements Deformation {
   }
 }
 
-/** Sites × 2: the posed places in motions. */
+/** Sites × 2: the posed positions in motions. */
 function posedSites(motions: Float32Array): Float32Array {
   const places = new Float32Array((2 * motions.length) / MOTION_STRIDE);
   for (let site = 0; 2 * site < places.length; site++) {

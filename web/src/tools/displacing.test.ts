@@ -60,7 +60,7 @@ class Bench {
     };
   }
 
-  /** The place at rest that the strokes so far have moved to the place under the pointer. */
+  /** The position at rest that the strokes so far have moved to the place under the pointer. */
   #rest(at: Vec): Vec {
     const moved = this.under(at);
     let rest = moved;

@@ -214,21 +214,21 @@ fn refused_options_name_the_option_and_write_nothing() {
     let before = folder.file_names();
     let refused = |options: &str| fail(folder.path(), &format!("export scene.c2warp.json {options}"));
     for (options, line) in [
-        ("-o out.json", "out.json: a rig ends with .spine.json, _ske.json, .glb or .tscn"),
-        ("-o -", "-: a rig ends with .spine.json, _ske.json, .glb or .tscn"),
+        ("-o out.json", "out.json: the name of a rig must end with .spine.json, _ske.json, .glb or .tscn"),
+        ("-o -", "-: the name of a rig must end with .spine.json, _ske.json, .glb or .tscn"),
         ("-o out.glb --influences 0", "--influences: expected a number from 1 to 32, found 0"),
-        ("-o out.tscn --influences 5", "--influences: Godot blends at most 4 bones a vertex, found 5"),
+        ("-o out.tscn --influences 5", "--influences: Godot blends at most 4 bones per vertex, found 5"),
         ("-o out.glb --vertices 2", "--vertices: expected a number from 3 to 65535, found 2"),
         ("-o out.glb --vertices NaN", "--vertices: expected a whole number, found NaN"),
         ("-o out.glb --bones -1", "--bones: expected a whole number, found -1"),
         (
             "-o out.glb --bones 2000",
-            "--bones: expected a number from 1 to 255, found 2000: engines count bones in 8 bits",
+            "--bones: expected a number from 1 to 255, found 2000: engines store bone numbers in 8 bits",
         ),
         ("-o out.glb --bones 1.5", "--bones: expected a whole number, found 1.5"),
         (
             "-o out.glb --vertices 3",
-            "scene.c2warp.json: --vertices: the outline alone needs 4 vertices, but 3 are asked for",
+            "scene.c2warp.json: --vertices: the outline alone needs 4 vertices, but only 3 are allowed",
         ),
     ] {
         assert_eq!(refused(options), line);
@@ -236,7 +236,7 @@ fn refused_options_name_the_option_and_write_nothing() {
     assert_eq!(folder.file_names(), before);
     let long = strip().edited(|project| project["clips"][0]["duration"] = 500.into());
     let line = fail(long.path(), "export scene.c2warp.json -o out.glb");
-    assert_eq!(line, "scene.c2warp.json: clip \"turn\" lasts 500 s: an engine's rig has clips of up to 120 s");
+    assert_eq!(line, "scene.c2warp.json: clip \"turn\" lasts 500 s: a clip of an engine's rig can last up to 120 s");
 }
 
 #[test]

@@ -71,7 +71,7 @@ fn range(text: &str) -> Result<Range<f64>, String> {
     times.ok_or_else(|| "expected two times in seconds like 0.5..1.2".to_owned())
 }
 
-/// What is written, checked before the work starts.
+/// The outputs, checked before the work starts.
 enum Target {
     Film(Container, Output),
     Frames(Sequence),
@@ -177,7 +177,7 @@ fn targets(loaded: &LoadedProject, arguments: &Arguments, film: &Film) -> Result
     Ok(targets)
 }
 
-/// The container by the extension of a path.
+/// The container format, chosen by the extension of a path.
 fn container(path: &Path, rate: f64) -> Result<Container, CliError> {
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
@@ -217,7 +217,7 @@ fn write_film(
     }
 }
 
-/// Writes all frames by an encoder that begins an output.
+/// Writes all frames with the encoder of an output.
 fn write(
     drawing: &mut Drawing<'_>,
     output: Output,

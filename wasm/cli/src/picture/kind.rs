@@ -1,7 +1,7 @@
 //! Names of file types that the command does not read, for error messages. `web/src/io/formats/signature.ts` has the
 //! same list.
 
-/// Bytes of a file that [`name`] looks at.
+/// Bytes of a file that [`name`] examines.
 pub(super) const SIGNATURE_BYTES: usize = 256;
 
 const SIGNATURES: &[(&[u8], &str)] = &[
@@ -19,13 +19,13 @@ const SIGNATURES: &[(&[u8], &str)] = &[
     (b"\0\0\0\x0cjP  ", "a JPEG 2000 picture"),
 ];
 
-/// By brands of ISO base media files (ISO/IEC 14496-12, section 4.3). AVIF files may name brands of HEIC as well.
+/// Names by brands of ISO base media files (ISO/IEC 14496-12, section 4.3). AVIF files may name brands of HEIC as well.
 const BRANDS: &[(&[&[u8; 4]], &str)] = &[
     (&[b"avif", b"avis"], "an AVIF picture"),
     (&[b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1"], "a HEIC picture"),
 ];
 
-/// First words of SVG drawings. Letter case does not matter.
+/// The beginnings of SVG drawings, in any letter case.
 const DRAWINGS: &[&str] = &["<?xml", "<!--", "<!doctype svg", "<svg"];
 
 /// Returns the type of a file by its first [`SIGNATURE_BYTES`], with an article.

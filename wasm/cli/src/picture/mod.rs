@@ -1,7 +1,7 @@
 //! Reads a picture file as upright, straight RGBA with its colour profile.
 //!
-//! The contents decide the type, not the name. The size is checked before any pixel is decoded. As in the editor, the
-//! orientation recorded by the camera is applied. The colour profile is not applied but kept, so that no colour is
+//! The contents determine the type, not the name. The size is checked before any pixel is decoded. As in the editor,
+//! the orientation recorded by the camera is applied. The colour profile is kept but not applied, so that no colour is
 //! lost. `web/docs/pictures.md` compares the command with the editor.
 
 mod apng;
@@ -28,7 +28,7 @@ use crate::input;
 /// Memory limit of decoders: enough for the largest picture at 16 bits per channel and a decoder's own copy.
 const DECODER_BYTES: u64 = 2 << 30;
 
-/// A larger drawing is refused by its size.
+/// Larger drawings are rejected by their size.
 const MAX_DRAWING_BYTES: u64 = MAX_BYTES as u64 + 1;
 
 /// A decoded picture.
@@ -38,9 +38,9 @@ pub(crate) struct PictureFile {
     /// The ICC profile of RGB colours. `None` for sRGB, and for CMYK, because decoding converts it to RGB.
     pub(crate) profile: Option<Vec<u8>>,
     pub(crate) format: ImageFormat,
-    /// The bytes of the file. A PNG of the pixels for a drawing.
+    /// The bytes of the file; for a drawing, a PNG of its pixels.
     pub(crate) bytes: Vec<u8>,
-    /// The drawing that the pixels are of.
+    /// The drawing that was rendered to the pixels.
     pub(crate) drawing: Option<Drawing>,
 }
 
@@ -92,7 +92,7 @@ fn decode(path: &Path, format: ImageFormat, bytes: Vec<u8>) -> Result<PictureFil
     Ok(PictureFile { pixels, profile, format, bytes, drawing: None })
 }
 
-/// A file by its type.
+/// A picture file, by type.
 enum Contents {
     Pixels(ImageFormat, Vec<u8>),
     Drawing(Vec<u8>),

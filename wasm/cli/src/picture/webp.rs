@@ -1,7 +1,7 @@
 //! Stale flags of WebP files.
 //!
 //! The header VP8X announces the chunks that follow. Some programs remove a chunk but leave its flag. Browsers read
-//! such files, but the decoder here refuses them.
+//! such files, but this decoder rejects them.
 
 use std::ops::Range;
 

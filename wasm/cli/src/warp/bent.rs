@@ -9,7 +9,7 @@ use super::Arguments;
 use crate::error::CliError;
 use crate::project::LoadedProject;
 
-/// Whether a path is that of an SVG file.
+/// Whether a path names an SVG file.
 pub(super) fn is_svg(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"))
 }

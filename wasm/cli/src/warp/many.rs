@@ -1,9 +1,10 @@
-//! Many pictures of one project, or many projects, each with a result of its own in a folder.
+//! Many pictures of one project, or many projects, each with its own result in a folder.
 //!
-//! An input that fails is named with its reason on standard error, and the others go on. Pictures and solutions that
-//! several inputs share are read and solved once: poses, clips and colours do not matter to a solution.
+//! Inputs that fail are reported on standard error, and the others continue. Pictures and solutions that several inputs
+//! share are read and solved once: a solution does not depend on poses, clips and colours.
 //!
-//! Memory: each thread holds one picture with its result. As many pictures and solutions are kept for the next inputs.
+//! Memory: each thread holds one picture with its result. The same number of pictures and solutions is kept for the
+//! next inputs.
 
 use std::collections::HashMap;
 use std::fs;
@@ -43,12 +44,12 @@ impl Job {
     }
 }
 
-/// What the jobs share.
+/// Data shared by the jobs.
 struct Batch<'a> {
     arguments: &'a Arguments,
     has_many_images: bool,
     projects: Shared<PathBuf, FittingProject>,
-    /// By path, and by the size at which a drawing is rendered.
+    /// Pictures by path, and by the size at which a drawing is rendered.
     pictures: Shared<(PathBuf, (u32, u32)), PictureFile>,
     solutions: Shared<SolveKey, Solution>,
 }
@@ -99,7 +100,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
     if failed.into_inner() { Err(CliError::Told) } else { Ok(()) }
 }
 
-/// The pictures, and in place of a folder its files by name. Hidden files are left out, and folders within it.
+/// The pictures; a folder stands for its files, sorted by name. Hidden files and subfolders are left out.
 fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
     let mut files = Vec::new();
     for path in paths {
@@ -135,7 +136,7 @@ impl Arguments {
 }
 
 impl Batch<'_> {
-    /// The jobs without those whose result has the name of another one.
+    /// The jobs, except those whose result has the same name as another result.
     fn with_own_results(&self, jobs: Vec<Job>, tell: impl Fn(CliError)) -> Vec<Job> {
         let mut first: HashMap<PathBuf, PathBuf> = HashMap::new();
         let is_own = |job: &Job| {

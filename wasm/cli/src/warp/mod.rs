@@ -22,11 +22,11 @@ use crate::workers;
                         c2warp warp cat.c2warp.json -o bent.png --scale 2 --grow")]
 pub(crate) struct Arguments {
     /// The project file *.c2warp.json, or a PNG that the editor exported. Use - to read this or any other input from
-    /// standard input. Of several projects, each has its own result. With --project, pictures
+    /// standard input. Each of several projects has its own result. With --project, these are pictures
     #[arg(required = true, value_name = "PROJECTS")]
     inputs: Vec<PathBuf>,
-    /// Use this picture instead of the project's image.src. If it has another size, the project is scaled. Of several
-    /// pictures, or those in a folder, each has its own result
+    /// Use this picture instead of the project's image.src. If it has another size, the project is scaled. Each of
+    /// several pictures, or of those in a folder, has its own result
     #[arg(long = "image", value_name = "FILE|FOLDER", group = "others")]
     images: Vec<PathBuf>,
     /// The project, if pictures come first: c2warp warp cat.svg --project cat.c2warp.json -o bent.svg
@@ -35,17 +35,17 @@ pub(crate) struct Arguments {
     /// Fit the project to pictures of other proportions, or with their outline in another place
     #[arg(long, requires = "others")]
     fit: Option<Fit>,
-    /// The output file, or - for a PNG on standard output. OUT.svg bends the paths of a picture that is a drawing. For
-    /// several inputs a folder of PNGs: they have the names of the pictures, or of the projects if there are several
+    /// The output file, or - for a PNG on standard output. OUT.svg bends the paths of a drawing. For several inputs, a
+    /// folder: its PNGs are named after the pictures, or after the projects if there are several
     #[arg(short, long, value_name = "OUT.png|OUT.svg|FOLDER")]
     output: PathBuf,
-    /// Work on up to this many inputs at a time, or with so many threads on one. The default is the number of cores
+    /// Work on up to N inputs at a time, or with N threads on one input. The default is the number of cores
     #[arg(short, long, value_name = "N")]
     jobs: Option<NonZero<usize>>,
     #[command(flatten)]
     drawing: PosedDrawing,
     /// Also write an ST map for compositors: the OpenEXR picture that `c2warp maps --inverse` writes. Red and green
-    /// hold the source u,v of each pixel, from 0 to 1 with v upwards. For several inputs a folder
+    /// hold the source u,v of each pixel, from 0 to 1 with v upwards. For several inputs, a folder
     #[arg(long, value_name = "OUT.exr|FOLDER")]
     stmap: Option<PathBuf>,
 }

@@ -37,7 +37,7 @@ impl Targets {
         Ok(Self { picture: output, stmap: stmap.transpose()? })
     }
 
-    /// Draws a solved picture with up to so many threads, and writes it. Returns the rectangle of the result.
+    /// Draws a solved picture with up to `threads` threads, and writes it. Returns the rectangle of the result.
     pub(super) fn write(
         self,
         loaded: &LoadedProject,
@@ -65,7 +65,7 @@ impl Targets {
     }
 }
 
-/// Returns an error if the extension belongs to another type than `written`.
+/// Returns an error if the extension does not match the type `written`.
 fn check_extension(path: &Path, written: ImageFormat) -> Result<(), CliError> {
     match ImageFormat::from_path(path) {
         Ok(format) if format != written => Err(CliError::OutputType { path: path.to_owned(), format, written }),

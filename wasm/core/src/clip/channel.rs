@@ -17,7 +17,7 @@ pub(super) struct Knot {
 #[derive(Debug)]
 pub(super) struct Channel {
     knots: Vec<Knot>,
-    /// The period in which knots repeat. Without it, the first and last value go on to both sides.
+    /// The period in which knots repeat. Without it, the first and last values extend to both sides.
     period: Option<f64>,
 }
 
@@ -38,7 +38,7 @@ impl Channel {
         Self { knots, period }
     }
 
-    /// Returns the value at a time within the period. Outer `None`: there are no knots.
+    /// Returns the value at a time within the period. The outer `None` means that there are no knots.
     pub(super) fn at(&self, time: f64) -> Option<Option<f64>> {
         let following = self.knots.partition_point(|knot| knot.time <= time) as isize;
         let Some(before) = self.knot(following - 1) else {
@@ -58,7 +58,7 @@ impl Channel {
         }))
     }
 
-    /// A knot by its number. In a period, numbers go on before the first knot and after the last one.
+    /// A knot by its number. With a period, numbers continue before the first knot and after the last one.
     fn knot(&self, number: isize) -> Option<Knot> {
         let count = self.knots.len() as isize;
         match self.period {
@@ -78,7 +78,7 @@ impl Channel {
         Some((Stretch { length, rate }, before.ease))
     }
 
-    /// The slope at a knot for the smooth stretches beside it. Values come to rest at the ends, and beside holds.
+    /// The slope at a knot for the smooth stretches beside it. It is 0 at the ends, and beside holds.
     fn slope(&self, number: isize) -> f64 {
         let (Some((before, ease_before)), Some((after, ease_after))) = (self.stretch(number - 1), self.stretch(number))
         else {

@@ -1,11 +1,11 @@
 //! Keyframes: the pose of handles at a time of a [`Clip`].
 //!
-//! Each value of a handle, such as one coordinate of a corner, is a function of time of its own. `smooth` stretches are
-//! monotone cubics: C¹ through keys, without overshoot. In clips that repeat they are C¹ across the seam, too.
+//! Each value of a handle, such as one coordinate of a corner, is a separate function of time. `smooth` stretches are
+//! monotone cubics: C¹ through keys, without overshoot. In clips that repeat, they are also C¹ across the seam.
 //!
 //! Source: Fritsch and Butland, "A Method for Constructing Local Monotone Piecewise Cubic Interpolants" (1984).
 //!
-//! A pose takes time linear in the number of keys. Only the four basic operations are used: the bits are the same on
+//! A pose takes time linear in the number of keys. Only the four basic operations are used, so the bits are the same on
 //! every platform.
 //!
 //! [`Playback`] poses a solution along a clip. [`FrameTimes`] are the times of a film's frames.
@@ -26,8 +26,8 @@ use crate::project::{Clip, Handle, Key, Rotation, Track};
 impl Clip {
     /// The poses of handles at a time in seconds, in the order of `handles`.
     ///
-    /// Any time is valid: [`looping`](Self::looping) says what follows the end. Handles without a track, and values
-    /// without a key, are as in `handles`. A rotation that goes on to an automatic one stays until then.
+    /// Any time is valid: [`looping`](Self::looping) defines times after the end. Handles without a track, and values
+    /// without a key, are as in `handles`. A rotation before an automatic one does not change until then.
     ///
     /// ```
     /// use c2warp::project::{Clip, Ease, Handle, Key, Looping, Track};

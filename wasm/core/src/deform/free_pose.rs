@@ -1,8 +1,8 @@
-//! Where a handle would be posed if it followed the others.
+//! The pose of a handle if it followed the others.
 //!
-//! It takes the rigid motion that fits the others best, near ones most. These are moving least squares (Schaefer,
-//! McPhail, Warren, "Image deformation using moving least squares", 2006). A motion of all handles
-//! together moves the free pose alike, and the order of handles does not matter but for rounding.
+//! The handle takes the rigid motion that best fits the others, with near handles weighted most. These are moving least
+//! squares (Schaefer, McPhail, Warren, "Image deformation using moving least squares", 2006). A common motion of all
+//! handles moves the free pose in the same way. The order of handles does not matter, except for rounding.
 //!
 //! Cost: linear in the corners of all handles.
 
@@ -11,7 +11,7 @@ use glam::DVec2;
 use super::handle_pose::HandlePose;
 use crate::project::{Handle, Rotation};
 
-/// Nearer corners count as if they were so far away, in square pixels.
+/// Squared distances are at least this, in square pixels.
 const LEAST_SQUARE: f64 = 1e-6;
 
 /// The pose of the handle `of` that follows those of the handles `by`. `None` if there are none.
@@ -41,7 +41,7 @@ pub(super) fn free_pose(handles: &[Handle], of: usize, by: impl Fn(usize) -> boo
     })
 }
 
-/// A corner at rest and posed, and how much it counts.
+/// A corner at rest and posed, and its weight.
 struct Moved {
     rest: DVec2,
     posed: DVec2,
@@ -53,7 +53,7 @@ fn moved(handle: &Handle, near: DVec2) -> impl Iterator<Item = Moved> + '_ {
     corners.map(move |(&rest, &posed)| Moved { rest, posed, weight: weight(rest, near) })
 }
 
-/// The inverse fourth power of the distance: the nearest handles count by far the most.
+/// The inverse fourth power of the distance, so the nearest handles dominate.
 fn weight(p: DVec2, near: DVec2) -> f64 {
     p.distance_squared(near).max(LEAST_SQUARE).powi(-2)
 }

@@ -1,5 +1,5 @@
-//! Where a handle can be placed: on the part of the picture that bends. The skirt around it, on which soft edges are
-//! drawn, holds no handles.
+//! Positions for handles: on the part of the picture that bends. Handles cannot be placed on the skirt around it, which
+//! holds the soft edges.
 //!
 //! Cost: linear in the triangles.
 
@@ -10,12 +10,11 @@ use super::{
     triangle::{Corners, barycentric, corners, interpolate},
 };
 
-/// Least barycentric coordinate of a place on the border of a triangle: far enough inside that rounding does not lead
-/// out.
+/// Least barycentric coordinate of a position on the border of a triangle: far enough inside to be safe from rounding.
 const INWARDS: f64 = 0.05;
 
-/// The place itself if it bends. On a triangle of the skirt beside the part that bends, and up to `within` away from
-/// that part, the nearest place that bends; `None` farther away. The first `samples` vertices bend.
+/// Returns the position itself if it bends. On the skirt beside the bending part, and up to `within` away from it,
+/// returns the nearest position that bends; `None` farther away. The first `samples` vertices bend.
 pub(super) fn placement(
     [rest, posed]: [&[DVec2]; 2],
     drawn: &[[u32; 3]],
@@ -46,12 +45,12 @@ pub(super) fn placement(
     Some(Correspondence::new(interpolate(both[0], coordinates), place, both))
 }
 
-/// The place of a triangle nearest to a point.
+/// The position in a triangle nearest to a point.
 #[derive(Debug, Clone, Copy)]
 struct Nearest {
     /// Barycentric; on the border moved [`INWARDS`].
     coordinates: [f64; 3],
-    /// From the point to the border; 0 inside.
+    /// Distance from the point to the border; 0 inside.
     distance: f64,
 }
 

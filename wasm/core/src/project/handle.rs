@@ -36,8 +36,8 @@ pub struct Handle {
     /// Drawing order where the picture overlaps itself: greater depths are in front.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub depth: f64,
-    /// How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds
-    /// have none. It affects rigid mode alone.
+    /// Stiffness of the picture inside a polygon, from 0 to 1: distortion counts more where it is stiff. Other kinds
+    /// have no stiffness. It only affects rigid mode.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::json::is_default"))]
     #[cfg_attr(feature = "schema", schemars(default, range(min = 0, max = 1)))]
     pub stiffness: f64,
@@ -83,7 +83,7 @@ impl Handle {
     /// The same handle with other posed corners, in the order of the corners at rest.
     ///
     /// # Panics
-    /// If the number of points is not the number of corners. A point handle has one.
+    /// If the number of points differs from the number of corners. A point handle has one point.
     #[must_use]
     pub fn posed_at(mut self, points: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
         let points: Vec<DVec2> = points.into_iter().map(Into::into).collect();
@@ -114,7 +114,7 @@ impl Handle {
         self
     }
 
-    /// The same polygon with its inside as stiff as a number from 0 to 1 says.
+    /// The same polygon with a stiffness of its inside, from 0 to 1.
     #[must_use]
     pub fn stiffened(mut self, stiffness: f64) -> Self {
         self.stiffness = stiffness;
@@ -150,7 +150,7 @@ impl Handle {
             Shape::Point { .. } => "point",
             Shape::Bar { .. } => "bar",
         };
-        at.refuse(format_args!("only a polygon can be stiff, and {:?} is a {kind}", self.id))
+        at.refuse(format_args!("only a polygon can be stiff, but {:?} is a {kind}", self.id))
     }
 }
 

@@ -3,10 +3,10 @@
 //! This is the only definition of the format. The JSON schema and the TypeScript types are generated from these types.
 //!
 //! Reading is strict. Unknown and duplicate keys, wrong types, values out of range and later versions of the format are
-//! refused with the path of the offending key. Writing writes every key: the file then states all settings.
+//! rejected with the path of the offending key. Writing writes every key: the file then states all settings.
 //!
-//! [`Project::check`] enforces the rules of the format, for projects from files and from code. Rules that depend on the
-//! picture are up to the solver: for example, that handles lie in the domain.
+//! [`Project::check`] enforces the rules of the format, for projects from files and from code. The solver checks rules
+//! that depend on the picture: for example, that handles lie in the domain.
 //!
 //! ```
 //! use c2warp::project::{Handle, Project};

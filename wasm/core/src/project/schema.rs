@@ -1,4 +1,4 @@
-//! The parts of the JSON schema that the types of a project do not have.
+//! The parts of the JSON schema that cannot be derived from the types of a project.
 
 use std::borrow::Cow;
 

@@ -1,4 +1,4 @@
-//! Tests of the format: reading, writing, and messages of refusals.
+//! Tests of the format: reading, writing, and error messages.
 
 use glam::DVec2;
 
@@ -24,7 +24,7 @@ const FULL: &str = r#"{
 }
 "#;
 
-/// A change of a project, and the error of the changed project.
+/// A change to a project, and the error of the changed project.
 type Refused = (fn(&mut Project), &'static str);
 
 /// The error of the full project after an edit of its text.
@@ -97,7 +97,7 @@ fn errors_in_clips_name_the_key() {
         (key(r#""time": 1.5"#), "clips[0].tracks[0].keys[0].time: expected seconds from 0 to 1, found 1.5"),
         (
             track("head", r#"[{ "time": 0.5 }, { "time": 0.5 }]"#),
-            "clips[0].tracks[0].keys[1].time: expected more than 0.5, the key before, found 0.5",
+            "clips[0].tracks[0].keys[1].time: expected a time after 0.5, that of the previous key, found 0.5",
         ),
         (
             key(r#""time": 0, "posed": [1]"#),
@@ -519,8 +519,8 @@ fn only_polygons_have_a_stiffness() {
         ("eye", "1.5", "handles[2].stiffness: expected a number from 0 to 1, found 1.5"),
         ("eye", "-0.1", "handles[2].stiffness: expected a number from 0 to 1, found -0.1"),
         ("eye", "null", "handles[2].stiffness: expected a number, found null"),
-        ("tail", "1", r#"handles[1].stiffness: only a polygon can be stiff, and "tail" is a bar"#),
-        ("head", "0.2", r#"handles[0].stiffness: only a polygon can be stiff, and "head" is a point"#),
+        ("tail", "1", r#"handles[1].stiffness: only a polygon can be stiff, but "tail" is a bar"#),
+        ("head", "0.2", r#"handles[0].stiffness: only a polygon can be stiff, but "head" is a point"#),
     ] {
         assert_eq!(with(handle, value).unwrap_err().to_string(), message);
     }

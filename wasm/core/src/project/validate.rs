@@ -8,7 +8,7 @@ use super::error::ProjectError;
 use super::path::Path;
 use crate::{display_number::DisplayNumber, limits::MAX_POSED};
 
-/// A range in words, for messages.
+/// Describes a range for messages.
 pub(super) fn whole_numbers(range: &RangeInclusive<u32>) -> String {
     match (range.start(), range.end()) {
         (least, &u32::MAX) => format!("a whole number, {least} or more"),
@@ -44,7 +44,7 @@ pub(super) fn points(at: &Path<'_>, points: &[DVec2], least: usize) -> Result<()
     points.iter().enumerate().try_for_each(|(index, &p)| point(&at.index(index), p))
 }
 
-/// Checks corners at rest: at least `least` points whose lengths and products are finite, too.
+/// Checks corners at rest: at least `least` points whose lengths and products are finite as well.
 pub(super) fn corners(at: &Path<'_>, corners: &[DVec2], least: usize) -> Result<(), ProjectError> {
     points(at, corners, least)?;
     corners.iter().enumerate().try_for_each(|(index, corner)| {

@@ -5,18 +5,18 @@ use std::collections::VecDeque;
 use super::error::{BakeError, RigError, RigPart};
 
 const MAGIC: [u8; 8] = *b"\x89C2RIG\r\n";
-/// Files of a displaced picture have the last version, so that no reader of the first one shows them wrongly.
+/// Files of a displaced picture have the latest version, so that readers of the first version do not show them wrongly.
 const VERSIONS: std::ops::RangeInclusive<u32> = 1..=DISPLACED;
 pub(super) const DISPLACED: u32 = 2;
 /// Magic, version, length, checksum and number of sections.
 const HEADER: usize = 24;
 /// Tag, stored bytes and unpacked bytes.
 const ROW: usize = 12;
-/// Bytes that come before the ones that the checksum is of.
+/// Number of bytes before those covered by the checksum.
 const UNCHECKED: usize = 20;
-/// No deflated bytes unpack to more than so many times their number.
+/// Greatest compression ratio of deflate.
 const MOST_UNPACKED: u64 = 1032;
-/// The best compression that the encoder has, without its exhaustive search.
+/// The encoder's best compression without its exhaustive search.
 const LEVEL: u8 = 9;
 
 pub(super) type Tag = [u8; 4];
@@ -83,12 +83,15 @@ pub(super) fn unpacked(file: &[u8]) -> Result<(u32, VecDeque<Section>), RigError
         let at = HEADER + ROW * row;
         let tag = file[at..at + 4].try_into().expect("four bytes");
         let [stored, length] = [4, 8].map(|offset| word(at + offset));
-        let (bytes, after) = rest.split_at_checked(stored as usize).ok_or(wrong("has a section beyond the end"))?;
+        let (bytes, after) = rest.split_at_checked(stored as usize).ok_or(wrong(
+            "lists a section beyond the end of the \
+                                                                                 file",
+        ))?;
         rest = after;
         sections.push_back(Section { tag, bytes: inflated(bytes, length).ok_or(wrong("has a damaged section"))? });
     }
     if !rest.is_empty() {
-        return Err(wrong("ends before the file"));
+        return Err(wrong("does not cover the whole file"));
     }
     Ok((version, sections))
 }

@@ -1,6 +1,6 @@
-//! How much of the work of baking is done.
+//! The progress of baking.
 
-/// Steps in which progress is told.
+/// Number of progress reports.
 const STEP: f64 = 0.01;
 
 /// Counts frames: each is posed once, ordered once and compared once.
@@ -12,12 +12,12 @@ pub(super) struct Progress<'a> {
 }
 
 impl<'a> Progress<'a> {
-    /// For the frames of all clips.
+    /// Progress for the frames of all clips.
     pub(super) fn new(frames: usize, tell: &'a mut dyn FnMut(f64)) -> Self {
         Self { all: 3.0 * frames as f64, done: 0.0, told: 0.0, tell }
     }
 
-    /// Some more frames were posed, ordered or compared.
+    /// Adds frames that were posed, ordered or compared.
     pub(super) fn add(&mut self, frames: usize) {
         self.done += frames as f64;
         let part = (self.done / self.all).min(1.0);

@@ -1,8 +1,8 @@
-//! Handles that suit a shape: where an animator would begin.
+//! Suggests handles for a shape, where an animator would begin.
 //!
 //! One handle lies in the middle of each part of the domain, and one at the end of each limb. Joints follow at necks
-//! and bends, and where a limb would have no handle for a long way. A picture without an outline, such as a
-//! photograph, has handles in even rows.
+//! and bends, and where a limb has no handle for a long way. A picture without an outline, such as a photograph, has
+//! handles in even rows.
 //!
 //! - Limbs come from the medial axis, by TEASAR: see `skeleton`.
 //! - Long ways are filled by farthest points (Gonzalez, "Clustering to minimize the maximum intercluster distance",
@@ -10,7 +10,7 @@
 //!
 //! The same domain has the same handles on every platform. A mirrored domain has mirrored handles, within a few cells.
 //!
-//! Cost: linear in about 120,000 cells for each handle, whatever the size of the picture.
+//! Cost: linear in about 120,000 cells for each handle, regardless of the size of the picture.
 
 mod cells;
 mod joints;

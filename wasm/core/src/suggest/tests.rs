@@ -181,7 +181,7 @@ fn pictures_without_an_outline_have_even_rows() {
     assert!(handles.iter().all(|handle| handle.role == SuggestedRole::Spread));
 }
 
-/// The way from each suggested handle to the nearest of some handles.
+/// The way from each suggested handle to the nearest of the given handles.
 fn ways_to(domain: &Domain, suggested: &[SuggestedHandle], there: &[DVec2]) -> Vec<f64> {
     let way = |handle: &SuggestedHandle| there.iter().map(|p| p.distance(handle.rest)).fold(f64::INFINITY, f64::min);
     assert_usable(domain, suggested);

@@ -11,10 +11,10 @@ export const RANGES = {
 /** The most cells of a mask of stiffness, each way. */
 export const STIFFNESS_CELLS = 128;
 
-/** The fewest and the most control points of a displacement, each way. */
+/** The least and the greatest number of control points of a displacement along each axis. */
 export const DISPLACEMENT_POINTS = [4, 259] as const;
 
-/** The defaults of the format, which are the paper's. */
+/** The defaults of the format, taken from the paper. */
 export const PAPER_SETTINGS = {
   samples: 10000,
   shape_factor: 1,

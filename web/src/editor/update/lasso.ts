@@ -52,7 +52,7 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
   return notify(next, { kind: 'info', text, ...actions, passes: true, ofStep: true }, emit);
 }
 
-/** Lets all of the picture bend. An opaque picture holds its boundary again. */
+/** Lets the whole picture bend. An opaque picture holds its boundary again. */
 export function removeLasso(state: EditorState, emit: Emit): EditorState {
   if (!state.picture) return state;
   const project = withoutLasso(projectOf(state), state.picture.alphaThreshold);

@@ -59,7 +59,7 @@ describe('a notice about a step', () => {
 });
 
 describe('the reset of all handles', () => {
-  /** A handle beside its place at rest, and a push of the brush. */
+  /** A handle beside its position at rest, and a push of the brush. */
   function brushed(): FakeRuntime {
     const runtime = new FakeRuntime();
     runtime.open();

@@ -19,7 +19,7 @@ impl<T: Copy + Default + From<f64> + Add<Output = T> + Mul<Output = T>> Jet<T> {
         Self { value: (c2 * t + c1) * t + c0, first: (c2 + c2) * t + c1, second: c2 + c2, third: T::default() }
     }
 
-    /// This as a function of `inner`, which is at its argument (chain rule).
+    /// Composes this function with `inner`, evaluated at its argument (chain rule).
     #[inline]
     pub(crate) fn of(&self, inner: &Self) -> Self {
         let Self { value, first, second, third } = *self;

@@ -34,16 +34,16 @@ pub struct Clip {
     /// Length in seconds, above 0 and up to 3,600.
     #[cfg_attr(feature = "schema", schemars(range(max = MOST_SECONDS), extend("exclusiveMinimum" = 0)))]
     pub duration: f64,
-    /// What follows the end.
+    /// What happens after the end.
     #[cfg_attr(feature = "serde", serde(rename = "loop"))]
     #[cfg_attr(feature = "schema", schemars(default))]
     pub looping: Looping,
-    /// Moving handles, each at most once. The others keep their pose.
+    /// The moving handles, each at most once. Other handles keep their pose.
     pub tracks: Vec<Track>,
 }
 
 impl Clip {
-    /// A clip of a length in seconds, without tracks.
+    /// A clip with a length in seconds, without tracks.
     pub fn new(name: impl Into<String>, duration: f64, looping: Looping) -> Self {
         Self { name: name.into(), duration, looping, tracks: Vec::new() }
     }

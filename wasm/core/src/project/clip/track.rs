@@ -38,7 +38,7 @@ impl Track {
                 let time = key.time;
                 return at
                     .key("time")
-                    .refuse(format_args!("expected more than {earlier}, the key before, found {time}"));
+                    .refuse(format_args!("expected a time after {earlier}, that of the previous key, found {time}"));
             }
             earlier = key.time;
             key.check(handle, &at)

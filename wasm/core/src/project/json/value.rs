@@ -1,7 +1,7 @@
 //! A JSON document as a tree.
 //!
-//! It keeps the order of keys and refuses duplicate keys. Of duplicates, `serde_json::Value` silently keeps the last
-//! value.
+//! It keeps the order of keys and rejects duplicate keys, whereas `serde_json::Value` silently keeps the last
+//! duplicate.
 
 use std::{collections::HashSet, fmt};
 
@@ -27,8 +27,8 @@ impl Value {
     /// Parses a whole document.
     ///
     /// # Errors
-    /// For text that is not JSON, a number outside the range of f64, and a duplicate key. The path leads as far as
-    /// the text was read.
+    /// For text that is not JSON, a number outside the range of f64, and a duplicate key. The path ends where reading
+    /// stopped.
     pub(super) fn parse(text: &str) -> Result<Self, ProjectError> {
         // Editors on Windows write a byte order mark first. JSON has none.
         let mut json = serde_json::Deserializer::from_str(text.trim_start_matches('\u{feff}'));
