@@ -34,7 +34,7 @@ import type { PageAttributes, Sample } from './editor/page';
 import type { PageQuestion } from './editor/page_question';
 import { mayReceive } from './editor/permissions';
 import { stem } from './editor/picture';
-import { hasEnded, playedClip, playedDuration } from './editor/played_clip';
+import { hasPlayed, playedClip, playedDuration } from './editor/played_clip';
 import { documentOf, filedProject, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
 import type {
@@ -500,7 +500,7 @@ export class C2Warp extends TypedElement {
 
   /** Whether the clip has played to its end. */
   get ended(): boolean {
-    return this.#runtime !== null && hasEnded(this.#runtime.state);
+    return this.#runtime !== null && hasPlayed(this.#runtime.state);
   }
 
   /**
@@ -525,7 +525,7 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The speed of the clip. Below 0 it plays backwards.
+   * The speed of the clip. Below 0 it plays backwards, and stands still at the beginning, as videos do.
    *
    * @default 1
    * @throws TypeError for anything but a finite number.

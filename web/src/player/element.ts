@@ -4,10 +4,10 @@
  * Out of sight and in hidden tabs its time stands still, and nothing is computed.
  */
 
+import { advanced, hasEnded, type MediaTime, standsStill } from '../document/media_time';
 import { asC2WarpError, C2WarpError } from '../error';
 import { PlayerAttributes } from './attributes';
 import { cycleOf, frameAt, motionAt, orderAt, type RigClip } from './clip';
-import { advanced } from './clock';
 import { type Grips, gripsOf } from './grips';
 import { handlesAt } from './handles_at';
 import type { Loaded } from './library';
@@ -39,6 +39,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     'src',
     'clip',
     'autoplay',
+    'loop',
     'poster',
     'alt',
     'width',
@@ -62,7 +63,6 @@ export class C2WarpPlayer extends PlayerAttributes {
   #time = 0;
   #rate = 1;
   #paused = true;
-  #ended = false;
   #autoplays = false;
   #last = Number.NaN;
   #updated = 0;
@@ -131,6 +131,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (name === 'alt') this.#internals.ariaLabel = after;
     if (name === 'width' || name === 'height') this.#screen.setSize(this.givenSize);
     if (name === 'autoplay' && after !== null && this.#source.loaded) this.#autoplay();
+    if (name === 'loop') this.#ask();
   }
 
   /**
@@ -193,15 +194,12 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   set currentTime(time: number) {
     if (!Number.isFinite(time)) throw new TypeError('The time must be a finite number.');
-    this.#time = Math.max(0, this.#clip ? Math.min(time, this.duration) : time);
-    this.#ended = false;
-    this.#posed = undefined;
-    this.#update();
-    this.#ask();
+    this.#seek(Math.max(0, this.#clip ? Math.min(time, this.duration) : time));
+    if (this.ended) this.#end();
   }
 
   /**
-   * The speed. Below 0 the clip plays backwards.
+   * The speed. Below 0 the clip plays backwards, and stands still at the beginning, as videos do.
    *
    * @default 1
    * @throws TypeError for anything but a finite number.
@@ -214,6 +212,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (!Number.isFinite(rate)) throw new TypeError('The rate must be a finite number.');
     this.#rate = rate;
     this.dispatchEvent(new Event('ratechange'));
+    this.#ask();
   }
 
   /** Whether the clip does not play. */
@@ -223,7 +222,7 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   /** Whether the clip has played to its end. */
   get ended(): boolean {
-    return this.#ended;
+    return hasEnded(this.#at);
   }
 
   /** Why the source or the clip is not shown, or null. */
@@ -232,7 +231,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /**
-   * Plays, and resolves once the rig is there.
+   * Plays, from the beginning if the clip has ended, and resolves once the rig is there.
    *
    * @throws C2WarpError if the rig cannot be shown.
    */
@@ -304,9 +303,30 @@ export class C2WarpPlayer extends PlayerAttributes {
     return this.posable && this.#poser !== null;
   }
 
+  /** The time by the rules of media elements. */
+  get #at(): MediaTime {
+    return { time: this.#time, rate: this.#rate, length: this.duration, loops: this.loop };
+  }
+
+  get #moves(): boolean {
+    return !this.#paused && !standsStill(this.#at);
+  }
+
+  #seek(time: number): void {
+    this.#time = time;
+    this.#posed = undefined;
+    this.#update();
+    this.#ask();
+  }
+
+  /** The clip has come to its end. */
+  #end(): void {
+    if (this.ended) this.#stop();
+    this.dispatchEvent(new Event('ended'));
+  }
+
   #begin(): void {
-    if (this.#ended) this.#time = 0;
-    this.#ended = false;
+    if (this.ended) this.#seek(0);
     this.#posed = undefined;
     if (!this.#paused) return;
     this.#paused = false;
@@ -361,7 +381,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     else this.#fail(new C2WarpError('clip', `There is no clip “${wanted}”: there is ${listed(this.clips)}.`));
     const before = this.#clip;
     this.#clip = found ?? clips[0];
-    if (before && before !== this.#clip) this.currentTime = 0;
+    if (before && before !== this.#clip) this.#seek(0);
     this.#ask();
   }
 
@@ -385,25 +405,19 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   readonly #frame = (now: number): boolean => {
     if (!this.#source.loaded || !this.#screen.isSeen) return false;
-    this.#advance(now);
+    if (this.#moves) this.#advance(Math.min(now - this.#last, BREAK_MS) / 1000);
     this.#draw();
-    return !this.#paused;
+    this.#last = this.#moves ? now : Number.NaN;
+    return this.#moves;
   };
 
-  #advance(now: number): void {
-    const gap = Math.min(now - this.#last, BREAK_MS);
-    this.#last = this.#paused ? Number.NaN : now;
+  #advance(seconds: number): void {
     // The first frame has none before it.
-    if (this.#paused || Number.isNaN(gap)) return;
-    const { time, stops } = advanced(this.#time, (gap / 1000) * this.#rate, this.duration, this.loop);
-    this.#time = time;
-    if (stops) {
-      this.#last = Number.NaN;
-      this.#ended = time >= this.duration;
-      this.#update();
-      this.#stop();
-      if (this.#ended) this.dispatchEvent(new Event('ended'));
-    } else if (Math.abs(time - this.#updated) >= UPDATE_S) this.#update();
+    if (Number.isNaN(seconds)) return;
+    this.#time = advanced(this.#at, seconds);
+    const ends = this.ended;
+    if (ends || !this.#moves || Math.abs(this.#time - this.#updated) >= UPDATE_S) this.#update();
+    if (ends) this.#end();
   }
 
   #draw(): void {

@@ -18,6 +18,7 @@ import type { Media, PageAttributes } from '../editor/page';
 import { type PageQuestion, questionsOf } from '../editor/page_question';
 import { mayReceive } from '../editor/permissions';
 import { misfit, type NamedFile } from '../editor/picture';
+import { isPlaying } from '../editor/played_clip';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
 import { drawn } from '../editor/update/drawn';
@@ -378,7 +379,7 @@ export class EditorRuntime {
       solution: deformation?.data ?? null,
       pose: deformation?.pose(project) ?? null,
       heat: bare ? null : this.#heat(),
-      moves: isPressing(state.tools) || state.timeline.playing || state.playback.playing,
+      moves: isPressing(state.tools) || state.timeline.playing || isPlaying(state),
       view: {
         ...deviceView(view.camera, stage, devicePixelRatio),
         compare: display.preview === 'compare' || isLassoing(state),
