@@ -29,7 +29,7 @@ import {
   posedHandle,
 } from './document/project';
 import type { PageNotification } from './editor/effects';
-import { attributesPending, type Carried, isOpening, nothingCarried } from './editor/opening_state';
+import { attributesPending, type Carried, nothingCarried } from './editor/opening_state';
 import type { PageAttributes, Sample } from './editor/page';
 import type { PageQuestion } from './editor/page_question';
 import { mayReceive } from './editor/permissions';
@@ -51,14 +51,14 @@ import { checkedPairs } from './element/checked_pairs';
 import { coded } from './element/coded';
 import { emitter, TypedElement } from './element/events';
 import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
-import { FormControl } from './element/form_control';
+import { FormControl, SUBMITTED } from './element/form_control';
 import { addLanguage, languageTags } from './element/languages';
-import { loadOf } from './element/load_of';
+import { Loading } from './element/loading';
 import { mediaOf } from './element/media';
 import { emitNotification } from './element/notification';
 import { pageAttributes } from './element/page_attributes';
 import { namedSource } from './element/picture_source';
-import { type Properties, taken } from './element/properties';
+import type { Properties } from './element/properties';
 import { ask } from './element/questions';
 import { ShownLanguage } from './element/shown_language';
 import type { Changes } from './element/updating_element';
@@ -68,7 +68,7 @@ import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
 import { notLoaded } from './runtime/lazy_view';
 import type { PartialTexts } from './texts/texts';
-import { isToolName, type ToolName } from './tools/machine';
+import { TOOL_NAMES, type ToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
 
@@ -140,32 +140,35 @@ export class C2Warp extends TypedElement {
 
   /** @internal */
   static override readonly properties: Properties = {
-    src: {},
-    projectSource: { attribute: 'project' },
-    toolSource: { attribute: 'tool' },
-    readonly: { type: Boolean, reflect: true },
-    disabled: { type: Boolean, reflect: true },
-    posable: { type: Boolean, reflect: true },
+    src: { kind: 'address' },
+    projectSource: { attribute: 'project', kind: 'address' },
+    toolSource: { attribute: 'tool', words: TOOL_NAMES },
+    readonly: { kind: 'flag' },
+    disabled: { kind: 'flag' },
+    posable: { kind: 'flag' },
     clip: {},
-    autoplay: { type: Boolean, reflect: true },
-    loop: { type: Boolean, reflect: true },
-    theme: { reflect: true },
+    autoplay: { kind: 'flag' },
+    loop: { kind: 'flag' },
+    theme: { words: ['light', 'dark', 'auto'], initial: 'auto' },
     alt: {},
     hint: {},
     hintFor: { attribute: 'hint-for' },
     autosave: {},
-    samples: { attribute: false },
-    features: {},
-    required: { type: Boolean, reflect: true },
-    name: { reflect: true },
-    submits: { reflect: true },
-    crossOrigin: { reflect: true },
+    samples: { attribute: false, initial: [] },
+    features: { kind: 'optional' },
+    required: { kind: 'flag' },
+    name: {},
+    submits: { words: SUBMITTED, initial: 'project' },
+    crossOrigin: { words: ['anonymous', 'use-credentials'], invalid: 'anonymous' },
   };
 
+  /** @internal */
+  static override readonly accessors = ['readOnly', 'project', 'selection', 'tool', 'defaults'];
+
   /** The address of the picture. A new address replaces the open picture. */
-  declare src: string | null;
+  declare src: string;
   /** The address of the project file for `src`. Both are opened again when either changes. */
-  declare projectSource: string | null;
+  declare projectSource: string;
   /** The tool that the page has set last. People may have chosen another one since: see the property `tool`. */
   declare toolSource: ToolName | null;
   /** People can look, pan and zoom, but change nothing. Methods still can. */
@@ -175,23 +178,23 @@ export class C2Warp extends TypedElement {
   /** Only the picture and its handles, for an article. With `readonly`, only the picture. */
   declare posable: boolean;
   /** The name of the clip that `play()` plays. Without it the first one. */
-  declare clip: string | null;
+  declare clip: string;
   /** Plays the clip once the picture is open, unless people prefer reduced motion. */
   declare autoplay: boolean;
   /** The clip begins again at its end. */
   declare loop: boolean;
-  /** Light or dark colours. Without it, those of the system. */
-  declare theme: 'light' | 'dark' | null;
+  /** Light or dark colours. By default, `auto`, those of the system. */
+  declare theme: 'light' | 'dark' | 'auto';
   /** With `posable`: what the picture shows, for screen readers. Without it they read its name. */
-  declare alt: string | null;
+  declare alt: string;
   /** A hint, shown until the first change. */
-  declare hint: string | null;
+  declare hint: string;
   /** The id of the handle that the hint points to. Without it the first one. */
-  declare hintFor: string | null;
+  declare hintFor: string;
   /**
    * A key in browser storage. Work is stored there after each step, and restored in place of the first `src`.
    */
-  declare autosave: string | null;
+  declare autosave: string;
   /** Pictures that the menu beside Open offers: a list of `{ name, src, project? }` with addresses. */
   declare samples: readonly Sample[];
   /** The parts that people get: words of `tools`, `open`, `save`, `export` and `animate`. Without it all. */
@@ -199,10 +202,10 @@ export class C2Warp extends TypedElement {
   /** A form is not submitted without a picture. */
   declare required: boolean;
   /** The name under which a form submits the value. */
-  declare name: string | null;
+  declare name: string;
   /** The value in a form: the project as JSON, which is the default, or the warped picture as a PNG file. */
-  declare submits: 'project' | 'picture' | null;
-  /** Whether requests to other origins carry cookies. Without it they do not. */
+  declare submits: 'project' | 'picture';
+  /** Whether requests to other origins carry cookies. Without it, and by `anonymous`, they do not. */
   declare crossOrigin: 'anonymous' | 'use-credentials' | null;
 
   readonly #emit = emitter(this);
@@ -213,6 +216,9 @@ export class C2Warp extends TypedElement {
     failed: (error) => this.#emit('error', asC2WarpError(error)),
   });
   #defaults: ProjectDefaults = {};
+  readonly #loading = new Loading();
+  /** Attributes that name another picture have changed: it is asked for once all of them are set. */
+  #asksSource = false;
   /** Calls of `load()`. */
   #asked = 0;
   /** Runs while the element is connected. */
@@ -228,29 +234,17 @@ export class C2Warp extends TypedElement {
   #carried: Carried = nothingCarried;
   readonly #media = mediaOf(this);
 
-  constructor() {
-    super();
-    this.src = null;
-    this.projectSource = null;
-    this.toolSource = null;
-    this.readonly = false;
-    this.disabled = false;
-    this.posable = false;
-    this.clip = null;
-    this.autoplay = false;
-    this.loop = false;
-    this.theme = null;
-    this.alt = null;
-    this.hint = null;
-    this.hintFor = null;
-    this.autosave = null;
-    this.samples = [];
-    this.features = null;
-    this.required = false;
-    this.name = null;
-    this.submits = null;
-    this.crossOrigin = null;
-    Object.assign(this, taken(this, ['project', 'selection', 'tool', 'defaults']));
+  /**
+   * The same as `readonly`, by the name that form controls have.
+   *
+   * @default false
+   */
+  get readOnly(): boolean {
+    return this.readonly;
+  }
+
+  set readOnly(on: boolean) {
+    this.readonly = on;
   }
 
   /**
@@ -269,7 +263,7 @@ export class C2Warp extends TypedElement {
   set project(given: ProjectFile | string | null) {
     if (given === null || typeof given !== 'object') {
       this.#setPageProject(null);
-      this.projectSource = given ?? null;
+      Reflect.set(this, 'projectSource', given);
       return;
     }
     const runtime = this.#runtime;
@@ -321,15 +315,15 @@ export class C2Warp extends TypedElement {
    * nothing and emits an `error`.
    */
   get tool(): ToolName {
-    const { toolSource } = this;
-    return this.#runtime?.state.tools.tool ?? (isToolName(toolSource) ? toolSource : 'select');
+    const runtime = this.#runtime;
+    return runtime?.isAttached ? runtime.state.tools.tool : (this.toolSource ?? 'select');
   }
 
   set tool(name: ToolName | null) {
     const before = this.toolSource;
-    this.toolSource = name ?? null;
+    this.toolSource = name;
     // The attribute has named it before, and a person has chosen another one since.
-    if (name === before && isToolName(name)) this.#takeTool(name);
+    if (before === this.toolSource) this.#takeTool();
   }
 
   /**
@@ -357,12 +351,19 @@ export class C2Warp extends TypedElement {
     const copied = typeof given === 'object' && given ? deepCopy(given) : given;
     const asked = ++this.#asked;
     const named = namedSource(source);
-    // An address or a file is asked for at once.
-    const picture = named instanceof Promise ? await coded(named) : named;
-    if (asked !== this.#asked || runtime !== this.#runtime)
-      throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
-    options.signal?.throwIfAborted();
-    await coded(runtime.load(picture, copied, options), options.signal);
+    // A picture that the page has named before this one is superseded, not asked for later.
+    this.#askSource();
+    const open = async () => {
+      // An address or a file is asked for at once.
+      const picture = named instanceof Promise ? await coded(named) : named;
+      if (asked !== this.#asked || runtime !== this.#runtime)
+        throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
+      options.signal?.throwIfAborted();
+      await coded(runtime.load(picture, copied, options), options.signal);
+    };
+    const opened = open();
+    this.#loading.follow(opened);
+    return opened;
   }
 
   /**
@@ -660,14 +661,14 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Resolves once a picture is open and solved, at once if one is.
+   * Resolves once the picture is open and solved that the page has asked for last, at once if it is. Each `src`, and
+   * each `load()`, has a promise of its own. Without either, it is the picture that a person opens first.
    *
-   * @throws C2WarpError as an `error` event has it, if the picture of `src` cannot be opened and there is no other one.
+   * @throws C2WarpError as an `error` event has it, if the picture cannot be opened.
+   * @throws DOMException AbortError if the page asks for another picture first; otherwise as `load()`.
    */
   get loaded(): Promise<void> {
-    const state = this.#runtime?.state;
-    const isOpen = state?.picture && state.solution.ready && !isOpening(state.opening);
-    return isOpen ? Promise.resolve() : loadOf(this);
+    return this.#loading.promise;
   }
 
   /** Tells the editor that the page has stored the present project, as after `beforesave`. */
@@ -732,13 +733,19 @@ export class C2Warp extends TypedElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.#loading.reopen();
+    this.#asksSource = false;
     const element = {
       node: this,
       root: this.shadowRoot as ShadowRoot,
       texts: () => this.#language.current.texts,
       render: () => this.requestUpdate(),
       rendered: () => this.updateComplete,
-      notifyPage: (notification: PageNotification) => emitNotification(this.#emit, notification),
+      notifyPage: (notification: PageNotification) => {
+        if (notification.type === 'load') this.#loading.opened();
+        emitNotification(this.#emit, notification);
+      },
+      sourceFailed: (error: Error) => this.#loading.failed(asC2WarpError(error)),
       ask: (question: PageQuestion) => ask(question, this.#emit),
       setTheme: (theme: 'light' | 'dark') => {
         this.theme = theme;
@@ -770,24 +777,25 @@ export class C2Warp extends TypedElement {
     return shell(viewModel(runtime.state, texts), tag, runtime.dispatch, runtime.canvas, runtime.laterParts);
   }
 
-  /** @internal Asks at once for what the attributes name, so that what a page sets next is for that. */
-  protected override propertyChanged(name: string, before: unknown): void {
-    super.propertyChanged(name, before);
-    // The attributes of the first update are the initial content, not a change.
-    const asks = name === 'src' || (name === 'projectSource' && this.projectSource !== null);
-    if (!asks || !this.hasUpdated || !this.src) return;
-    if (this.#runtime) this.#runtime.dispatch({ type: 'source-changed' });
-    else this.#carried = { ...this.#carried, revision: this.#carried.revision + 1 };
-  }
-
-  /** @internal */
-  protected override willUpdate(changes: Changes): void {
+  /** @internal The editor takes each change at once, and asks for a picture once all attributes are set. */
+  protected override propertyChanged(name: string): void {
+    super.propertyChanged(name);
     const runtime = this.#runtime;
-    if (!runtime || changes.size === 0) return;
+    const asks = (name === 'src' || (name === 'projectSource' && this.hasAttribute('project'))) && this.src;
+    if (asks) this.#loading.renew();
+    // The attributes of the first update are the initial content, not a change.
+    if (asks && this.hasUpdated) {
+      if (runtime) runtime.dispatch({ type: 'source-changed' });
+      else this.#carried = { ...this.#carried, revision: this.#carried.revision + 1 };
+      this.#asksSource = runtime?.isAttached === true;
+    }
+    if (!runtime) return;
+    const locks = name === 'posable' || name === 'readonly';
     // A field that goes commits what is typed.
-    if (changes.has('posable') || changes.has('readonly') || changes.has('disabled')) runtime.untype();
+    if (locks || name === 'disabled') runtime.untype();
     runtime.dispatch({ type: 'page-changed', page: this.#attributes });
-    if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#media() });
+    if (name === 'theme') runtime.dispatch({ type: 'media-changed', media: this.#media() });
+    if (runtime.isAttached && (locks || name === 'toolSource')) this.#takeTool();
   }
 
   /** @internal */
@@ -798,24 +806,22 @@ export class C2Warp extends TypedElement {
     const isFirst = !runtime.isAttached;
     if (isFirst || changes.has('autosave'))
       runtime.dispatch({ type: 'autosave-key-set', key: this.autosave || null });
-    const freed = changes.has('readonly') || changes.has('posable');
     if (!isFirst && (changes.has('posable') || (this.posable && changes.has('readonly'))))
       runtime.rearrange();
-    if (isToolName(this.toolSource) && (isFirst || freed || changes.has('toolSource')))
-      this.#takeTool(this.toolSource);
-    for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
+    if (isFirst) this.#takeTool();
+    for (const fault of attributeFaults(this, C2Warp.properties, changes)) this.#emit('error', fault);
     this.#control.validate(
       this.required && this.naturalWidth === 0 ? this.#language.current.texts.stage.required : null,
     );
     const stage = this.shadowRoot?.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
-    else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
+    else this.#askSource();
   }
 
-  /** Whether the changed attributes name something to open. */
-  #namesSource(changes: Changes): boolean {
-    const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
-    return named && Boolean(this.src);
+  /** Opens what changed attributes name. */
+  #askSource(): void {
+    if (this.#asksSource) this.#runtime?.dispatch({ type: 'source-asked' });
+    this.#asksSource = false;
   }
 
   /** @throws RangeError at once for an invalid option. */
@@ -833,8 +839,10 @@ export class C2Warp extends TypedElement {
     });
   }
 
-  #takeTool(tool: ToolName): void {
-    this.#runtime?.dispatch({ type: 'tool-set', tool });
+  /** Chooses the tool that the page has set. */
+  #takeTool(): void {
+    const { toolSource: tool } = this;
+    if (tool) this.#runtime?.dispatch({ type: 'tool-set', tool });
   }
 
   get #present(): EditorRuntime {
@@ -859,9 +867,8 @@ export class C2Warp extends TypedElement {
   }
 
   #setDefaults(settings: ProjectDefaults): void {
-    const before = this.#defaults;
     this.#defaults = settings;
-    this.propertyChanged('defaults', before);
+    this.propertyChanged('defaults');
   }
 
   /** The solver checks the values, once it has started. */

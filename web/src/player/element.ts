@@ -27,8 +27,6 @@ const BREAK_MS = 250;
 /**
  * A player of rigs, with the words of `<video>`.
  *
- * @attr {number} width - The width in pixels of the page, for the shape before the rig is there. It needs `height`.
- * @attr {number} height - The height in pixels of the page, for the same.
  * @slot - Shown until the rig is there, and if it fails, where there is no poster.
  * @csspart canvas - The picture.
  * @csspart poster - The image of `poster`.
@@ -107,9 +105,15 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   connectedCallback(): void {
+    // Properties that the page set before the element was defined hide the accessors.
+    for (const [name, value] of Object.entries(this)) {
+      if (!(name in C2WarpPlayer.prototype)) continue;
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
     this.#screen.watch();
     stillness().addEventListener('change', this.#onStillness);
-    if (this.#wanted() !== this.#source.address) this.#load();
+    if (this.src !== this.#source.address) this.#load();
   }
 
   disconnectedCallback(): void {
@@ -138,13 +142,14 @@ export class C2WarpPlayer extends PlayerAttributes {
    * The name of the clip. Without one, the first clip plays.
    *
    * @attr
+   * @default ''
    */
   get clip(): string {
     return this.getAttribute('clip') ?? this.#clip?.name ?? '';
   }
 
   set clip(clip: string) {
-    this.setAttribute('clip', clip);
+    this.reflect('clip', clip);
   }
 
   /** The names of all clips; empty until the rig is there. */
@@ -352,14 +357,10 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#stop();
   };
 
-  #wanted(): string {
-    return this.src && new URL(this.src, document.baseURI).href;
-  }
-
   /** Loads the source. A newer one supersedes it. */
   #load(): void {
     this.#error = null;
-    this.#source.load(this.#wanted());
+    this.#source.load(this.src);
   }
 
   #begun({ rig }: Loaded): void {

@@ -68,6 +68,8 @@ export interface EditorElement {
   notifyPage(notification: PageNotification): void;
   /** Whether the page lets a person go on. */
   ask(question: PageQuestion): boolean;
+  /** The picture of the attributes cannot be opened. */
+  sourceFailed(error: Error): void;
   setTheme(theme: 'light' | 'dark'): void;
   /** The system switched between light and dark colours. */
   schemeChanged(): void;
@@ -451,6 +453,7 @@ export class EditorRuntime {
       ask: (question) => element.ask(question),
       settleLoad: (reply, error) => this.#settleLoad(reply, error),
       adoptPageProject: (effect) => this.#adoptPageProject(effect),
+      sourceFailed: (error) => element.sourceFailed(error),
       setTheme: (theme) => element.setTheme(theme),
       releaseInput: () => element.rendered().then(() => this.dispatch({ type: 'input-released' })),
     };
