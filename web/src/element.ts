@@ -15,6 +15,7 @@
  * it is defined. Servers and workers can import this file: it defines no element there.
  */
 import type { Drawing } from './compute/drawing';
+import { withNewRotation } from './document/bending';
 import { checkDefaults, type ProjectDefaults } from './document/defaults';
 import { type Document, handleById } from './document/document';
 import { freeId } from './document/edits';
@@ -393,8 +394,9 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Adds a handle, with a generated id if it has none, and returns the id. The solver may refuse the handle
-   * later, for example too close to another. Then an `error` follows, and a `change` that removes this handle alone.
+   * Adds a handle, with a generated id if it has none, and returns the id. Without a rotation it turns as one that a
+   * person adds: by itself in rigid mode. The solver may refuse the handle later, for example too close to another.
+   * Then an `error` follows, and a `change` that removes this handle alone.
    *
    * @param handle Its places are in pixels of the picture.
    * @returns The id.
@@ -407,7 +409,8 @@ export class C2Warp extends TypedElement {
     if (typeof handle !== 'object' || handle === null) throw new RangeError('a handle: expected an object');
     const id = handle.id ?? freeId(projectOf(state));
     if (handleById(documentOf(state), id)) throw new RangeError(`there is a handle "${id}" already`);
-    const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
+    const given = checkedHandle(posedHandle({ ...handle, id } as HandleFile));
+    const added = deepCopy(withNewRotation(projectOf(state), given));
     if (added.kind === 'point' && this.#present.isOutside(added.rest))
       throw new C2WarpError(
         'handle-outside',

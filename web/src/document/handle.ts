@@ -9,6 +9,7 @@ import {
   nearestTurn,
 } from '../geometry/polyline';
 import { add, lerp, rotated, scaled, subtract, type Vec } from '../geometry/vec';
+import { PAPER_SETTINGS } from './generated/settings';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** The current turn of each automatic handle: degrees by id. */
@@ -177,6 +178,19 @@ export function checkedHandle(handle: Handle): Handle {
   if (!(isNumber(scale) && scale > 0)) refuse(`scale: expected a number above 0 and below ${BEYOND}`);
   if (!isNumber(depth)) refuse(`depth: expected a number, at most ${BEYOND} from 0`);
   return handle;
+}
+
+/** The values of keys that a file leaves out. */
+const DEFAULTS = { rotation: PAPER_SETTINGS.rotation, scale: 1, depth: 0, stiffness: 0 } as const;
+
+/** A changed handle without defaults that it left out before: they would change the file, and nothing else. */
+export function withoutNewDefaults<H extends Handle>(handle: H, before: Handle): H {
+  const isNew = (key: string): boolean =>
+    Reflect.get(handle, key) === Reflect.get(DEFAULTS, key) && Reflect.get(before, key) === undefined;
+  const added = Object.keys(DEFAULTS).filter(isNew);
+  if (added.length === 0) return handle;
+  const others = Object.entries(handle).filter(([key]) => !added.includes(key));
+  return Object.fromEntries(others) as unknown as H;
 }
 
 /** Makes the rotation automatic. */

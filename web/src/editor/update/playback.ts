@@ -122,7 +122,7 @@ export function easedBack(document: Document, { from, left }: Easing): Document 
 function between(handle: Handle, start: Handle, weight: number): Handle {
   const places = corners(start);
   const posed = corners(handle).map((corner, k): Vec => lerp(corner, places[k] ?? corner, weight));
-  const [a, b] = [handle.rotation, start.rotation];
+  const [a = 0, b = 0] = [handle.rotation, start.rotation];
   const turned = typeof a === 'number' && typeof b === 'number' ? { rotation: a + weight * (b - a) } : {};
   const scale = scaleOf(handle) + weight * (scaleOf(start) - scaleOf(handle));
   return isLine(handle)
