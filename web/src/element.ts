@@ -385,6 +385,19 @@ export class C2Warp extends TypedElement {
   }
 
   /**
+   * Opens what a link or another program brings, once the person agrees if a picture is open.
+   *
+   * @internal
+   */
+  offer(brought: readonly File[] | Sample): void {
+    const opening = Array.isArray(brought)
+      ? ({ type: 'files-received', files: brought.map((file) => ({ name: file.name, file })) } as const)
+      : ({ type: 'sample-chosen', sample: brought as Sample } as const);
+    const names = Array.isArray(brought) ? brought.map(({ name }) => name) : [(brought as Sample).name];
+    this.#present.dispatch({ type: 'offered', names, opening });
+  }
+
+  /**
    * Tells a person something in a notice, which passes after some seconds. With `posable` there are none.
    *
    * @param text A sentence for people.

@@ -32,7 +32,7 @@ export const withBlend = (project: Project, blend: Blend): Project => ({
 /** The rotation of an unturned point. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
-/** A handle without a rotation, with that of a new one: lines turn with their corners, and points as the mode has it. */
+/** A handle without a rotation gets that of a new one: lines turn with their corners, points as in this mode. */
 export const withNewRotation = (project: Project, handle: Handle): Handle =>
   handle.rotation === undefined && (isLine(handle) || restingRotation(project) === 'auto')
     ? withAutoRotation(handle)

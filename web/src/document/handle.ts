@@ -9,7 +9,6 @@ import {
   nearestTurn,
 } from '../geometry/polyline';
 import { add, lerp, rotated, scaled, subtract, type Vec } from '../geometry/vec';
-import { PAPER_SETTINGS } from './generated/settings';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** The current turn of each automatic handle: degrees by id. */
@@ -181,7 +180,7 @@ export function checkedHandle(handle: Handle): Handle {
 }
 
 /** The values of keys that a file leaves out. */
-const DEFAULTS = { rotation: PAPER_SETTINGS.rotation, scale: 1, depth: 0, stiffness: 0 } as const;
+const DEFAULTS = { rotation: 0, scale: 1, depth: 0, stiffness: 0 } as const;
 
 /** A changed handle without defaults that it left out before: they would change the file, and nothing else. */
 export function withoutNewDefaults<H extends Handle>(handle: H, before: Handle): H {

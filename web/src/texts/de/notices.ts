@@ -137,6 +137,7 @@ export const notices: Texts['notices'] = {
     'Eine neue Version ist bereit. Sie öffnet sich, sobald die anderen Fenster des Editors geschlossen sind.',
   notOffline:
     'Der Editor ist nicht für die Nutzung ohne Netz gespeichert: Der Download brach ab. Der nächste Start versucht es erneut.',
+  offered: (files) => `Ein Link oder ein anderes Programm möchte etwas öffnen: ${fewNames(files)}.`,
   shareFailed: 'Das geteilte Bild ist nicht angekommen. Die Datei hier öffnen.',
   notGiven: (file) =>
     `${file} kann nicht gelesen werden: Die Datei wurde verschoben oder geändert. Sie hier öffnen.`,
@@ -153,6 +154,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: 'Andere Fassung zeigen',
   keepThis: 'Diese behalten',
   backTo: (picture) => `Zurück zu ${picture}`,
+  open: 'Öffnen',
   openPicture: 'Bild öffnen',
   useRig: 'Dieses Rig verwenden',
 };

@@ -139,6 +139,7 @@ export const notices = {
   newVersionWaits: 'A new version is ready. It opens once the other windows of the editor are closed.',
   notOffline:
     'The editor is not stored for use without a network: the download broke off. The next start tries again.',
+  offered: (files: readonly string[]) => `A link or another program wants to open ${fewNames(files)}.`,
   shareFailed: 'The shared picture did not arrive. Open its file here.',
   notGiven: (file: string) => `${file} cannot be read: it was moved or changed. Open it here.`,
 };
@@ -155,6 +156,7 @@ export const answers = {
   showOtherVersion: 'Show the other version',
   keepThis: 'Keep this one',
   backTo: (picture: string) => `Back to ${picture}`,
+  open: 'Open',
   openPicture: 'Open picture',
   useRig: 'Use this rig',
 };

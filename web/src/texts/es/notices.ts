@@ -138,6 +138,7 @@ export const notices: Texts['notices'] = {
   newVersionWaits: 'Hay una versión nueva lista. Se abre cuando se cierren las demás ventanas del editor.',
   notOffline:
     'El editor no está guardado para usarlo sin red: la descarga se ha interrumpido. El próximo inicio lo vuelve a intentar.',
+  offered: (files) => `Un enlace u otro programa quiere abrir ${fewNames(files)}.`,
   shareFailed: 'La imagen compartida no ha llegado. Se puede abrir aquí su archivo.',
   notGiven: (file) => `No se puede leer ${file}: se ha movido o cambiado. Se puede abrir aquí.`,
 };
@@ -154,6 +155,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: 'Mostrar la otra versión',
   keepThis: 'Conservar esta',
   backTo: (picture) => `Volver a ${picture}`,
+  open: 'Abrir',
   openPicture: 'Abrir imagen',
   useRig: 'Usar este rig',
 };

@@ -147,6 +147,7 @@ export const notices: Texts['notices'] = {
     'Une nouvelle version est prête. Elle s’ouvrira une fois les autres fenêtres de l’éditeur fermées.',
   notOffline:
     'L’éditeur n’est pas stocké pour un usage hors ligne : le téléchargement s’est interrompu. Le prochain démarrage réessaiera.',
+  offered: (files) => `Un lien ou un autre programme veut ouvrir ${fewNames(files)}.`,
   shareFailed: 'L’image partagée n’est pas arrivée. Ouvrez son fichier ici.',
   notGiven: (file) => `${file} ne peut pas être lu : il a été déplacé ou modifié. Ouvrez-le ici.`,
 };
@@ -163,6 +164,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: 'Voir l’autre version',
   keepThis: 'Garder celle-ci',
   backTo: (picture) => `Revenir à ${picture}`,
+  open: 'Ouvrir',
   openPicture: 'Ouvrir l’image',
   useRig: 'Utiliser ce rig',
 };

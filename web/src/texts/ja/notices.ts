@@ -92,6 +92,7 @@ export const notices: Texts['notices'] = {
   newVersionWaits: '新しいバージョンの準備ができました。エディターのほかのウィンドウを閉じると開きます。',
   notOffline:
     'ダウンロードが途切れたため、エディターをオフラインで使う準備ができていません。次回の起動時にもう一度試みます。',
+  offered: (files) => `リンクまたはほかのアプリが${fewNames(files)}を開こうとしています。`,
   shareFailed: '共有された画像が届きませんでした。ここでファイルを開いてください。',
   notGiven: (file) => `${file}を読み込めません。移動または変更されています。ここで開いてください。`,
 };
@@ -107,6 +108,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: '別の版を表示',
   keepThis: 'この版を残す',
   backTo: (picture) => `${picture}に戻る`,
+  open: '開く',
   openPicture: '画像を開く',
   useRig: 'このリグを使う',
 };

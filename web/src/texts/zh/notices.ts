@@ -90,6 +90,7 @@ export const notices: Texts['notices'] = {
   newVersion: '新版本已就绪。下次启动时打开。',
   newVersionWaits: '新版本已就绪。关闭编辑器的其他窗口后即可打开。',
   notOffline: '编辑器尚未存储，无法离线使用：下载中断了。下次启动时会重试。',
+  offered: (files) => `链接或其他程序想打开${fewNames(files)}。`,
   shareFailed: '分享的图片未能送达。请在此打开它的文件。',
   notGiven: (file) => `无法读取${quoted(file)}：文件已被移动或更改。请在此打开。`,
 };
@@ -105,6 +106,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: '显示另一版本',
   keepThis: '保留此版本',
   backTo: (picture) => `返回：${picture}`,
+  open: '打开',
   openPicture: '打开图片',
   useRig: '使用此 Rig',
 };
