@@ -232,6 +232,7 @@ test('a shared picture opens, without a network too', async ({ page, context }) 
   await goOffline(context);
   await share(page, [png('größe 1.png', disc(80))]);
   const editor = new Editor(page);
+  await takeOffer(page, 'größe 1.png');
   await expect(editor.status).toContainText('80 × 80 px');
   await expect(page).toHaveTitle('größe 1.png – c2warp');
   await expect(page).toHaveURL(server.home);
@@ -239,6 +240,44 @@ test('a shared picture opens, without a network too', async ({ page, context }) 
   await page.reload();
   await expect(editor.status).toContainText('80 × 80 px');
   await expect(notice(page)).toBeHidden();
+});
+
+for (const policy of ['unsafe-url', 'no-referrer'])
+  test(`a form of another site replaces no work by itself, with the policy ${policy}`, async ({ page }) => {
+    const editor = await visited(page);
+    await editor.dragHandle('right hand', { x: 10, y: -40 });
+    await expect.poll(() => editor.storedWork()).toMatchObject({ step: 'Move right hand' });
+    const headers = { 'Referrer-Policy': policy };
+    await page.route('http://other.example/', (route) =>
+      route.fulfill({ contentType: 'text/html', headers, body: '<!doctype html><title>other</title>' }),
+    );
+    await page.goto('http://other.example/');
+    await share(page, [png('disc.png', disc(80))], server.home);
+    await editor.ready();
+    await expect(notice(page)).toContainText('A link or another program wants to open disc.png.');
+    await expect(page).toHaveURL(server.home);
+    await expect(editor.button('Undo: move right hand')).toBeEnabled();
+    await takeOffer(page, 'disc.png');
+    await expect(editor.status).toContainText('80 × 80 px');
+    await editor.openRecent('gingerbread.png');
+    await expect(editor.button('Undo: move right hand')).toBeEnabled();
+  });
+
+test('a link of another site replaces no work by itself', async ({ page }) => {
+  const editor = await visited(page);
+  await editor.dragHandle('right hand', { x: 10, y: -40 });
+  await expect.poll(() => editor.storedWork()).toMatchObject({ step: 'Move right hand' });
+  await page.route('http://other.example/', (route) =>
+    route.fulfill({
+      contentType: 'text/html',
+      body: `<!doctype html><script>location = '${server.home}?src=samples/octopus.png'</script>`,
+    }),
+  );
+  await page.goto('http://other.example/', { waitUntil: 'commit' });
+  await takeOffer(page, 'octopus.png', async () => {
+    await expect(editor.button('Undo: move right hand')).toBeEnabled();
+  });
+  await expect(page).toHaveTitle('octopus.png – c2warp');
 });
 
 test('a share without a file is told', async ({ page }) => {
@@ -322,10 +361,17 @@ const launch = (page: Page, { name, mimeType, buffer }: GivenFile): Promise<void
     { name, mimeType, base64: buffer.toString('base64') },
   );
 
+/** Opens what a notice offers. @param before what holds until then. */
+async function takeOffer(page: Page, name: string, before = async () => {}): Promise<void> {
+  await expect(notice(page)).toContainText(`A link or another program wants to open ${name}.`);
+  await before();
+  await notice(page).getByRole('button', { name: 'Open' }).click();
+}
+
 /** Sends the form that a system sends to a share target. */
-async function share(page: Page, files: readonly GivenFile[]): Promise<void> {
+async function share(page: Page, files: readonly GivenFile[], action = './'): Promise<void> {
   await page.evaluate(
-    (files) => {
+    ([files, action]) => {
       const transfer = new DataTransfer();
       for (const { name, type, base64 } of files) {
         const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
@@ -336,12 +382,19 @@ async function share(page: Page, files: readonly GivenFile[]): Promise<void> {
       const form = Object.assign(document.createElement('form'), {
         method: 'post',
         enctype: 'multipart/form-data',
-        action: './',
+        action,
       });
       form.append(...(files.length > 0 ? [input] : []));
       document.body.append(form);
       form.submit();
     },
-    files.map(({ name, mimeType, buffer }) => ({ name, type: mimeType, base64: buffer.toString('base64') })),
+    [
+      files.map(({ name, mimeType, buffer }) => ({
+        name,
+        type: mimeType,
+        base64: buffer.toString('base64'),
+      })),
+      action,
+    ] as const,
   );
 }

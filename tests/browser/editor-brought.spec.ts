@@ -218,11 +218,25 @@ test.describe('addresses', () => {
   });
 });
 
-test('the address of the page names a picture, and stored work waits', async ({ page }) => {
+const CACTUS = '/?src=samples/cactus.png&project=samples/cactus.c2warp.json';
+
+test('the address of the page names a picture, which opens where there is no work', async ({ page }) => {
+  await page.goto(CACTUS);
+  const editor = new Editor(page);
+  await expect(editor.handle('left arm')).toBeVisible();
+  await expect(page).toHaveTitle('cactus.png – c2warp');
+  await expect(editor.notice).toBeHidden();
+});
+
+test('the address of the page offers a picture in place of stored work', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   await expect.poll(() => editor.storedWork()).toMatchObject({ step: 'Move left hand' });
-  await page.goto('/?src=samples/cactus.png&project=samples/cactus.c2warp.json');
+  await page.goto(CACTUS);
+  const notice = page.locator('c2-warp .notice');
+  await expect(notice).toContainText('A link or another program wants to open cactus.png.');
+  await expect(editor.button('Undo: move left hand')).toBeEnabled();
+  await notice.getByRole('button', { name: 'Open' }).click();
   await expect(editor.handle('left arm')).toBeVisible();
   await expect(page).toHaveTitle('cactus.png – c2warp');
   await editor.openRecent('gingerbread.png');

@@ -1,8 +1,8 @@
 /** `<c2-warp>` on other pages: attributes, methods, events, and the release of resources. */
 import type { Locator, Page } from '@playwright/test';
 import { decode } from 'fast-png';
-import type { C2Warp } from '../../web/src/element';
-import { Editor, meanDifference, type Position } from './editor';
+import type { C2Warp, ProjectFile } from '../../web/src/element';
+import { bytes, Editor, meanDifference, type Position } from './editor';
 import { expect, test } from './fixtures';
 import { denyPictureWorker } from './picture_worker';
 import { WorkerReplies } from './worker_replies';
@@ -419,6 +419,68 @@ test('objects passed to or returned by the element are copies', async ({ page })
     [520, 250],
     [512, 260],
   ]);
+});
+
+test('a project comes back as the page wrote it, and handles as a person adds them', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const { pairs, added } = await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const pairs: (readonly [string, string])[] = [];
+    const set = (project: ProjectFile) => {
+      warp.project = project;
+      pairs.push([JSON.stringify(warp.project), JSON.stringify(project)]);
+    };
+    const { handles, image, format } = warp.project;
+    set({
+      image,
+      handles: handles.map(({ id, kind, posed, rest }) => ({ posed, rest, kind, id }) as never),
+      format,
+    });
+    const written = warp.project.handles[0];
+    // Values that a handle has already, though its file leaves them out.
+    warp.updateHandle('head', { rotation: 0, scale: 1, depth: 0 });
+    warp.pose([{ id: 'head', depth: 0 }]);
+    pairs.push([JSON.stringify(warp.project.handles[0]), JSON.stringify(written)]);
+    warp.updateHandle('head', { depth: 2 });
+    pairs.push([JSON.stringify(warp.project.handles[0]), JSON.stringify({ ...written, depth: 2 })]);
+    const added: unknown[] = [];
+    for (const mode of ['rigid', 'harmonic'] as const) {
+      set({ ...warp.project, pose: { mode } });
+      const rest = [512, 700] as const;
+      const ids = [
+        warp.addHandle({ kind: 'point', rest }),
+        warp.addHandle({
+          kind: 'bar',
+          rest: [
+            [400, 600],
+            [600, 600],
+          ],
+        }),
+        warp.addHandle({ kind: 'point', rest: [512, 800], rotation: 0 }),
+      ];
+      added.push(
+        ids.map((id) => warp.project.handles.find((handle) => handle.id === id)?.rotation ?? 'none'),
+      );
+      for (const id of ids) warp.removeHandle(id);
+    }
+    return { pairs, added };
+  });
+  for (const [got, given] of pairs) expect(got).toBe(given);
+  expect(added).toEqual([
+    ['auto', 'auto', 0],
+    ['none', 'auto', 0],
+  ]);
+  const project = () =>
+    page.locator('c2-warp').evaluate((element) => JSON.stringify((element as C2Warp).project));
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).addHandle({ kind: 'point', rest: [512, 700] });
+  });
+  const before = await project();
+  const saved = (await bytes(await editor.download('Save the project file'))).toString();
+  await page.locator('c2-warp').evaluate(async (element, saved) => {
+    await (element as C2Warp).load('/samples/gingerbread.png', JSON.parse(saved));
+  }, saved);
+  expect(await project()).toBe(before);
 });
 
 test('a drag is reverted when the editor becomes readonly or disabled', async ({ page }) => {

@@ -1,5 +1,6 @@
 /** A page in control of `<c2-warp>`: questions, features, the tool in hand, sources, and points by thousands. */
 import type { C2Warp } from '../../web/src/element';
+import type { C2WarpPlayer } from '../../web/src/player';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
@@ -302,6 +303,115 @@ test('`loaded` rejects with the reason if the first picture cannot be opened', a
     return loaded.catch((error) => error.code);
   });
   expect(told).toBe('picture');
+});
+
+test('`loaded` belongs to the newest picture that the page has asked for', async ({ page }) => {
+  await Editor.open(page);
+  const told = await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const unhandled: string[] = [];
+    addEventListener('unhandledrejection', ({ reason }) => unhandled.push(String(reason)));
+    const ended = (promise: Promise<void>) =>
+      promise.then(
+        () => warp.naturalWidth,
+        (reason) => (reason instanceof DOMException ? reason.name : reason.code),
+      );
+    const told: unknown[] = [];
+    // The picture of the page is open. Each of these is another one, also if it fails.
+    const first = warp.loaded;
+    told.push(warp.naturalWidth, first === warp.loaded);
+    warp.src = '/samples/cat.png';
+    warp.removeAttribute('project');
+    told.push(await ended(warp.loaded));
+    warp.src = '/samples/robot.png';
+    const replaced = [warp.loaded];
+    warp.src = '/samples/snake.png';
+    replaced.push(warp.loaded);
+    const call = warp.load('/samples/gingerbread.png');
+    replaced.push(warp.loaded);
+    told.push(await Promise.all(replaced.map(ended)));
+    await call;
+    warp.src = 'data:text/plain,no picture';
+    told.push(await ended(warp.loaded), warp.naturalWidth);
+    await warp.load('data:text/plain,no file').catch(() => {});
+    told.push(await ended(warp.loaded));
+    // It is opened again after a move.
+    document.body.append(warp);
+    told.push(await ended(warp.loaded));
+    // Nobody waits for these.
+    warp.src = 'data:text/plain,nothing';
+    warp.src = '/samples/cat.png';
+    await warp.loaded;
+    await new Promise((resolve) => setTimeout(resolve));
+    return { told, unhandled };
+  });
+  expect(told).toEqual({
+    told: [1024, true, 760, ['AbortError', 'AbortError', 1024], 'picture', 1024, 'picture', 1024],
+    unhandled: [],
+  });
+});
+
+test('attributes and properties read back at once what a page set', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const read = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const read: unknown[] = [];
+    warp.tool = 'point';
+    read.push(warp.tool, warp.getAttribute('tool'));
+    warp.readOnly = true;
+    // People could not choose it now.
+    warp.tool = 'bar';
+    read.push(warp.readonly, warp.hasAttribute('readonly'), warp.tool, warp.toolSource);
+    warp.removeAttribute('readonly');
+    read.push(warp.readOnly, warp.tool);
+    warp.theme = 'dark';
+    read.push(warp.getAttribute('theme'));
+    warp.removeAttribute('theme');
+    read.push(warp.theme);
+    warp.src = 'samples/cat.png';
+    read.push(warp.getAttribute('src'), warp.src === new URL('samples/cat.png', document.baseURI).href);
+    return read;
+  });
+  expect(read).toEqual([
+    'point',
+    'point',
+    true,
+    true,
+    'point',
+    'bar',
+    false,
+    'bar',
+    'dark',
+    'auto',
+    'samples/cat.png',
+    true,
+  ]);
+  await expect(editor.page.locator('.tools [aria-pressed=true]')).toHaveAccessibleName(/[Bb]ar/);
+});
+
+test('properties that were set before the element was defined count, and read back', async ({ page }) => {
+  await page.goto('/harness/');
+  const read = await page.evaluate(async () => {
+    const tags = ['c2-warp', 'c2-warp-player'] as const;
+    const early = tags.map((tag) => {
+      const element = document.createElement(tag);
+      element.setAttribute('src', '/samples/none.png');
+      Object.assign(element, { src: '/samples/cat.png', autoplay: true });
+      if (tag === 'c2-warp') Object.assign(element, { tool: 'hand', readOnly: true });
+      document.body.append(element);
+      return element;
+    });
+    for (const url of ['/element/c2warp.js', '/player/c2warp-player.js']) await import(url);
+    const [warp, player] = early as [C2Warp, C2WarpPlayer];
+    return {
+      warp: [warp.getAttribute('src'), warp.autoplay, warp.tool, warp.readonly],
+      player: [player.getAttribute('src'), player.autoplay],
+    };
+  });
+  expect(read).toEqual({
+    warp: ['/samples/cat.png', true, 'hand', true],
+    player: ['/samples/cat.png', true],
+  });
 });
 
 test('a form submits the project, and needs a picture where it is required', async ({ page }) => {

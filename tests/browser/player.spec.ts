@@ -502,6 +502,79 @@ test('it plays, updates and ends as a video does', async ({ page }) => {
   expect((await state(page)).paused).toBe(true);
 });
 
+test('each rate and each end of each loop is that of a video', async ({ page }) => {
+  const kinds = ['none', 'repeat', 'alternate'] as const;
+  const short = kinds.map((loop) => ({ name: loop, duration: 0.2, loop, tracks: [] }));
+  await open(page, { 'short.c2rig': baked({ ...project, clips: short }) });
+  const rates = [1, -1, 2, -0.5, 0];
+  const played = await page.evaluate(
+    ([kinds, rates]) => {
+      const frames = async (count: number) => {
+        for (let k = 0; k < count; k++) await new Promise(requestAnimationFrame);
+      };
+      const playedBy = async (clip: string, rate: number, share: number, loop: boolean) => {
+        const player = document.createElement('c2-warp-player');
+        Object.assign(player, { src: '/short.c2rig', clip, loop });
+        player.style.width = '20px';
+        const loaded = new Promise((resolve) => player.addEventListener('loadeddata', resolve));
+        document.body.append(player);
+        await loaded;
+        const { duration } = player;
+        const events: string[] = [];
+        for (const type of ['play', 'pause', 'timeupdate', 'ended'])
+          player.addEventListener(type, () => events.push(type));
+        player.playbackRate = rate;
+        player.currentTime = share * duration;
+        const sought = `${player.ended} ${events.splice(0)}`;
+        await player.play();
+        const begun = player.currentTime / duration;
+        const isThere = () => (rate > 0 ? player.ended : rate < 0 && player.currentTime === 0);
+        await frames(5);
+        if (!loop && rate !== 0) while (!isThere()) await frames(1);
+        await frames(2);
+        const there = player.currentTime / duration;
+        const { paused, ended } = player;
+        const told = events.splice(0);
+        // Whatever it did, it can be played forwards from here.
+        player.playbackRate = 1;
+        await player.play();
+        await frames(3);
+        const goesOn = loop || player.currentTime > 0 || player.ended;
+        player.remove();
+        return { sought, begun, there: loop ? null : there, paused, ended, events: told, goesOn };
+      };
+      const rows = [false, true].flatMap((loop) =>
+        kinds.flatMap((kind) =>
+          rates.flatMap((rate) => [0, 0.5, 1].map((share) => ({ kind, rate, share, loop }))),
+        ),
+      );
+      return Promise.all(
+        rows.map(async (row) => ({
+          ...row,
+          ...(await playedBy(row.kind, row.rate, row.share, row.loop)),
+        })),
+      );
+    },
+    [kinds, rates] as const,
+  );
+  expect(played).toHaveLength(90);
+  for (const { kind, rate, share, loop, events, ...result } of played) {
+    const isAtEnd = share === 1 && rate >= 0 && !loop;
+    const row = `${kind}, rate ${rate}, from ${share}${loop ? ', loop' : ''}`;
+    expect(result, row).toEqual({
+      sought: isAtEnd ? 'true timeupdate,ended' : 'false timeupdate',
+      begun: isAtEnd ? 0 : share,
+      there: loop ? null : rate > 0 ? 1 : rate < 0 || isAtEnd ? 0 : share,
+      paused: rate > 0 && !loop,
+      ended: rate > 0 && !loop,
+      goesOn: true,
+    });
+    const others = events.filter((type) => type !== 'timeupdate');
+    expect(others, row).toEqual(rate > 0 && !loop ? ['play', 'pause', 'ended'] : ['play']);
+    if (!loop) expect(events.includes('timeupdate'), row).toBe(isAtEnd || rate > 0 || rate * share < 0);
+  }
+});
+
 test('clips are chosen by name, and unknown ones are named', async ({ page }) => {
   await open(page);
   await added(page, { src: '/wave.c2rig', clip: 'there and back' }, 'loadeddata');

@@ -15,6 +15,7 @@
  * defined. Servers and workers can import this file, but it defines no element there.
  */
 import type { Drawing } from './compute/drawing';
+import { withNewRotation } from './document/bending';
 import { checkDefaults, type ProjectDefaults } from './document/defaults';
 import { type Document, handleById } from './document/document';
 import { freeId } from './document/edits';
@@ -29,12 +30,12 @@ import {
   posedHandle,
 } from './document/project';
 import type { PageNotification } from './editor/effects';
-import { attributesPending, type Carried, isOpening, nothingCarried } from './editor/opening_state';
+import { attributesPending, type Carried, nothingCarried } from './editor/opening_state';
 import type { PageAttributes, Sample } from './editor/page';
 import type { PageQuestion } from './editor/page_question';
 import { mayReceive } from './editor/permissions';
 import { stem } from './editor/picture';
-import { hasEnded, playedClip, playedDuration } from './editor/played_clip';
+import { hasPlayed, playedClip, playedDuration } from './editor/played_clip';
 import { documentOf, filedProject, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
 import type {
@@ -51,14 +52,14 @@ import { checkedPairs } from './element/checked_pairs';
 import { coded } from './element/coded';
 import { emitter, TypedElement } from './element/events';
 import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
-import { FormControl } from './element/form_control';
+import { FormControl, SUBMITTED } from './element/form_control';
 import { addLanguage, languageTags } from './element/languages';
-import { loadOf } from './element/load_of';
+import { Loading } from './element/loading';
 import { mediaOf } from './element/media';
 import { emitNotification } from './element/notification';
 import { pageAttributes } from './element/page_attributes';
 import { namedSource } from './element/picture_source';
-import { type Properties, taken } from './element/properties';
+import type { Properties } from './element/properties';
 import { ask } from './element/questions';
 import { ShownLanguage } from './element/shown_language';
 import type { Changes } from './element/updating_element';
@@ -68,7 +69,7 @@ import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
 import { notLoaded } from './runtime/lazy_view';
 import type { PartialTexts } from './texts/texts';
-import { isToolName, type ToolName } from './tools/machine';
+import { TOOL_NAMES, type ToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
 
@@ -140,32 +141,35 @@ export class C2Warp extends TypedElement {
 
   /** @internal */
   static override readonly properties: Properties = {
-    src: {},
-    projectSource: { attribute: 'project' },
-    toolSource: { attribute: 'tool' },
-    readonly: { type: Boolean, reflect: true },
-    disabled: { type: Boolean, reflect: true },
-    posable: { type: Boolean, reflect: true },
+    src: { kind: 'address' },
+    projectSource: { attribute: 'project', kind: 'address' },
+    toolSource: { attribute: 'tool', words: TOOL_NAMES },
+    readonly: { kind: 'flag' },
+    disabled: { kind: 'flag' },
+    posable: { kind: 'flag' },
     clip: {},
-    autoplay: { type: Boolean, reflect: true },
-    loop: { type: Boolean, reflect: true },
-    theme: { reflect: true },
+    autoplay: { kind: 'flag' },
+    loop: { kind: 'flag' },
+    theme: { words: ['light', 'dark', 'auto'], initial: 'auto' },
     alt: {},
     hint: {},
     hintFor: { attribute: 'hint-for' },
     autosave: {},
-    samples: { attribute: false },
-    features: {},
-    required: { type: Boolean, reflect: true },
-    name: { reflect: true },
-    submits: { reflect: true },
-    crossOrigin: { reflect: true },
+    samples: { attribute: false, initial: [] },
+    features: { kind: 'optional' },
+    required: { kind: 'flag' },
+    name: {},
+    submits: { words: SUBMITTED, initial: 'project' },
+    crossOrigin: { words: ['anonymous', 'use-credentials'], invalid: 'anonymous' },
   };
 
+  /** @internal */
+  static override readonly accessors = ['readOnly', 'project', 'selection', 'tool', 'defaults'];
+
   /** The address of the picture. A new address replaces the open picture. */
-  declare src: string | null;
+  declare src: string;
   /** The address of the project file for `src`. Both are reopened when either changes. */
-  declare projectSource: string | null;
+  declare projectSource: string;
   /** The tool that the page set last. People may have chosen another tool since: see the property `tool`. */
   declare toolSource: ToolName | null;
   /** People can view, pan and zoom, but not change anything. Methods still work. */
@@ -175,23 +179,23 @@ export class C2Warp extends TypedElement {
   /** Shows only the picture and its handles, for an article. With `readonly`, only the picture. */
   declare posable: boolean;
   /** The name of the clip that `play()` plays. By default, the first clip. */
-  declare clip: string | null;
+  declare clip: string;
   /** Plays the clip once the picture is open, unless the user prefers reduced motion. */
   declare autoplay: boolean;
   /** The clip repeats. */
   declare loop: boolean;
-  /** Light or dark colours. By default, those of the system. */
-  declare theme: 'light' | 'dark' | null;
+  /** Light or dark colours. By default, `auto`, those of the system. */
+  declare theme: 'light' | 'dark' | 'auto';
   /** With `posable`: a description of the picture for screen readers. By default, they read its name. */
-  declare alt: string | null;
+  declare alt: string;
   /** A hint, shown until the first change. */
-  declare hint: string | null;
+  declare hint: string;
   /** The id of the handle that the hint points to. By default, the first handle. */
-  declare hintFor: string | null;
+  declare hintFor: string;
   /**
    * A key in browser storage. Work is stored there after each step, and restored instead of the first `src`.
    */
-  declare autosave: string | null;
+  declare autosave: string;
   /** Pictures that the menu beside Open offers: a list of `{ name, src, project? }` with addresses. */
   declare samples: readonly Sample[];
   /** The available features: any of `tools`, `open`, `save`, `export` and `animate`. By default, all. */
@@ -199,10 +203,10 @@ export class C2Warp extends TypedElement {
   /** The form cannot be submitted without a picture. */
   declare required: boolean;
   /** The name under which a form submits the value. */
-  declare name: string | null;
+  declare name: string;
   /** The value in a form: the project as JSON, which is the default, or the warped picture as a PNG file. */
-  declare submits: 'project' | 'picture' | null;
-  /** Whether requests to other origins carry cookies. By default, they do not. */
+  declare submits: 'project' | 'picture';
+  /** Whether requests to other origins carry cookies. By default, and with `anonymous`, they do not. */
   declare crossOrigin: 'anonymous' | 'use-credentials' | null;
 
   readonly #emit = emitter(this);
@@ -213,6 +217,9 @@ export class C2Warp extends TypedElement {
     failed: (error) => this.#emit('error', asC2WarpError(error)),
   });
   #defaults: ProjectDefaults = {};
+  readonly #loading = new Loading();
+  /** Attributes that name another picture have changed: it is asked for once all of them are set. */
+  #asksSource = false;
   /** Calls of `load()`. */
   #asked = 0;
   /** Runs while the element is connected. */
@@ -228,29 +235,17 @@ export class C2Warp extends TypedElement {
   #carried: Carried = nothingCarried;
   readonly #media = mediaOf(this);
 
-  constructor() {
-    super();
-    this.src = null;
-    this.projectSource = null;
-    this.toolSource = null;
-    this.readonly = false;
-    this.disabled = false;
-    this.posable = false;
-    this.clip = null;
-    this.autoplay = false;
-    this.loop = false;
-    this.theme = null;
-    this.alt = null;
-    this.hint = null;
-    this.hintFor = null;
-    this.autosave = null;
-    this.samples = [];
-    this.features = null;
-    this.required = false;
-    this.name = null;
-    this.submits = null;
-    this.crossOrigin = null;
-    Object.assign(this, taken(this, ['project', 'selection', 'tool', 'defaults']));
+  /**
+   * The same as `readonly`, by the name that form controls have.
+   *
+   * @default false
+   */
+  get readOnly(): boolean {
+    return this.readonly;
+  }
+
+  set readOnly(on: boolean) {
+    this.readonly = on;
   }
 
   /**
@@ -269,7 +264,7 @@ export class C2Warp extends TypedElement {
   set project(given: ProjectFile | string | null) {
     if (given === null || typeof given !== 'object') {
       this.#setPageProject(null);
-      this.projectSource = given ?? null;
+      Reflect.set(this, 'projectSource', given);
       return;
     }
     const runtime = this.#runtime;
@@ -322,15 +317,15 @@ export class C2Warp extends TypedElement {
    * names are ignored and emit an `error`.
    */
   get tool(): ToolName {
-    const { toolSource } = this;
-    return this.#runtime?.state.tools.tool ?? (isToolName(toolSource) ? toolSource : 'select');
+    const runtime = this.#runtime;
+    return runtime?.isAttached ? runtime.state.tools.tool : (this.toolSource ?? 'select');
   }
 
   set tool(name: ToolName | null) {
     const before = this.toolSource;
-    this.toolSource = name ?? null;
+    this.toolSource = name;
     // The attribute has named it before, and a person has chosen another one since.
-    if (name === before && isToolName(name)) this.#takeTool(name);
+    if (before === this.toolSource) this.#takeTool();
   }
 
   /**
@@ -358,12 +353,19 @@ export class C2Warp extends TypedElement {
     const copied = typeof given === 'object' && given ? deepCopy(given) : given;
     const asked = ++this.#asked;
     const named = namedSource(source);
-    // An address or a file is asked for at once.
-    const picture = named instanceof Promise ? await coded(named) : named;
-    if (asked !== this.#asked || runtime !== this.#runtime)
-      throw new DOMException('another picture was requested, or the editor was removed', 'AbortError');
-    options.signal?.throwIfAborted();
-    await coded(runtime.load(picture, copied, options), options.signal);
+    // A picture that the page has named before this one is superseded, not asked for later.
+    this.#askSource();
+    const open = async () => {
+      // An address or a file is asked for at once.
+      const picture = named instanceof Promise ? await coded(named) : named;
+      if (asked !== this.#asked || runtime !== this.#runtime)
+        throw new DOMException('another picture was requested, or the editor was removed', 'AbortError');
+      options.signal?.throwIfAborted();
+      await coded(runtime.load(picture, copied, options), options.signal);
+    };
+    const opened = open();
+    this.#loading.follow(opened);
+    return opened;
   }
 
   /**
@@ -384,6 +386,19 @@ export class C2Warp extends TypedElement {
   }
 
   /**
+   * Opens content of a link or another program. If a picture is open, a notice asks the person first.
+   *
+   * @internal
+   */
+  offer(brought: readonly File[] | Sample): void {
+    const opening = Array.isArray(brought)
+      ? ({ type: 'files-received', files: brought.map((file) => ({ name: file.name, file })) } as const)
+      : ({ type: 'sample-chosen', sample: brought as Sample } as const);
+    const names = Array.isArray(brought) ? brought.map(({ name }) => name) : [(brought as Sample).name];
+    this.#present.dispatch({ type: 'offered', names, opening });
+  }
+
+  /**
    * Shows a notice for some seconds. With `posable`, notices are not shown.
    *
    * @param text A sentence for the user.
@@ -393,8 +408,9 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Adds a handle, with a generated id if it has none, and returns the id. The solver may reject the handle later, for
-   * example if it is too close to another. Then an `error` follows, and a `change` that removes only this handle.
+   * Adds a handle, with a generated id if it has none, and returns the id. Without a rotation, it turns like a handle
+   * that a person adds: automatically in rigid mode. The solver may reject the handle later, for example if it is too
+   * close to another. Then an `error` follows, and a `change` that removes only this handle.
    *
    * @param handle Positions are in pixels of the picture.
    * @returns The id.
@@ -407,7 +423,8 @@ export class C2Warp extends TypedElement {
     if (typeof handle !== 'object' || handle === null) throw new RangeError('addHandle: expected an object');
     const id = handle.id ?? freeId(projectOf(state));
     if (handleById(documentOf(state), id)) throw new RangeError(`a handle "${id}" exists already`);
-    const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
+    const given = checkedHandle(posedHandle({ ...handle, id } as HandleFile));
+    const added = deepCopy(withNewRotation(projectOf(state), given));
     if (added.kind === 'point' && this.#present.isOutside(added.rest))
       throw new C2WarpError(
         'handle-outside',
@@ -501,7 +518,7 @@ export class C2Warp extends TypedElement {
 
   /** Whether the clip has played to its end. */
   get ended(): boolean {
-    return this.#runtime !== null && hasEnded(this.#runtime.state);
+    return this.#runtime !== null && hasPlayed(this.#runtime.state);
   }
 
   /**
@@ -526,7 +543,7 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The speed of the clip. Below 0 it plays backwards.
+   * The speed of the clip. Below 0 it plays backwards, and stands still at the beginning, as videos do.
    *
    * @default 1
    * @throws TypeError for anything but a finite number.
@@ -661,15 +678,14 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Resolves once a picture is open and solved; immediately if one already is.
+   * Resolves once the picture that the page requested last is open and solved. Each `src`, and each `load()`, has its
+   * own promise. Without either, it waits for the first picture that a person opens.
    *
-   * @throws C2WarpError the error of the `error` event, if the picture of `src` cannot be opened and no other picture
-   * is open.
+   * @throws C2WarpError the error of the `error` event, if the picture cannot be opened.
+   * @throws DOMException AbortError if the page requests another picture first, or if `load()` is aborted.
    */
   get loaded(): Promise<void> {
-    const state = this.#runtime?.state;
-    const isOpen = state?.picture && state.solution.ready && !isOpening(state.opening);
-    return isOpen ? Promise.resolve() : loadOf(this);
+    return this.#loading.promise;
   }
 
   /** Tells the editor that the page has stored the present project, as after `beforesave`. */
@@ -734,13 +750,19 @@ export class C2Warp extends TypedElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.#loading.reopen();
+    this.#asksSource = false;
     const element = {
       node: this,
       root: this.shadowRoot as ShadowRoot,
       texts: () => this.#language.current.texts,
       render: () => this.requestUpdate(),
       rendered: () => this.updateComplete,
-      notifyPage: (notification: PageNotification) => emitNotification(this.#emit, notification),
+      notifyPage: (notification: PageNotification) => {
+        if (notification.type === 'load') this.#loading.opened();
+        emitNotification(this.#emit, notification);
+      },
+      sourceFailed: (error: Error) => this.#loading.failed(asC2WarpError(error)),
       ask: (question: PageQuestion) => ask(question, this.#emit),
       setTheme: (theme: 'light' | 'dark') => {
         this.theme = theme;
@@ -772,27 +794,25 @@ export class C2Warp extends TypedElement {
     return shell(viewModel(runtime.state, texts), tag, runtime.dispatch, runtime.canvas, runtime.laterParts);
   }
 
-  /**
-   * @internal Immediately requests the content that the attributes name, so that later settings of the page apply to
-   * it.
-   */
-  protected override propertyChanged(name: string, before: unknown): void {
-    super.propertyChanged(name, before);
-    // The attributes of the first update are the initial content, not a change.
-    const asks = name === 'src' || (name === 'projectSource' && this.projectSource !== null);
-    if (!asks || !this.hasUpdated || !this.src) return;
-    if (this.#runtime) this.#runtime.dispatch({ type: 'source-changed' });
-    else this.#carried = { ...this.#carried, revision: this.#carried.revision + 1 };
-  }
-
-  /** @internal */
-  protected override willUpdate(changes: Changes): void {
+  /** @internal The editor receives each change immediately, and requests a picture once all attributes are set. */
+  protected override propertyChanged(name: string): void {
+    super.propertyChanged(name);
     const runtime = this.#runtime;
-    if (!runtime || changes.size === 0) return;
+    const asks = (name === 'src' || (name === 'projectSource' && this.hasAttribute('project'))) && this.src;
+    if (asks) this.#loading.renew();
+    // The attributes of the first update are the initial content, not a change.
+    if (asks && this.hasUpdated) {
+      if (runtime) runtime.dispatch({ type: 'source-changed' });
+      else this.#carried = { ...this.#carried, revision: this.#carried.revision + 1 };
+      this.#asksSource = runtime?.isAttached === true;
+    }
+    if (!runtime) return;
+    const locks = name === 'posable' || name === 'readonly';
     // A field that goes commits what is typed.
-    if (changes.has('posable') || changes.has('readonly') || changes.has('disabled')) runtime.untype();
+    if (locks || name === 'disabled') runtime.untype();
     runtime.dispatch({ type: 'page-changed', page: this.#attributes });
-    if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#media() });
+    if (name === 'theme') runtime.dispatch({ type: 'media-changed', media: this.#media() });
+    if (runtime.isAttached && (locks || name === 'toolSource')) this.#takeTool();
   }
 
   /** @internal */
@@ -803,24 +823,22 @@ export class C2Warp extends TypedElement {
     const isFirst = !runtime.isAttached;
     if (isFirst || changes.has('autosave'))
       runtime.dispatch({ type: 'autosave-key-set', key: this.autosave || null });
-    const freed = changes.has('readonly') || changes.has('posable');
     if (!isFirst && (changes.has('posable') || (this.posable && changes.has('readonly'))))
       runtime.rearrange();
-    if (isToolName(this.toolSource) && (isFirst || freed || changes.has('toolSource')))
-      this.#takeTool(this.toolSource);
-    for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
+    if (isFirst) this.#takeTool();
+    for (const fault of attributeFaults(this, C2Warp.properties, changes)) this.#emit('error', fault);
     this.#control.validate(
       this.required && this.naturalWidth === 0 ? this.#language.current.texts.stage.required : null,
     );
     const stage = this.shadowRoot?.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
-    else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
+    else this.#askSource();
   }
 
-  /** Whether the changed attributes name content to open. */
-  #namesSource(changes: Changes): boolean {
-    const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
-    return named && Boolean(this.src);
+  /** Opens what changed attributes name. */
+  #askSource(): void {
+    if (this.#asksSource) this.#runtime?.dispatch({ type: 'source-asked' });
+    this.#asksSource = false;
   }
 
   /** @throws RangeError immediately for an invalid option. */
@@ -838,8 +856,10 @@ export class C2Warp extends TypedElement {
     });
   }
 
-  #takeTool(tool: ToolName): void {
-    this.#runtime?.dispatch({ type: 'tool-set', tool });
+  /** Chooses the tool that the page has set. */
+  #takeTool(): void {
+    const { toolSource: tool } = this;
+    if (tool) this.#runtime?.dispatch({ type: 'tool-set', tool });
   }
 
   get #present(): EditorRuntime {
@@ -864,9 +884,8 @@ export class C2Warp extends TypedElement {
   }
 
   #setDefaults(settings: ProjectDefaults): void {
-    const before = this.#defaults;
     this.#defaults = settings;
-    this.propertyChanged('defaults', before);
+    this.propertyChanged('defaults');
   }
 
   /** The solver checks the values, once it has started. */

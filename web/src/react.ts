@@ -37,10 +37,10 @@ export const C2Warp = forwardRef<C2WarpElement, Props>(function C2Warp(props, re
   }, []);
   useSetting(() => {
     current.current = props;
-    for (const [name, initial] of Object.entries(PROPERTIES)) {
+    for (const name of PROPERTIES) {
       // A property that is left out belongs to the element and its reader.
       if (Object.is(props[name], shown.current[name])) continue;
-      Reflect.set(host.current as C2WarpElement, name, props[name] ?? initial);
+      Reflect.set(host.current as C2WarpElement, name, props[name] ?? null);
     }
     shown.current = props;
   });
@@ -49,6 +49,6 @@ export const C2Warp = forwardRef<C2WarpElement, Props>(function C2Warp(props, re
 
 /** Properties of any element. React 18 knows no `className` on custom elements. */
 function others(props: Props): Props {
-  const given = Object.entries(props).filter(([name]) => !(name in PROPERTIES || name in EVENTS));
+  const given = Object.entries(props).filter(([name]) => !(PROPERTIES.includes(name) || name in EVENTS));
   return Object.fromEntries(given.map(([name, value]) => [name === 'className' ? 'class' : name, value]));
 }

@@ -34,14 +34,14 @@ pub use posed_picture::{PictureArrays, PosedPicture};
 pub use session::Session;
 pub use solution::Solution;
 
-/// Reads a project file and returns it with every key.
+/// Checks a project file.
 ///
 /// # Errors
 /// Any deviation from the format, with the path of the offending key.
 #[wasm_bindgen]
-pub fn project_check(json: &str) -> Result<String, JsValue> {
-    let project = Project::from_json(json).map_err(|reason| error::to_js(&reason.into()))?;
-    Ok(project.to_json())
+pub fn project_check(json: &str) -> Result<(), JsValue> {
+    Project::from_json(json).map_err(|reason| error::to_js(&reason.into()))?;
+    Ok(())
 }
 
 /// The version of this module.

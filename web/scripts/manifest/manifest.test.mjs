@@ -47,12 +47,15 @@ describe('the manifest', () => {
   it('gives editors the words of attributes, and which have no value', () => {
     const attributes = htmlData(all).tags[0]?.attributes ?? [];
     expect(attributes.find(({ name }) => name === 'theme')?.values).toEqual([
+      { name: 'auto' },
       { name: 'dark' },
       { name: 'light' },
     ]);
     expect(attributes.find(({ name }) => name === 'loop')?.valueSet).toBe('v');
     const [element] = webTypes(all, { name: 'c2warp', version: '1.0.0' }).contributions.html.elements;
-    expect(element?.attributes.find(({ name }) => name === 'theme')?.value.type).toBe("'dark' | 'light'");
+    expect(element?.attributes.find(({ name }) => name === 'theme')?.value.type).toBe(
+      "'auto' | 'dark' | 'light'",
+    );
   });
 
   it('gives templates what can be set before an element is on a page', () => {

@@ -32,6 +32,12 @@ export const withBlend = (project: Project, blend: Blend): Project => ({
 /** The rotation of an unturned point. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
+/** A handle without a rotation gets that of a new one: lines turn with their corners, points as in this mode. */
+export const withNewRotation = (project: Project, handle: Handle): Handle =>
+  handle.rotation === undefined && (isLine(handle) || restingRotation(project) === 'auto')
+    ? withAutoRotation(handle)
+    : handle;
+
 /** A way back to a mode: the last project in it, and the first one after it. */
 export interface ModeReturn {
   readonly before: Project;

@@ -179,6 +179,19 @@ export function checkedHandle(handle: Handle): Handle {
   return handle;
 }
 
+/** The values of keys that a file leaves out. */
+const DEFAULTS = { rotation: 0, scale: 1, depth: 0, stiffness: 0 } as const;
+
+/** A changed handle without defaults that it left out before: they would change the file, and nothing else. */
+export function withoutNewDefaults<H extends Handle>(handle: H, before: Handle): H {
+  const isNew = (key: string): boolean =>
+    Reflect.get(handle, key) === Reflect.get(DEFAULTS, key) && Reflect.get(before, key) === undefined;
+  const added = Object.keys(DEFAULTS).filter(isNew);
+  if (added.length === 0) return handle;
+  const others = Object.entries(handle).filter(([key]) => !added.includes(key));
+  return Object.fromEntries(others) as unknown as H;
+}
+
 /** Makes the rotation automatic. */
 export const withAutoRotation = (handle: Handle): Handle => ({ ...handle, rotation: 'auto' });
 

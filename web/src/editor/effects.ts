@@ -114,6 +114,8 @@ export type EditorEffect =
       readonly inside: boolean;
     }
   | { readonly type: 'abandon-read'; readonly id: number }
+  /** The picture of the attributes cannot be opened. */
+  | { readonly type: 'source-failed'; readonly error: Error }
   /** Settles the promise of a `load()`; `error` null resolves it, 'superseded' rejects it with an AbortError. */
   | { readonly type: 'settle-load'; readonly reply: number; readonly error: Error | 'superseded' | null }
   /** Checks a project of the page and adopts it, then selects handles. */

@@ -226,6 +226,15 @@ type FileEvent =
   /** A person gives an address of a picture or a project, by typing, pasting or dropping it. */
   | { readonly type: 'address-given'; readonly text: string }
   | { readonly type: 'sample-chosen'; readonly sample: Sample }
+  /**
+   * A link or another program brings something, which anybody can send: it opens at once only if no picture is open.
+   * `names`: of the files.
+   */
+  | {
+      readonly type: 'offered';
+      readonly names: readonly string[];
+      readonly opening: Extract<EditorEvent, { type: 'files-received' | 'sample-chosen' }>;
+    }
   | {
       readonly type: 'load-asked';
       readonly reply: number;

@@ -4,14 +4,10 @@ import { type FormPicture, FormPictures } from './form_pictures';
 
 /** What a form may submit. */
 export const SUBMITTED = ['project', 'picture'] as const;
-type Submitted = (typeof SUBMITTED)[number];
-
-export const isSubmitted = (word: string | null): word is Submitted =>
-  (SUBMITTED as readonly (string | null)[]).includes(word);
 
 /** The interface of the element to its form. */
 export interface Submitting {
-  readonly node: HTMLElement;
+  readonly node: HTMLElement & { readonly submits: (typeof SUBMITTED)[number] };
   /** Null without a picture. */
   project(): Project | null;
   /** The warped picture, drawn now. */
@@ -82,7 +78,7 @@ export class FormControl implements FormPicture {
   }
 
   get #submitsPicture(): boolean {
-    return this.#element.node.getAttribute('submits') === 'picture';
+    return this.#element.node.submits === 'picture';
   }
 
   #append(data: FormData): void {

@@ -7,14 +7,14 @@ import { isFromRight } from './inherited_language';
  *
  * The queries are cached, because every frame of an animation uses them.
  */
-export function mediaOf(node: Element & { readonly theme: string | null }): () => Media {
+export function mediaOf(node: Element & { readonly theme: string }): () => Media {
   const darkScheme = matchMedia('(prefers-color-scheme: dark)');
   const coarsePointer = matchMedia('(pointer: coarse)');
   const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
   return () => {
     const { theme } = node;
     return {
-      dark: theme === 'dark' || theme === 'light' ? theme === 'dark' : darkScheme.matches,
+      dark: theme === 'auto' ? darkScheme.matches : theme === 'dark',
       coarse: coarsePointer.matches,
       still: reducedMotion.matches,
       platform: navigator.platform,

@@ -1,12 +1,19 @@
-/** Properties that mirror attributes. */
+/** Properties that reflect attributes, by the rules of HTML. */
 
 export interface PropertyOptions {
   /** Its attribute: by default its name in lower case. */
   readonly attribute?: string | false;
-  /** True while the attribute is present. Other properties are the attribute's text, or null. */
-  readonly type?: BooleanConstructor;
-  /** Whether setting the property sets the attribute. */
-  readonly reflect?: boolean;
+  /**
+   * By default text, empty without the attribute. A `flag` is true while the attribute is present, an `address` is
+   * absolute, and `optional` text is null without the attribute.
+   */
+  readonly kind?: 'flag' | 'address' | 'optional';
+  /** The words of an attribute that has no other values. */
+  readonly words?: readonly string[];
+  /** The value without the attribute, or without a property that has none. */
+  readonly initial?: unknown;
+  /** The value for other words than these: by default `initial`. */
+  readonly invalid?: string;
 }
 
 export type Properties = Readonly<Record<string, PropertyOptions>>;
@@ -27,13 +34,34 @@ export function attributeOf(properties: Properties, name: string): string | null
   return attribute === false ? null : attribute;
 }
 
-/** The value of a property whose attribute is `text`. */
-export const valueFrom = ({ type }: PropertyOptions, text: string | null): unknown =>
-  type === Boolean ? text !== null : text;
+/** The value of a property whose attribute is `text`, in a document with an address. */
+export function valueFrom(options: PropertyOptions, text: string | null, base: string): unknown {
+  const { kind, words, initial = null, invalid = initial } = options;
+  if (kind === 'flag') return text !== null;
+  if (words) return text === null ? initial : (wordOf(words, text) ?? invalid);
+  if (kind === 'optional') return text;
+  return kind === 'address' && text ? resolved(text, base) : (text ?? '');
+}
+
+/** Words are compared as HTML does. */
+const wordOf = (words: readonly string[], text: string): string | undefined =>
+  words.find((word) => word === text.toLowerCase());
+
+function resolved(text: string, base: string): string {
+  try {
+    return new URL(text, base).href;
+  } catch {
+    return text;
+  }
+}
+
+/** Whether a text is none of an attribute's words. Without a word, an attribute may have a value of its own. */
+export const isUnknown = ({ words, invalid }: PropertyOptions, text: string): boolean =>
+  words !== undefined && wordOf(words, text) === undefined && !(text === '' && invalid !== undefined);
 
 /** The attribute of a value; null if it is absent. */
-export function textOf({ type }: PropertyOptions, value: unknown): string | null {
-  if (type === Boolean) return value ? '' : null;
+export function textOf({ kind }: PropertyOptions, value: unknown): string | null {
+  if (kind === 'flag') return value ? '' : null;
   return value === null || value === undefined ? null : String(value);
 }
 

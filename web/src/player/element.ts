@@ -4,10 +4,10 @@
  * While it is out of view or in a hidden tab, its time stops and nothing is computed.
  */
 
+import { advanced, hasEnded, type MediaTime, standsStill } from '../document/media_time';
 import { asC2WarpError, C2WarpError } from '../error';
 import { PlayerAttributes } from './attributes';
 import { cycleOf, frameAt, motionAt, orderAt, type RigClip } from './clip';
-import { advanced } from './clock';
 import { type Grips, gripsOf } from './grips';
 import { handlesAt } from './handles_at';
 import type { Loaded } from './library';
@@ -27,8 +27,6 @@ const BREAK_MS = 250;
 /**
  * A player of rigs, with the interface of `<video>`.
  *
- * @attr {number} width - The width in CSS pixels, for the shape before the rig is loaded. It requires `height`.
- * @attr {number} height - The height in CSS pixels, for the same purpose.
  * @slot - Shown until the rig is loaded, and if loading fails, unless a poster is set.
  * @csspart canvas - The picture.
  * @csspart poster - The image of `poster`.
@@ -39,6 +37,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     'src',
     'clip',
     'autoplay',
+    'loop',
     'poster',
     'alt',
     'width',
@@ -62,7 +61,6 @@ export class C2WarpPlayer extends PlayerAttributes {
   #time = 0;
   #rate = 1;
   #paused = true;
-  #ended = false;
   #autoplays = false;
   #last = Number.NaN;
   #updated = 0;
@@ -107,9 +105,15 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   connectedCallback(): void {
+    // Properties that the page set before the element was defined hide the accessors.
+    for (const [name, value] of Object.entries(this)) {
+      if (!(name in C2WarpPlayer.prototype)) continue;
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
     this.#screen.watch();
     stillness().addEventListener('change', this.#onStillness);
-    if (this.#wanted() !== this.#source.address) this.#load();
+    if (this.src !== this.#source.address) this.#load();
   }
 
   disconnectedCallback(): void {
@@ -131,19 +135,21 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (name === 'alt') this.#internals.ariaLabel = after;
     if (name === 'width' || name === 'height') this.#screen.setSize(this.givenSize);
     if (name === 'autoplay' && after !== null && this.#source.loaded) this.#autoplay();
+    if (name === 'loop') this.#ask();
   }
 
   /**
    * The name of the clip. By default, the first clip plays.
    *
    * @attr
+   * @default ''
    */
   get clip(): string {
     return this.getAttribute('clip') ?? this.#clip?.name ?? '';
   }
 
   set clip(clip: string) {
-    this.setAttribute('clip', clip);
+    this.reflect('clip', clip);
   }
 
   /** The names of all clips; empty until the rig is loaded. */
@@ -193,15 +199,12 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   set currentTime(time: number) {
     if (!Number.isFinite(time)) throw new TypeError('The time must be a finite number.');
-    this.#time = Math.max(0, this.#clip ? Math.min(time, this.duration) : time);
-    this.#ended = false;
-    this.#posed = undefined;
-    this.#update();
-    this.#ask();
+    this.#seek(Math.max(0, this.#clip ? Math.min(time, this.duration) : time));
+    if (this.ended) this.#end();
   }
 
   /**
-   * The speed. Below 0, the clip plays backwards.
+   * The speed. Below 0, the clip plays backwards, and stands still at the beginning, as videos do.
    *
    * @default 1
    * @throws TypeError for anything but a finite number.
@@ -214,6 +217,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (!Number.isFinite(rate)) throw new TypeError('The rate must be a finite number.');
     this.#rate = rate;
     this.dispatchEvent(new Event('ratechange'));
+    this.#ask();
   }
 
   /** Whether the clip is paused. */
@@ -223,7 +227,7 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   /** Whether the clip has played to its end. */
   get ended(): boolean {
-    return this.#ended;
+    return hasEnded(this.#at);
   }
 
   /** Why the source or the clip is not shown, or null. */
@@ -232,7 +236,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /**
-   * Plays the clip, and resolves once the rig is loaded.
+   * Plays the clip, from the beginning if it has ended, and resolves once the rig is loaded.
    *
    * @throws C2WarpError if the rig cannot be shown.
    */
@@ -304,9 +308,30 @@ export class C2WarpPlayer extends PlayerAttributes {
     return this.posable && this.#poser !== null;
   }
 
+  /** The time by the rules of media elements. */
+  get #at(): MediaTime {
+    return { time: this.#time, rate: this.#rate, length: this.duration, loops: this.loop };
+  }
+
+  get #moves(): boolean {
+    return !this.#paused && !standsStill(this.#at);
+  }
+
+  #seek(time: number): void {
+    this.#time = time;
+    this.#posed = undefined;
+    this.#update();
+    this.#ask();
+  }
+
+  /** The clip has come to its end. */
+  #end(): void {
+    if (this.ended) this.#stop();
+    this.dispatchEvent(new Event('ended'));
+  }
+
   #begin(): void {
-    if (this.#ended) this.#time = 0;
-    this.#ended = false;
+    if (this.ended) this.#seek(0);
     this.#posed = undefined;
     if (!this.#paused) return;
     this.#paused = false;
@@ -332,14 +357,10 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#stop();
   };
 
-  #wanted(): string {
-    return this.src && new URL(this.src, document.baseURI).href;
-  }
-
   /** Loads the source. A newer one supersedes it. */
   #load(): void {
     this.#error = null;
-    this.#source.load(this.#wanted());
+    this.#source.load(this.src);
   }
 
   #begun({ rig }: Loaded): void {
@@ -362,7 +383,7 @@ export class C2WarpPlayer extends PlayerAttributes {
       this.#fail(new C2WarpError('clip', `There is no clip “${wanted}”. The rig has ${listed(this.clips)}.`));
     const before = this.#clip;
     this.#clip = found ?? clips[0];
-    if (before && before !== this.#clip) this.currentTime = 0;
+    if (before && before !== this.#clip) this.#seek(0);
     this.#ask();
   }
 
@@ -386,25 +407,19 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   readonly #frame = (now: number): boolean => {
     if (!this.#source.loaded || !this.#screen.isSeen) return false;
-    this.#advance(now);
+    if (this.#moves) this.#advance(Math.min(now - this.#last, BREAK_MS) / 1000);
     this.#draw();
-    return !this.#paused;
+    this.#last = this.#moves ? now : Number.NaN;
+    return this.#moves;
   };
 
-  #advance(now: number): void {
-    const gap = Math.min(now - this.#last, BREAK_MS);
-    this.#last = this.#paused ? Number.NaN : now;
+  #advance(seconds: number): void {
     // The first frame has none before it.
-    if (this.#paused || Number.isNaN(gap)) return;
-    const { time, stops } = advanced(this.#time, (gap / 1000) * this.#rate, this.duration, this.loop);
-    this.#time = time;
-    if (stops) {
-      this.#last = Number.NaN;
-      this.#ended = time >= this.duration;
-      this.#update();
-      this.#stop();
-      if (this.#ended) this.dispatchEvent(new Event('ended'));
-    } else if (Math.abs(time - this.#updated) >= UPDATE_S) this.#update();
+    if (Number.isNaN(seconds)) return;
+    this.#time = advanced(this.#at, seconds);
+    const ends = this.ended;
+    if (ends || !this.#moves || Math.abs(this.#time - this.#updated) >= UPDATE_S) this.#update();
+    if (ends) this.#end();
   }
 
   #draw(): void {

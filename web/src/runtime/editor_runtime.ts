@@ -18,6 +18,7 @@ import type { Media, PageAttributes } from '../editor/page';
 import { type PageQuestion, questionsOf } from '../editor/page_question';
 import { mayReceive } from '../editor/permissions';
 import { misfit, type NamedFile } from '../editor/picture';
+import { isPlaying } from '../editor/played_clip';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
 import { drawn } from '../editor/update/drawn';
@@ -67,6 +68,8 @@ export interface EditorElement {
   notifyPage(notification: PageNotification): void;
   /** Whether the page lets a person go on. */
   ask(question: PageQuestion): boolean;
+  /** The picture of the attributes cannot be opened. */
+  sourceFailed(error: Error): void;
   setTheme(theme: 'light' | 'dark'): void;
   /** The system switched between light and dark colours. */
   schemeChanged(): void;
@@ -378,7 +381,7 @@ export class EditorRuntime {
       solution: deformation?.data ?? null,
       pose: deformation?.pose(project) ?? null,
       heat: bare ? null : this.#heat(),
-      moves: isPressing(state.tools) || state.timeline.playing || state.playback.playing,
+      moves: isPressing(state.tools) || state.timeline.playing || isPlaying(state),
       view: {
         ...deviceView(view.camera, stage, devicePixelRatio),
         compare: display.preview === 'compare' || isLassoing(state),
@@ -450,6 +453,7 @@ export class EditorRuntime {
       ask: (question) => element.ask(question),
       settleLoad: (reply, error) => this.#settleLoad(reply, error),
       adoptPageProject: (effect) => this.#adoptPageProject(effect),
+      sourceFailed: (error) => element.sourceFailed(error),
       setTheme: (theme) => element.setTheme(theme),
       releaseInput: () => element.rendered().then(() => this.dispatch({ type: 'input-released' })),
     };

@@ -48,6 +48,7 @@ export interface Resources {
   ask(question: PageQuestion): boolean;
   settleLoad(reply: number, error: Error | 'superseded' | null): void;
   adoptPageProject(effect: Extract<EditorEffect, { type: 'adopt-page-project' }>): void;
+  sourceFailed(error: Error): void;
   setTheme(theme: 'light' | 'dark'): void;
   releaseInput(): void;
 }
@@ -117,6 +118,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     toggleExport(root);
     rendered().then(() => focusExport(root));
   },
+  'source-failed': ({ error }, resources) => resources.sourceFailed(error),
   'set-theme': (effect, resources) => resources.setTheme(effect.theme),
   'release-input': (_, resources) => resources.releaseInput(),
   'run-clock': ({ on }, { clock }) => clock.run(on),

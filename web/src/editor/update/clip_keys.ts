@@ -21,7 +21,7 @@ import {
 import { addClip, changeClip, freeClipName, newClip } from '../../document/clips';
 import { type Document, handleById, selectedHandles } from '../../document/document';
 import { changeHandles } from '../../document/edits';
-import { atRest, corners, isLine } from '../../document/handle';
+import { atRest, corners, isAutomatic, isLine } from '../../document/handle';
 import { mirrorHandles } from '../../document/mirror';
 import type { Clip, Handle, Key, Project } from '../../document/project';
 import type { Vec } from '../../geometry/vec';
@@ -99,7 +99,7 @@ function keyedValues(clip: Clip, handle: Handle): readonly KeyedValue[] {
   );
 }
 
-const hasOwnTurn = (handle: Handle): boolean => !isLine(handle) && typeof handle.rotation === 'number';
+const hasOwnTurn = (handle: Handle): boolean => !isLine(handle) && !isAutomatic(handle);
 
 /** The selected keys with the first of them at time 0. */
 function copy(state: EditorState): EditorState {

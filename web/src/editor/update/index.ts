@@ -32,6 +32,7 @@ import { mapHandlers } from './maps';
 import { menuHandlers } from './menu';
 import { dismiss, noticeHandlers } from './notices';
 import { pageHandlers } from './page';
+import { followPlayback } from './playback';
 import { playheadHandlers } from './playhead';
 import { followCamera, pointerHandlers } from './pointer';
 import { checkPose } from './pose_checks';
@@ -132,7 +133,7 @@ export function update(before: EditorState, event: EditorEvent): Update {
   if (waits(before, event)) state = keepWaiting(before, event, emit);
   else events.push(event);
   for (let next = events.shift(); next; next = events.shift()) state = reduce(state, next, emit);
-  return { state: settled(state, emit), effects };
+  return { state: followPlayback(before, settled(state, emit), emit), effects };
 }
 
 function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState {

@@ -53,6 +53,22 @@ describe('opening a picture', () => {
     expect(runtime.state.opening).toMatchObject({ reading: null, trial: null });
   });
 
+  it('asks the person before something from outside takes the place of a picture', () => {
+    const offer = (runtime: FakeRuntime) => {
+      const files = [{ name: 'dog.png', file: testFile('dog.png') }];
+      runtime.dispatch({ type: 'offered', names: ['dog.png'], opening: { type: 'files-received', files } });
+    };
+    const empty = new FakeRuntime();
+    offer(empty);
+    expect(empty.state.opening.reading?.name).toBe('dog.png');
+    const runtime = opened();
+    offer(runtime);
+    expect(runtime.state.opening.reading).toBeNull();
+    expect(toldNotice(runtime.state)?.text).toBe('A link or another program wants to open dog.png.');
+    runtime.dispatch({ type: 'notice-answered', other: false });
+    expect(runtime.state.opening.reading?.name).toBe('dog.png');
+  });
+
   it('says that only the first frame of an animation is open', () => {
     const runtime = new FakeRuntime();
     drop(runtime, 'run.gif');

@@ -150,6 +150,7 @@ export const requestHandlers: Handlers<
   | 'files-received'
   | 'address-given'
   | 'sample-chosen'
+  | 'offered'
   | 'load-asked'
   | 'source-changed'
   | 'source-asked'
@@ -162,6 +163,14 @@ export const requestHandlers: Handlers<
   'sample-chosen': (state, { sample: { src, project } }, emit) => {
     const source = project === undefined ? null : { address: project };
     return requestPicture(state, { by: 'person', received: [] }, { pictures: [src], project: source }, emit);
+  },
+  offered: (state, { names, opening }, emit) => {
+    if (state.picture) {
+      const action = { label: say('answers.open'), event: opening } as const;
+      return notify(state, { kind: 'info', text: say('notices.offered', names), action }, emit);
+    }
+    emit({ type: 'follow-up', event: opening });
+    return state;
   },
   'load-asked': (state, { reply, source, project, notice }, emit) => {
     const { pageProject } = state.opening;

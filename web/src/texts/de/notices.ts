@@ -138,6 +138,7 @@ export const notices: Texts['notices'] = {
     'Eine neue Version ist bereit. Sie startet, wenn Sie alle anderen Fenster des Editors geschlossen haben.',
   notOffline:
     'Der Editor funktioniert noch nicht offline: Der Download wurde unterbrochen. Er wird beim nächsten Start fortgesetzt.',
+  offered: (files) => `Ein Link oder ein anderes Programm möchte etwas öffnen: ${fewNames(files)}.`,
   shareFailed: 'Das geteilte Bild konnte nicht empfangen werden. Öffnen Sie die Datei hier.',
   notGiven: (file) =>
     `${file} konnte nicht gelesen werden: Die Datei wurde verschoben oder geändert. Öffnen Sie sie hier.`,
@@ -154,6 +155,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: 'Andere Fassung anzeigen',
   keepThis: 'Diese behalten',
   backTo: (picture) => `Zurück zu ${picture}`,
+  open: 'Öffnen',
   openPicture: 'Bild öffnen',
   useRig: 'Dieses Rig verwenden',
 };

@@ -148,6 +148,7 @@ export const notices = {
   newVersionWaits: 'A new version is ready. It starts after you close all other editor windows.',
   notOffline:
     'The editor does not work offline yet: the download was interrupted. It resumes at the next start.',
+  offered: (files: readonly string[]) => `A link or another program wants to open ${fewNames(files)}.`,
   shareFailed: 'Could not receive the shared picture. Open its file here.',
   notGiven: (file: string) => `Could not read ${file}: it was moved or changed. Open it here.`,
 };
@@ -164,6 +165,7 @@ export const answers = {
   showOtherVersion: 'Show the other version',
   keepThis: 'Keep this one',
   backTo: (picture: string) => `Back to ${picture}`,
+  open: 'Open',
   openPicture: 'Open picture',
   useRig: 'Use this rig',
 };

@@ -141,6 +141,7 @@ export const notices: Texts['notices'] = {
   newVersionWaits: 'Hay una versión nueva. Se iniciará cuando cierre las demás ventanas del editor.',
   notOffline:
     'El editor aún no funciona sin conexión: la descarga se ha interrumpido. Continuará en el próximo inicio.',
+  offered: (files) => `Un enlace u otro programa quiere abrir ${fewNames(files)}.`,
   shareFailed: 'No se ha podido recibir la imagen compartida. Abra aquí su archivo.',
   notGiven: (file) => `No se ha podido leer ${file}: se ha movido o cambiado. Ábralo aquí.`,
 };
@@ -157,6 +158,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: 'Mostrar la otra versión',
   keepThis: 'Conservar esta',
   backTo: (picture) => `Volver a ${picture}`,
+  open: 'Abrir',
   openPicture: 'Abrir imagen',
   useRig: 'Usar este rig',
 };

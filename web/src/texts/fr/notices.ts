@@ -147,6 +147,7 @@ export const notices: Texts['notices'] = {
     'Une nouvelle version est prête. Elle démarrera quand vous aurez fermé toutes les autres fenêtres de l’éditeur.',
   notOffline:
     'L’éditeur ne fonctionne pas encore hors ligne : le téléchargement a été interrompu. Il reprendra au prochain démarrage.',
+  offered: (files) => `Un lien ou un autre programme veut ouvrir ${fewNames(files)}.`,
   shareFailed: 'Impossible de recevoir l’image partagée. Ouvrez son fichier ici.',
   notGiven: (file) => `Impossible de lire ${file} : il a été déplacé ou modifié. Ouvrez-le ici.`,
 };
@@ -163,6 +164,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: 'Voir l’autre version',
   keepThis: 'Garder celle-ci',
   backTo: (picture) => `Revenir à ${picture}`,
+  open: 'Ouvrir',
   openPicture: 'Ouvrir l’image',
   useRig: 'Utiliser ce rig',
 };

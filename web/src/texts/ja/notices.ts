@@ -94,6 +94,7 @@ export const notices: Texts['notices'] = {
     '新しいバージョンの準備ができました。エディターのほかのウィンドウをすべて閉じると起動します。',
   notOffline:
     'ダウンロードが中断されたため、エディターはまだオフラインで使えません。次回の起動時に再開します。',
+  offered: (files) => `リンクまたはほかのアプリが${fewNames(files)}を開こうとしています。`,
   shareFailed: '共有された画像を受け取れませんでした。ここでファイルを開いてください。',
   notGiven: (file) => `${file}を読み込めませんでした。移動または変更されています。ここで開いてください。`,
 };
@@ -109,6 +110,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: '別の版を表示',
   keepThis: 'この版を残す',
   backTo: (picture) => `${picture}に戻る`,
+  open: '開く',
   openPicture: '画像を開く',
   useRig: 'このリグを使う',
 };

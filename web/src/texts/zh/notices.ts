@@ -89,6 +89,7 @@ export const notices: Texts['notices'] = {
   newVersion: '新版本已就绪。下次打开编辑器时启用。',
   newVersionWaits: '新版本已就绪。关闭编辑器的所有其他窗口后启用。',
   notOffline: '编辑器还不能离线使用：下载中断了。下次启动时会继续。',
+  offered: (files) => `链接或其他程序想打开${fewNames(files)}。`,
   shareFailed: '无法接收分享的图片。请在此打开它的文件。',
   notGiven: (file) => `无法读取${quoted(file)}：文件已被移动或更改。请在此打开。`,
 };
@@ -104,6 +105,7 @@ export const answers: Texts['answers'] = {
   showOtherVersion: '显示另一版本',
   keepThis: '保留此版本',
   backTo: (picture) => `返回：${picture}`,
+  open: '打开',
   openPicture: '打开图片',
   useRig: '使用此 Rig',
 };
