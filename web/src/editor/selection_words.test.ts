@@ -63,9 +63,9 @@ describe('words', () => {
     const message = 'handle “left-hand” at (1, 2) lies outside the domain';
     const error = new C2WarpError('handle-outside', message, { handles: ['left-hand'] });
     expect(inEnglish(errorWords(error))).toMatch(/^“left hand” lies outside the shape/);
-    expect(inEnglish(errorWords(new C2WarpError('bar-too-short', 'short', { handles: ['a'] })))).toBe(
-      'short',
-    );
+    const short = new C2WarpError('bar-too-short', 'handle “bar-1”', { handles: ['bar-1'] });
+    expect(inEnglish(errorWords(short))).toMatch(/^Two corners of “bar 1” are in the same place/);
+    expect(inEnglish(errorWords(new C2WarpError('domain', 'crossed')))).toBe('crossed');
     const along = (...handles: string[]) =>
       inEnglish(errorWords(new C2WarpError('bars-overlap', 'along', { handles })));
     expect(along('bar-1', 'left-leg')).toMatch(/^“Bar 1” and “left leg” run along each other/i);

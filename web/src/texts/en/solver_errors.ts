@@ -38,7 +38,7 @@ export const engineErrors = {
 };
 
 /**
- * Refusals of the solver, by their codes. English shows the words of the solver for most of them.
+ * Refusals of the solver, by their codes. English shows the words of the solver for some of them.
  *
  * @param detail the words of the solver, in English. They may name keys of project files.
  * @param name of the handle that is to blame, or empty. @param other of a second one.
@@ -59,24 +59,26 @@ export const refusals = {
     () => 'The expanded picture would be too large. Choose a smaller size, or the original frame.',
   ),
   'nothing-drawn': refusal(() => 'The picture is transparent everywhere.'),
-  /** No pixel is opaque enough, by the setting "Minimum opacity". */
-  'nothing-opaque': asIs,
+  'nothing-opaque': refusal(
+    () => 'No part of the picture is opaque enough to warp. Lower the setting “Minimum opacity”.',
+  ),
   'nothing-to-fill-from': refusal(
     () =>
       'The selection leaves nothing to fill the background from. Draw a smaller one, or turn the fill off.',
   ),
-  /** The picture has no transparent part, and so no outline that a rig could be fitted to. */
-  'no-outline': asIs,
+  'no-outline': refusal(() => 'The picture has no transparent part, so it has no outline to fit a rig to.'),
   /** A ring of a selection is not valid: outside the picture, crossing itself, flat, or with too many corners. */
   domain: asIs,
   'handle-outside': refusal((_, name) => `“${name}” lies outside the shape. Place it on the picture.`),
   'handle-far-outside': refusal(
     (_, name) => `This rig does not fit the picture: “${name}” would lie far outside.`,
   ),
-  /** Two handles at the same place: `name` and `other`. Move or delete one. */
-  'handles-too-close': asIs,
-  /** Two corners of `name` are at the same place. Move or delete one. */
-  'bar-too-short': asIs,
+  'handles-too-close': refusal(
+    (_, name, other) => `“${name}” and “${other}” are in the same place. Move or delete one of them.`,
+  ),
+  'bar-too-short': refusal(
+    (_, name) => `Two corners of “${name}” are in the same place. Move or delete one of them.`,
+  ),
   'bars-overlap': refusal((_, name, other) =>
     name === other
       ? `“${name}” runs back along itself. Its pieces may cross or touch, but not overlap along a line.`
@@ -85,16 +87,16 @@ export const refusals = {
   'on-held-boundary': refusal(
     (_, name) => `“${name}” lies on the locked outline. Move it further inside, or unlock the outline.`,
   ),
-  /** More handles than the solver supports. */
-  'too-many-handles': asIs,
+  'too-many-handles': refusal(() => 'There are too many handles. Delete some.'),
   'handles-crowded': refusal(
     () => 'Too many handles are very close together. Move some apart, or delete some.',
   ),
   'outline-too-long': refusal(
     () => 'This outline has too many slits and spikes. Draw a simpler one, or a coarser one around it.',
   ),
-  /** Bars and polygons have more corners than the solver supports: draw `name` with fewer. */
-  'too-many-corners': asIs,
+  'too-many-corners': refusal(
+    (_, name) => `Bars and polygons have too many corners. Draw ${name ? `“${name}”` : 'them'} with fewer.`,
+  ),
   'too-many-sites': refusal(
     () => 'The handles are too many or too close together. Move some apart, or use less detail.',
   ),
