@@ -13,6 +13,7 @@ export const notices: Texts['notices'] = {
   nothingToHold: 'Hier gibt es nichts zu halten: den Griff auf das Bild setzen.',
   lassoOutside: 'Außerhalb der Auswahl bleibt das Bild unbewegt.',
   lassoEmpty: 'Das Lasso ist leer: einen Teil des Bilds damit umfahren.',
+  drawingEnded: 'Die Zeichnung ist beendet.',
   lassoFilled: 'Nur dieser Teil biegt sich jetzt, über einem gefüllten Hintergrund.',
   lassoLoose: 'Nur dieser Teil biegt sich jetzt. Wo er sich wegbewegt, bleibt eine Lücke.',
   partOnFrame: 'Der Teil liegt am Rahmen des Bilds, der festgehalten wird: Er kann sich nicht drehen.',
@@ -144,6 +145,7 @@ export const notices: Texts['notices'] = {
 
 export const answers: Texts['answers'] = {
   tryAgain: 'Erneut versuchen',
+  continueDrawing: 'Weiterzeichnen',
   takeBack: 'Zurücknehmen',
   exportAll: 'Alles exportieren',
   holdBoundary: 'Rand festhalten',

@@ -9,6 +9,7 @@ export const notices = {
   nothingToHold: 'There is nothing to hold here: place the handle on the picture.',
   lassoOutside: 'Outside of the selection, the picture stays still.',
   lassoEmpty: 'The lasso is empty: draw it around a part of the picture.',
+  drawingEnded: 'The drawing has ended.',
   lassoFilled: 'Only this part bends now, over a filled background.',
   lassoLoose: 'Only this part bends now. It leaves a gap where it moves away.',
   partOnFrame: 'The part lies along the frame of the picture, which is held: it cannot turn.',
@@ -146,6 +147,7 @@ export const notices = {
 /** The words of buttons in notices. */
 export const answers = {
   tryAgain: 'Try again',
+  continueDrawing: 'Continue drawing',
   takeBack: 'Take it back',
   exportAll: 'Export all',
   holdBoundary: 'Hold its boundary',

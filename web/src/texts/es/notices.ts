@@ -11,6 +11,7 @@ export const notices: Texts['notices'] = {
   nothingToHold: 'Aquí no hay nada que sujetar: hay que colocar el punto de control sobre la imagen.',
   lassoOutside: 'Fuera de la selección, la imagen se queda quieta.',
   lassoEmpty: 'El lazo está vacío: debe rodear una parte de la imagen.',
+  drawingEnded: 'El dibujo ha terminado.',
   lassoFilled: 'Ahora solo se deforma esta parte, sobre un fondo relleno.',
   lassoLoose: 'Ahora solo se deforma esta parte. Deja un hueco donde se aleja.',
   partOnFrame: 'La parte toca el borde de la imagen, que está sujeto: no puede girar.',
@@ -145,6 +146,7 @@ export const notices: Texts['notices'] = {
 /** The words of buttons in notices. */
 export const answers: Texts['answers'] = {
   tryAgain: 'Reintentar',
+  continueDrawing: 'Seguir dibujando',
   takeBack: 'Deshacer',
   exportAll: 'Exportar todo',
   holdBoundary: 'Sujetar el contorno',

@@ -14,6 +14,7 @@ export const notices: Texts['notices'] = {
   nothingToHold: 'Il n’y a rien à tenir ici : placez la poignée sur l’image.',
   lassoOutside: 'En dehors de la sélection, l’image reste immobile.',
   lassoEmpty: 'Le lasso est vide : entourez une partie de l’image.',
+  drawingEnded: 'Le tracé est terminé.',
   lassoFilled: 'Seule cette partie se déforme maintenant, sur un fond rempli.',
   lassoLoose: 'Seule cette partie se déforme maintenant. Elle laisse un vide là d’où elle s’éloigne.',
   partOnFrame: 'La partie longe le cadre de l’image, qui est maintenu : elle ne peut pas tourner.',
@@ -154,6 +155,7 @@ export const notices: Texts['notices'] = {
 /** The words of buttons in notices. */
 export const answers: Texts['answers'] = {
   tryAgain: 'Réessayer',
+  continueDrawing: 'Reprendre le tracé',
   takeBack: 'Revenir en arrière',
   exportAll: 'Tout exporter',
   holdBoundary: 'Maintenir son bord',
