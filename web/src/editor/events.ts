@@ -22,6 +22,7 @@ import type { Blend } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { Wording, Words } from '../texts/wording';
 import type { ToolName } from '../tools/machine';
+import type { Draft } from '../tools/state';
 import type { BrushState } from './brush_state';
 import type { CommandName, PreviewCommand } from './commands';
 import type { Corner } from './corner';
@@ -194,6 +195,8 @@ type LuminanceEvent = {
 
 /** What a tool did with a press, when more than the document is concerned. */
 type ToolEvent =
+  /** A drawing that has ended without a result. */
+  | { readonly type: 'drawing-continued'; readonly draft: Draft }
   | { readonly type: 'placement-missed'; readonly at: Vec }
   /** The selection is to include a place of the original. */
   | { readonly type: 'selection-extended'; readonly at: Vec }

@@ -18,7 +18,7 @@ import type { Texts } from '../texts/texts';
 import { say, type Wording, type Words, worded } from '../texts/wording';
 import { type BrushKind, oppositeBrush } from '../tools/brush_kinds';
 import { ringedHandle } from '../tools/hit';
-import { draftOf, hasTakenCorners, isPressing, places, type ToolName, waitingDrafts } from '../tools/machine';
+import { draftOf, hasTakenCorners, isPressing, places, type ToolName } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
 import { type BrushState, brushSizes, sizeOf } from './brush_state';
 import { canRun, offers, reasonAgainst } from './can_run';
@@ -154,8 +154,6 @@ export interface EditorModel {
   readonly draft: Draft | null;
   /** Null with another tool. */
   readonly brush: BrushModel | null;
-  /** Unfinished lines of the other tools. */
-  readonly waiting: readonly Draft[];
   readonly box: Box | null;
   /** Where the keyboard would place a handle, image pixels. */
   readonly crosshair: Vec | null;
@@ -324,7 +322,6 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     menu: state.menu,
     draft,
     brush: brushModel(state),
-    waiting: waitingDrafts(tools),
     box: display.box,
     crosshair: display.crosshair,
     snapping: display.snapping,

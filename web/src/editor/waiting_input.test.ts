@@ -6,7 +6,7 @@ import { C2WarpError } from '../error';
 import { toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { en } from '../texts/en';
-import { drawingsOf } from '../tools/machine';
+import { drawingOf } from '../tools/machine';
 import type { CommandName } from './commands';
 import type { EditorEvent } from './events';
 import { FakeRuntime, PAGE, testPicture } from './fake_runtime';
@@ -119,7 +119,7 @@ function made(runtime: FakeRuntime) {
     documents: timeline(history).values.length,
     selection: selectionOf(state),
     tool: state.tools.tool,
-    drawings: drawingsOf(state.tools),
+    drawing: drawingOf(state.tools),
   };
 }
 

@@ -3,7 +3,7 @@
 import { fileProject } from '../../document/document';
 import { recordOf, timeline } from '../../document/history';
 import { say } from '../../texts/wording';
-import { drawingsOf } from '../../tools/machine';
+import { drawingOf } from '../../tools/machine';
 import type { AutosaveState } from '../autosave_state';
 import type { Emit } from '../effects';
 import type { EditorState } from '../state';
@@ -17,13 +17,16 @@ const withAutosave = (state: EditorState, change: Partial<AutosaveState>): Edito
   autosave: { ...state.autosave, ...change },
 });
 
-export const workOf = ({ document, tools, view, pixelated }: EditorState): Work => ({
-  record: recordOf(document.history),
-  drawings: drawingsOf(tools),
-  view,
-  pixelated,
-  saved: document.saved,
-});
+export function workOf({ document, tools, view, pixelated }: EditorState): Work {
+  const drawing = drawingOf(tools);
+  return {
+    record: recordOf(document.history),
+    drawings: drawing ? [drawing] : [],
+    view,
+    pixelated,
+    saved: document.saved,
+  };
+}
 
 /** The open picture and its work; during a trial, the previous ones. */
 export function snapshotOf(state: EditorState): WorkSnapshot | null {

@@ -4,6 +4,7 @@ import { selectedHandles } from '../../document/document';
 import { corners } from '../../document/handle';
 import { redoLabel, undoLabel } from '../../document/history';
 import { isSameWording, type Wording } from '../../texts/wording';
+import { draftOf } from '../../tools/machine';
 import type { Emit, PageNotification } from '../effects';
 import { isLassoing } from '../hit_areas';
 import { documentOf, type EditorState, filedProject, selectionOf } from '../state';
@@ -57,8 +58,8 @@ const solves = ({ solution }: EditorState, kind: ChangeKind): boolean =>
   kind === 'input' ? !solution.failed : kind !== 'selection' && kind !== 'pose';
 
 function selected(state: EditorState, emit: Emit): EditorState {
-  // The lasso hides what is selected in the list.
-  if (isLassoing(state) && selectionOf(state).length > 0) {
+  // The lasso hides what is selected in the list, and during a drawing keys are about its corners.
+  if ((isLassoing(state) || draftOf(state.tools)) && selectionOf(state).length > 0) {
     emit({ type: 'follow-up', event: { type: 'tool-set', tool: 'select' } });
   }
   return showSelected(state);

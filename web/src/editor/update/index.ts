@@ -49,6 +49,7 @@ import { endMerging } from './steps';
 import { studyHandlers } from './study';
 import { showSuggesting, suggestionHandlers, withoutStaleSuggestion } from './suggesting';
 import { reportTitle } from './title';
+import { toolHandlers } from './tool_choice';
 import { reportTool } from './tool_report';
 import { trialHandlers } from './trial';
 import { askForRelease, keepWaiting, waitingHandlers } from './waiting';
@@ -109,6 +110,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...studyHandlers,
   ...suggestionHandlers,
   ...timerHandlers,
+  ...toolHandlers,
   ...trialHandlers,
   ...waitingHandlers,
   ...engineHandlers,

@@ -5,7 +5,7 @@ import { anchor, isLine } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
 import { say } from '../../texts/wording';
 import type { Hit } from '../../tools/hit';
-import { cancelPress, drawingsOf, isPressing, places } from '../../tools/machine';
+import { cancelPress, drawingOf, isPressing, places } from '../../tools/machine';
 import { withoutRings } from '../../tools/pressing';
 import type { Corner } from '../corner';
 import { crosshairPlace } from '../crosshair';
@@ -29,7 +29,7 @@ import { select } from './selection';
 /** Whether there is a menu now: not during a drawing or a preview, nor where nothing can be changed. */
 function hasMenu(state: EditorState): boolean {
   const { tools, display } = state;
-  const drawing = drawingsOf(tools).some(({ kind }) => kind === tools.tool);
+  const drawing = drawingOf(tools) !== null;
   return (
     mayEdit(state) && !awaitsPicture(state) && display.preview === null && !isLassoing(state) && !drawing
   );

@@ -6,7 +6,7 @@ import { isSameWording, say, type Wording, type Words } from '../../texts/wordin
 import type { Emit } from '../effects';
 import { errorWords } from '../error_words';
 import { turnsOf } from '../hit_areas';
-import type { Notice, NoticesState } from '../notice';
+import type { Notice, NoticeAction, NoticesState } from '../notice';
 import { mayChange } from '../permissions';
 import { placeWords } from '../selection_words';
 import { documentOf, type EditorState, projectOf } from '../state';
@@ -68,19 +68,24 @@ export const informOfStep = (state: EditorState, text: Wording, emit: Emit): Edi
  * retried. Ignores AbortErrors: superseded work is no error.
  *
  * @param reverted the step that caused the error was taken back.
+ * @param action for an error that is not of the solver itself.
  */
-export function report(state: EditorState, thrown: unknown, emit: Emit, reverted = false): EditorState {
+export function report(
+  state: EditorState,
+  thrown: unknown,
+  emit: Emit,
+  reverted = false,
+  action: NoticeAction | null = null,
+): EditorState {
   const error = asError(thrown);
   if (isAbort(error)) return state;
   const isUnsolved = state.solution.shown?.key !== solveKey(projectOf(state));
-  const retry =
+  const answer =
     isEngineFailure(error) && isUnsolved
-      ? ({
-          action: { label: say('answers.tryAgain'), event: { type: 'retry-asked' } },
-          passes: true,
-        } as const)
-      : {};
-  const next = notify(state, { kind: 'error', text: errorWords(error, reverted), ...retry }, emit);
+      ? ({ label: say('answers.tryAgain'), event: { type: 'retry-asked' } } as const)
+      : action;
+  const notice = { kind: 'error', text: errorWords(error, reverted) } as const;
+  const next = notify(state, answer ? { ...notice, action: answer, passes: true } : notice, emit);
   emit({ type: 'notify-page', notification: { type: 'error', error } });
   return next;
 }
@@ -104,7 +109,7 @@ export const closeStepNotice = (state: EditorState, emit: Emit): EditorState =>
 
 /** The solver works: closes the error that can be retried. */
 export const closeRetryNotice = (state: EditorState): EditorState =>
-  state.notices.error?.action ? withNotices(state, { error: null }) : state;
+  state.notices.error?.action?.event.type === 'retry-asked' ? withNotices(state, { error: null }) : state;
 
 export const clearNotices = (state: EditorState, emit: Emit): EditorState =>
   withNotices(withoutPassing(state, emit), { error: null, offer: null });

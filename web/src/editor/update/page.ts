@@ -3,7 +3,7 @@
 import { openDocument } from '../../document/document';
 import { addHandle, putHandles, removeHandles } from '../../document/edits';
 import { say } from '../../texts/wording';
-import { cancelAll, cancelPress, isPressing } from '../../tools/machine';
+import { bailOut, cancelPress, isPressing } from '../../tools/machine';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import type { PageAttributes } from '../page';
@@ -41,7 +41,7 @@ function changePage(before: EditorState, page: PageAttributes, emit: Emit): Edit
 function stop(before: EditorState, emit: Emit): EditorState {
   const state = hideCrosshair(closeMenu(before, emit));
   emit({ type: 'leave-field' });
-  const ended = applyTools(state, cancelAll(state.tools), emit);
+  const ended = applyTools(state, bailOut(state.tools), emit);
   return holdPreview(withDocument(ended, { drawn: null }), null, emit);
 }
 

@@ -6,7 +6,7 @@ import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
 import type { Handle, PoseMode } from '../../document/project';
 import { say, type Wording } from '../../texts/wording';
-import { cancelPress, forgetTakenCorners, isPressing, restoreDrawings } from '../../tools/machine';
+import { cancelPress, forgetTakenCorners, isPressing, restoreDrawing } from '../../tools/machine';
 import type { Emit } from '../effects';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import type { Work } from '../work';
@@ -18,9 +18,15 @@ import { closeTimeline, returnToMoment } from './playhead';
 import { applyTools, endPress, endPressKeepingChanges } from './press';
 import { select } from './selection';
 
-/** Opens work: a document with its history and its unfinished drawings. */
-export function openWork(state: EditorState, { record, drawings, saved }: Work, emit: Emit): EditorState {
-  const rested = closeTimeline(endPress(state, restoreDrawings(state.tools, drawings), emit), emit);
+/** Opens work: a document with its history and its unfinished drawing, which brings its tool. */
+export function openWork(
+  state: EditorState,
+  { record, drawings = [], saved }: Work,
+  emit: Emit,
+): EditorState {
+  const { readonly, posable } = state.page;
+  const drawing = readonly || posable ? null : drawings[0];
+  const rested = closeTimeline(endPress(state, restoreDrawing(state.tools, drawing), emit), emit);
   const opened = withDocument(guardEnded(rested), {
     drawn: null,
     travelled: null,

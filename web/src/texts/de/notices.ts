@@ -14,6 +14,7 @@ export const notices: Texts['notices'] = {
   nothingToHold: 'Setzen Sie den Griff auf das Bild.',
   lassoOutside: 'Außerhalb der Auswahl biegt sich das Bild nicht.',
   lassoEmpty: 'Das Lasso ist leer. Umfahren Sie damit einen Teil des Bilds.',
+  drawingEnded: 'Die Zeichnung ist beendet.',
   lassoFilled: 'Nur dieser Teil biegt sich jetzt, über einem gefüllten Hintergrund.',
   lassoLoose: 'Nur dieser Teil biegt sich jetzt. Wo er sich wegbewegt, bleibt eine Lücke.',
   partOnFrame: 'Der Teil berührt den fixierten Rand des Bilds und kann sich darum nicht drehen.',
@@ -146,6 +147,7 @@ export const notices: Texts['notices'] = {
 
 export const answers: Texts['answers'] = {
   tryAgain: 'Erneut versuchen',
+  continueDrawing: 'Weiterzeichnen',
   takeBack: 'Striche löschen',
   exportAll: 'Ganzes Bild exportieren',
   holdBoundary: 'Umriss fixieren',

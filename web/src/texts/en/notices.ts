@@ -14,6 +14,7 @@ export const notices = {
   nothingToHold: 'Place the handle on the picture.',
   lassoOutside: 'The picture does not bend outside the selection.',
   lassoEmpty: 'The lasso is empty. Draw it around a part of the picture.',
+  drawingEnded: 'The drawing has ended.',
   lassoFilled: 'Only this part bends now, over a filled background.',
   lassoLoose: 'Only this part bends now. It leaves a gap where it moves away.',
   partOnFrame: 'The part touches the locked edge of the picture, so it cannot turn.',
@@ -156,6 +157,7 @@ export const notices = {
 /** The words of buttons in notices. */
 export const answers = {
   tryAgain: 'Try again',
+  continueDrawing: 'Continue drawing',
   takeBack: 'Clear strokes',
   exportAll: 'Export the whole picture',
   holdBoundary: 'Lock its outline',

@@ -14,6 +14,7 @@ export const notices: Texts['notices'] = {
   nothingToHold: 'Coloque el punto de control sobre la imagen.',
   lassoOutside: 'La imagen no se deforma fuera de la selección.',
   lassoEmpty: 'El lazo está vacío. Rodee con él una parte de la imagen.',
+  drawingEnded: 'El dibujo ha terminado.',
   lassoFilled: 'Ahora solo se deforma esta parte, sobre un fondo relleno.',
   lassoLoose: 'Ahora solo se deforma esta parte. Deja un hueco donde se aleja.',
   partOnFrame: 'La parte toca el borde fijado de la imagen, así que no puede girar.',
@@ -149,6 +150,7 @@ export const notices: Texts['notices'] = {
 /** The words of buttons in notices. */
 export const answers: Texts['answers'] = {
   tryAgain: 'Reintentar',
+  continueDrawing: 'Seguir dibujando',
   takeBack: 'Quitar trazos',
   exportAll: 'Exportar toda la imagen',
   holdBoundary: 'Fijar el contorno',

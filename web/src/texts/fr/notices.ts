@@ -15,6 +15,7 @@ export const notices: Texts['notices'] = {
   nothingToHold: 'Placez la poignée sur l’image.',
   lassoOutside: 'L’image ne se déforme pas en dehors de la sélection.',
   lassoEmpty: 'Le lasso est vide. Entourez une partie de l’image.',
+  drawingEnded: 'Le tracé est terminé.',
   lassoFilled: 'Seule cette partie se déforme maintenant, sur un fond rempli.',
   lassoLoose: 'Seule cette partie se déforme maintenant. Elle laisse un vide là d’où elle s’éloigne.',
   partOnFrame: 'La partie touche le bord verrouillé de l’image : elle ne peut pas tourner.',
@@ -155,6 +156,7 @@ export const notices: Texts['notices'] = {
 /** The words of buttons in notices. */
 export const answers: Texts['answers'] = {
   tryAgain: 'Réessayer',
+  continueDrawing: 'Reprendre le tracé',
   takeBack: 'Effacer les traits',
   exportAll: 'Exporter toute l’image',
   holdBoundary: 'Verrouiller son contour',

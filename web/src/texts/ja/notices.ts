@@ -10,6 +10,7 @@ export const notices: Texts['notices'] = {
   nothingToHold: 'ハンドルは画像の上に置いてください。',
   lassoOutside: '選択範囲の外では画像は変形しません。',
   lassoEmpty: '投げ縄の中が空です。画像の一部を囲んでください。',
+  drawingEnded: '描画を終了しました。',
   lassoFilled: 'この部分だけが、埋めた背景の上で変形します。',
   lassoLoose: 'この部分だけが変形します。動いた跡には隙間が残ります。',
   partOnFrame: 'この部分は固定された画像の枠に接しているため、回せません。',
@@ -101,6 +102,7 @@ export const notices: Texts['notices'] = {
 
 export const answers: Texts['answers'] = {
   tryAgain: '再試行',
+  continueDrawing: '描画を続ける',
   takeBack: '跡を消去',
   exportAll: '画像全体を書き出す',
   holdBoundary: '輪郭を固定',

@@ -13,6 +13,7 @@ export const notices: Texts['notices'] = {
   nothingToHold: '请将控制点放在图片上。',
   lassoOutside: '选区之外的图片不会变形。',
   lassoEmpty: '套索是空的。请圈出图片的一个部分。',
+  drawingEnded: '绘制已结束。',
   lassoFilled: '现在只有这一部分会变形，其后的背景已填充。',
   lassoLoose: '现在只有这一部分会变形。它移开后会留下空缺。',
   partOnFrame: '这一部分紧贴图片固定的边缘，因此无法转动。',
@@ -96,6 +97,7 @@ export const notices: Texts['notices'] = {
 
 export const answers: Texts['answers'] = {
   tryAgain: '重试',
+  continueDrawing: '继续绘制',
   takeBack: '清除笔触',
   exportAll: '导出整张图片',
   holdBoundary: '固定其轮廓',
