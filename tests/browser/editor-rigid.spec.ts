@@ -66,12 +66,12 @@ test('the bending mode changes with one click and one undo step', async ({ page 
       const { pose, weighting } = (element as C2Warp).project;
       return [pose?.mode, pose?.density, weighting?.support];
     });
-  const [rigid, byHand] = ['Rigid', 'Elastic'].map((name) => page.getByRole('button', { name, exact: true }));
-  if (!rigid || !byHand) throw new Error('two ways to bend');
+  const [rigid, elastic] = ['Rigid', 'Elastic'].map((name) => page.getByRole('button', { name, exact: true }));
+  if (!rigid || !elastic) throw new Error('two ways to bend');
   await expect(rigid).toHaveAttribute('aria-pressed', 'true');
-  await byHand.focus();
+  await elastic.focus();
   await page.keyboard.press('Enter');
-  await expect(byHand).toHaveAttribute('aria-pressed', 'true');
+  await expect(elastic).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByRole('group', { name: 'Detail' })).toBeHidden();
   await expect.poll(() => settings()).toEqual(['harmonic', 0, 'paper']);
 
@@ -86,22 +86,22 @@ test('the bending mode changes with one click and one undo step', async ({ page 
 
 test('bending settings collapse with a selection; press and key open them', async ({ page }) => {
   const editor = await Editor.open(page);
-  const byHand = page.getByRole('button', { name: 'Elastic', exact: true });
-  await expect(byHand).toBeVisible();
+  const elastic = page.getByRole('button', { name: 'Elastic', exact: true });
+  await expect(elastic).toBeVisible();
   await editor.handle('head').click();
-  await expect(byHand).toBeHidden();
+  await expect(elastic).toBeHidden();
   const line = page.locator('c2-warp summary').filter({ hasText: 'Bending' });
   await expect(line).toContainText('rigid, medium');
   await line.click();
-  await expect(byHand).toBeVisible();
+  await expect(elastic).toBeVisible();
   await editor.handle('left hand').click();
-  await expect(byHand).toBeVisible();
+  await expect(elastic).toBeVisible();
   await line.focus();
   await page.keyboard.press('Enter');
-  await expect(byHand).toBeHidden();
+  await expect(elastic).toBeHidden();
   await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
   await editor.button('Draw a bar').click();
-  await expect(byHand).toBeVisible();
+  await expect(elastic).toBeVisible();
 });
 
 test('by hand, a switch keeps widths, as one step without a solve', async ({ page }) => {
@@ -119,15 +119,33 @@ test('by hand, a switch keeps widths, as one step without a solve', async ({ pag
   await expect.poll(async () => (await project()).pose?.blend).not.toBe('rigid');
 });
 
-test('by hand keeps the turns that are shown, and rigid frees them again', async ({ page }) => {
+test('Elastic and back changes no handle, and looks like an elastic project', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
-  const shown = await editor.settled(() => turn(editor));
   await page.keyboard.press('Escape');
+  const places = () =>
+    page.locator('c2-warp').evaluate((element) => {
+      const map = (x: number, y: number) => (element as C2Warp).mapPoint([x, y]);
+      return [map(880, 516), map(780, 560), map(512, 100), map(512, 600), map(312, 1126)];
+    });
+  const rigid = await editor.settled(async () => JSON.stringify(await places()));
   await editor.waitForSolve(() => editor.button('Elastic').click());
-  await expect.poll(() => rotationInFile(editor, 'right-hand')).toBeCloseTo(shown, 1);
-  await expect(page.getByRole('button', { name: /^\d+ folds?\./ })).toBeHidden();
-  await editor.waitForSolve(() => editor.button('Rigid').click());
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
+  const elastic = await editor.settled(async () => JSON.stringify(await places()));
+  expect(elastic).not.toBe(rigid);
+  await editor.waitForSolve(() => editor.button('Rigid').click());
+  await expect.poll(async () => JSON.stringify(await places())).toBe(rigid);
+
+  // The same handles in a project that has always been elastic.
+  await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const { weighting, pose, ...project } = warp.project;
+    warp.project = {
+      ...project,
+      weighting: { ...weighting, support: 'paper' },
+      pose: { ...pose, mode: 'harmonic', density: 0 },
+    };
+  });
+  await expect.poll(async () => JSON.stringify(await places())).toBe(elastic);
 });

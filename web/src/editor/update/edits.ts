@@ -1,7 +1,7 @@
 /** Edits of the document: each is one undo step with a label, announced to screen readers. */
 
 import { type Detail, modeOf, withBlend, withDetail, withMode } from '../../document/bending';
-import { type Document, handleById, isSameWork, selectedHandles } from '../../document/document';
+import { type Document, fileProject, handleById, isSameWork, selectedHandles } from '../../document/document';
 import {
   changeHandles,
   holdBoundary,
@@ -28,8 +28,9 @@ import {
   withAutoRotation,
 } from '../../document/handle';
 import { mirrorHandles } from '../../document/mirror';
+import { withFileProject } from '../../document/moment';
 import { nameWords } from '../../document/names';
-import type { Handle, PoseMode } from '../../document/project';
+import type { Handle, PoseMode, Project } from '../../document/project';
 import { stiffened, stiffnessOf } from '../../document/stiffness';
 import type { Blend } from '../../geometry/skin';
 import { add, type Vec } from '../../geometry/vec';
@@ -231,11 +232,23 @@ export function setAutomatic(state: EditorState, on: boolean, emit: Emit): Edito
 
 /** Changes the pose mode, with the settings that belong to it. */
 export function setPoseMode(state: EditorState, mode: PoseMode, emit: Emit): EditorState {
-  const present = projectOf(state);
-  if (mode === modeOf(present)) return state;
-  const label = say(`steps.modes.${mode}`);
-  const project = withMode(present, mode, turnsOf(state), modeReturn(state, mode));
-  return step(state, label, { ...documentOf(state), project }, emit);
+  if (mode === modeOf(projectOf(state))) return state;
+  const back = modeReturn(state, mode);
+  return rebend(state, say(`steps.modes.${mode}`), (project) => withMode(project, mode, back), emit);
+}
+
+/** Changes how the project bends. In the timeline, rotations of the file change, and no key is made of that. */
+export function rebend(
+  state: EditorState,
+  label: Wording,
+  change: (project: Project) => Project,
+  emit: Emit,
+): EditorState {
+  const document = documentOf(state);
+  const changed = state.timeline.open
+    ? withFileProject(document, change(fileProject(document)))
+    : { ...document, project: change(document.project) };
+  return step(state, label, changed, emit);
 }
 
 export const setDetail = (state: EditorState, detail: Detail, emit: Emit): EditorState =>

@@ -171,9 +171,9 @@ describe('snapping to edges', () => {
     expect(traceOf(runtime.state)).toBeNull();
     const { picture } = runtime.state;
     if (picture) runtime.dispatch({ type: 'luminance-read', picture, values });
-    expect(traceOf(runtime.state)?.([10, 10], [90, 10]).at(-1)).toEqual([90, 10]);
+    expect(traceOf(runtime.state)?.([[10, 10]], [90, 10]).at(-1)).toEqual([90, 10]);
     // Places within a pixel of the frame lie on it.
-    expect(traceOf(runtime.state)?.([10, 10], [399.4, 0.7])).toEqual([[400, 0]]);
+    expect(traceOf(runtime.state)?.([[10, 10]], [399.4, 0.7])).toEqual([[400, 0]]);
     run(runtime, 'bar');
     run(runtime, 'lasso');
     expect(asked()).toBe(1);

@@ -11,7 +11,7 @@ import {
 } from '../../document/domain';
 import { selectHandles } from '../../document/edits';
 import { withPlaceAdded } from '../../document/lasso_growth';
-import { withPartPolygon } from '../../document/part_polygon';
+import { withPartPolygons } from '../../document/part_polygon';
 import type { Vec } from '../../geometry/vec';
 import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
@@ -68,9 +68,9 @@ export function setFeather(state: EditorState, change: NumberChange, emit: Emit)
   return step(state, say('steps.setFeather'), document, emit, 'feather');
 }
 
-/** A polygon takes the place of the lasso: it turns its part, and the rest bends along up to the held frame. */
+/** Polygons take the place of the lasso: they turn its parts, and the rest bends along up to the held frame. */
 export function turnPart(state: EditorState, emit: Emit): EditorState {
-  const document = withPartPolygon(documentOf(state));
+  const document = withPartPolygons(documentOf(state));
   if (!document) return inform(state, say('notices.partOnFrame'), emit);
   return choose(step(state, say('steps.turnPart'), document, emit), 'select', emit);
 }

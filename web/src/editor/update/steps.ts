@@ -1,7 +1,7 @@
 /** Undo steps: edits, undo and redo, and changes by the page. */
 
 import { type ModeReturn, modeOf } from '../../document/bending';
-import { type Document, handleById, isSameWork } from '../../document/document';
+import { type Document, fileProject, handleById, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
 import type { Handle, PoseMode } from '../../document/project';
@@ -111,8 +111,9 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
 /** The last project in a mode other than the present one, and the project after it; null if there is none. */
 export function modeReturn(state: EditorState, mode: PoseMode): ModeReturn | null {
   const { values, at } = history.timeline(state.document.history);
-  const last = values.slice(0, at).findLastIndex(({ project }) => modeOf(project) === mode);
-  const [before, after] = [values[last]?.project, values[last + 1]?.project];
+  const projects = values.slice(0, at + 1).map(fileProject);
+  const last = projects.findLastIndex((project) => modeOf(project) === mode);
+  const [before, after] = [projects[last], projects[last + 1]];
   return before && after ? { before, after } : null;
 }
 
