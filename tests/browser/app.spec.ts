@@ -227,6 +227,30 @@ test('a file that is gone when it is opened is told', async ({ page }) => {
   await expect(notice(page)).toContainText('Could not read cat.png');
 });
 
+test('files of the system that lie leave the work as it is', async ({ page }) => {
+  await page.addInitScript(() => {
+    const launchQueue = {
+      setConsumer: (consume: unknown) => Reflect.set(globalThis, 'launched', consume),
+    };
+    Object.defineProperty(globalThis, 'launchQueue', { value: launchQueue });
+  });
+  const editor = await opened(page);
+  const hostile = [
+    png('text.png', Buffer.from('<html>')),
+    png('cut.png', disc(96).subarray(0, 60)),
+    project('{"format": "c2warp/9"}', 'later.c2warp.json'),
+    png('empty.png', Buffer.alloc(0)),
+  ];
+  for (const file of hostile) {
+    await launch(page, file);
+    await expect(notice(page)).toContainText(file.name);
+    await expect(page).toHaveTitle('gingerbread.png – c2warp');
+    await editor.button('Dismiss').click();
+  }
+  await page.evaluate(() => Reflect.get(globalThis, 'launched')({ files: [] }));
+  await editor.ready();
+});
+
 test('a shared picture opens, without a network too', async ({ page, context }) => {
   await visited(page);
   await goOffline(context);

@@ -327,8 +327,8 @@ type StorageEvent =
       readonly type: 'storage-read';
       readonly stored: { readonly work: WorkSnapshot; readonly recent: readonly WorkSnapshot[] } | null;
     }
-  /** `newest`: no newer state waits to be stored. */
-  | { readonly type: 'work-stored'; readonly stored: boolean; readonly newest: boolean }
+  /** `stored`: `newer` if the storage holds work of a newer version. `newest`: no newer state waits to be stored. */
+  | { readonly type: 'work-stored'; readonly stored: boolean | 'newer'; readonly newest: boolean }
   | { readonly type: 'other-tab-stored' };
 
 type SolverEvent =

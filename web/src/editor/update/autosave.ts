@@ -93,7 +93,7 @@ export const autosaveHandlers: Handlers<
   },
   'work-stored': (before, { stored, newest }, emit) => {
     const state = newest ? withAutosave(before, { storing: false }) : before;
-    if (stored) {
+    if (stored === true) {
       const tells = newest && state.autosave.untold;
       if (tells) emit({ type: 'tell-tabs' });
       return withAutosave(state, { failing: false, ...(tells && { untold: false, overwritten: false }) });
@@ -102,7 +102,8 @@ export const autosaveHandlers: Handlers<
     // A picture that was opened and not touched is no loss.
     if (!work || !isWorkedOn(work) || state.autosave.failing) return state;
     const next = withAutosave(state, { failing: true });
-    return state.page.posable ? next : notify(next, { kind: 'error', text: say('notices.notKept') }, emit);
+    const text = stored === 'newer' ? say('notices.newerWork') : say('notices.notKept');
+    return state.page.posable ? next : notify(next, { kind: 'error', text }, emit);
   },
   'project-saved': (state, { project }, emit) => {
     // Another picture may have been opened while the person chose a file.

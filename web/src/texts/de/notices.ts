@@ -25,6 +25,8 @@ export const notices: Texts['notices'] = {
     }),
   notKept:
     'Dieser Browser kann Ihre Arbeit nicht speichern: Sein Speicher ist voll oder gesperrt. Speichern Sie das Projekt, bevor Sie die Seite verlassen.',
+  newerWork:
+    'Dieser Browser enthält Arbeit einer neueren Version des Editors, die erhalten bleibt. Zum Aktualisieren die Seite neu laden oder vor dem Verlassen das Projekt speichern.',
   otherTab:
     'Auch ein anderer Tab hat diese Arbeit geändert. Beide Fassungen bleiben erhalten. Laden Sie die Seite neu, um eine zu wählen.',
   twoVersions: (picture) => `${picture} wurde in zwei Tabs geändert. Dies ist die spätere Fassung.`,

@@ -25,6 +25,8 @@ export const notices = {
     }),
   notKept:
     'This browser cannot store your work: its storage is full or blocked. Save the project before you leave.',
+  newerWork:
+    'This browser holds work from a newer version of the editor, which is kept. Reload the page to update, or save the project before you leave.',
   otherTab: 'Another tab also changed this work. Both versions are kept. Reload the page to choose one.',
   twoVersions: (picture: string) => `${picture} was changed in two tabs. This is the later version.`,
   graphicsLost: `${GRAPHICS_LOST} Reload the page.`,

@@ -25,6 +25,8 @@ export const notices: Texts['notices'] = {
     }),
   notKept:
     'Este navegador no puede guardar su trabajo: el almacenamiento está lleno o bloqueado. Guarde el proyecto antes de salir.',
+  newerWork:
+    'Este navegador contiene trabajo de una versión más reciente del editor, que se conserva. Recargue la página para actualizar o guarde el proyecto antes de salir.',
   otherTab:
     'Otra pestaña también ha cambiado este trabajo. Se conservan las dos versiones. Recargue la página para elegir una.',
   twoVersions: (picture) => `${picture} se ha cambiado en dos pestañas. Esta es la versión más reciente.`,

@@ -26,6 +26,8 @@ export const notices: Texts['notices'] = {
     }),
   notKept:
     'Ce navigateur ne peut pas conserver votre travail : son stockage est plein ou bloqué. Enregistrez le projet avant de partir.',
+  newerWork:
+    'Ce navigateur contient un travail d’une version plus récente de l’éditeur, qui est conservé. Rechargez la page pour mettre à jour, ou enregistrez le projet avant de partir.',
   otherTab:
     'Un autre onglet a aussi modifié ce travail. Les deux versions sont conservées. Rechargez la page pour en choisir une.',
   twoVersions: (picture) => `${picture} a été modifié dans deux onglets. Voici la version la plus récente.`,

@@ -19,6 +19,7 @@ export const notices: Texts['notices'] = {
   partOnFrame: '这一部分紧贴图片固定的边缘，因此无法转动。',
   leftOut: (count) => `已移除套索之外的 ${handleCount(count)}。“撤销”可将其恢复。`,
   notKept: '此浏览器无法存储你的作品：存储空间已满或被阻止。离开前请保存项目。',
+  newerWork: '此浏览器中存有较新版本编辑器的作品，该作品会保留。请重新加载页面以更新，或在离开前保存项目。',
   otherTab: '另一个标签页也更改了此作品。两个版本都已保留。请重新加载页面以选择其一。',
   twoVersions: (picture) => `${quoted(picture)}在两个标签页中被更改。这是较新的版本。`,
   graphicsLost: `${GRAPHICS_LOST}请重新加载页面。`,
