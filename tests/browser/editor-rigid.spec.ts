@@ -66,7 +66,9 @@ test('the bending mode changes with one click and one undo step', async ({ page 
       const { pose, weighting } = (element as C2Warp).project;
       return [pose?.mode, pose?.density, weighting?.support];
     });
-  const [rigid, elastic] = ['Rigid', 'Elastic'].map((name) => page.getByRole('button', { name, exact: true }));
+  const [rigid, elastic] = ['Rigid', 'Elastic'].map((name) =>
+    page.getByRole('button', { name, exact: true }),
+  );
   if (!rigid || !elastic) throw new Error('two ways to bend');
   await expect(rigid).toHaveAttribute('aria-pressed', 'true');
   await elastic.focus();
