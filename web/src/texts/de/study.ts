@@ -42,7 +42,7 @@ export const lens: Texts['lens'] = {
   falloffLabel: (value, distance, end) =>
     `Der Abfall beträgt ${value} im Abstand von ${distance} und endet bei ${end}.`,
   radii: (cell, nearest, support) =>
-    `Zellradius r_d ${cell}${nearest === null ? '' : `, nächster Griff r_h ${nearest}`}${support === null ? '' : `, Träger r ${support}`}. Ziehen Sie r in der Abbildung, oder stellen Sie α ein.`,
+    `Zellradius r_d ${cell}${nearest === null ? '' : `, nächster Nachbar r_h ${nearest}`}${support === null ? '' : `, Träger r ${support}`}. Ziehen Sie r in der Abbildung, oder stellen Sie α ein.`,
   distanceAxis: 'Abstand d innerhalb der Form, px',
   thisPoint: (distance) => `dieser Punkt: ${distance} →`,
 };
@@ -53,10 +53,10 @@ export const cells: Texts['cells'] = {
   counts: (own, virtual) => `Zellen: ${own} von Griffen, ${virtual} von Hilfspunkten`,
   label: 'Die Form mit ihren Zellen und deren Radien',
   farthest: 'r_d, zum fernsten Punkt der Zelle',
-  nearest: 'r_h, zum nächsten anderen Griff',
+  nearest: 'r_h, zum nächsten Nachbarn',
   note: 'Ein Träger deckt seine Zelle ab und endet vor Ihrem nächsten Griff. Darum begrenzt r_h den Radius r_d. Im Artikel heißen Hilfspunkte „virtual handles“.',
   toFarthest: 'zum fernsten Punkt der Zelle',
-  toNearest: 'zum nächsten anderen Griff',
+  toNearest: 'zum nächsten Nachbarn',
   times: 'Rechenzeit nach Schritten',
   stages: {
     domain: 'Umriss finden',

@@ -78,8 +78,7 @@ export const bending = {
   stopAtFoldsNote: 'Drags stop before the picture folds over.',
   snap: 'Snap to guides',
   /** @param key the name of Ctrl, or the sign of Cmd. */
-  snapNote: (key: string) =>
-    `Snaps to the axis of symmetry, other handles and a grid. Hold ${key} to ignore them.`,
+  snapNote: (key: string) => `Snaps to the symmetry axis, handles and a grid. Hold ${key} to ignore them.`,
   pixelArt: 'Pixel art',
   pixelArtNote: 'Pixels stay sharp. Colours do not blend.',
   allSettings: 'All settings',

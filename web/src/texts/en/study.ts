@@ -44,7 +44,7 @@ export const lens = {
     `The falloff is ${value} at a distance of ${distance}, and ends at ${end}.`,
   /** Distances such as 12 px; null where there is none. */
   radii: (cell: string, nearest: string | null, support: string | null) =>
-    `Cell radius r_d ${cell}${nearest === null ? '' : `, nearest handle r_h ${nearest}`}${support === null ? '' : `, support r ${support}`}. Drag r in the figure, or set α.`,
+    `Cell radius r_d ${cell}${nearest === null ? '' : `, nearest neighbour r_h ${nearest}`}${support === null ? '' : `, support r ${support}`}. Drag r in the figure, or set α.`,
   distanceAxis: 'distance d inside the shape, px',
   thisPoint: (distance: string) => `this point: ${distance} →`,
 };
@@ -55,11 +55,11 @@ export const cells = {
   counts: (own: number, virtual: number) => `Cells: ${own} of handles, ${virtual} of helper points`,
   label: 'The shape with its cells and their radii',
   farthest: 'r_d, to the farthest point of the cell',
-  nearest: 'r_h, to the nearest other handle',
+  nearest: 'r_h, to the nearest neighbour',
   note: 'A support covers its cell and ends before your next handle. So r_h limits r_d. The paper calls helper points “virtual handles”.',
   /** In the key of the saved figure. */
   toFarthest: 'to the farthest point of the cell',
-  toNearest: 'to the nearest other handle',
+  toNearest: 'to the nearest neighbour',
   times: 'Computing time by stage',
   stages: {
     domain: 'Finding the outline',

@@ -46,7 +46,7 @@ export const lens: Texts['lens'] = {
   falloffLabel: (value, distance, end) =>
     `La atenuación vale ${value} a una distancia de ${distance} y termina a los ${end}.`,
   radii: (cell, nearest, support) =>
-    `Radio de la celda r_d ${cell}${nearest === null ? '' : `, punto de control más cercano r_h ${nearest}`}${support === null ? '' : `, soporte r ${support}`}. Arrastre r en la figura o cambie α.`,
+    `Radio de la celda r_d ${cell}${nearest === null ? '' : `, vecino más cercano r_h ${nearest}`}${support === null ? '' : `, soporte r ${support}`}. Arrastre r en la figura o cambie α.`,
   distanceAxis: 'distancia d dentro de la forma, px',
   thisPoint: (distance) => `este punto: ${distance} →`,
 };
@@ -57,10 +57,10 @@ export const cells: Texts['cells'] = {
   counts: (own, virtual) => `Celdas: ${own} de puntos de control, ${virtual} de puntos auxiliares`,
   label: 'La forma con sus celdas y los radios de estas',
   farthest: 'r_d, al punto más lejano de la celda',
-  nearest: 'r_h, al otro punto de control más cercano',
+  nearest: 'r_h, al vecino más cercano',
   note: 'Un soporte cubre su celda y termina antes del siguiente punto de control. Por eso r_h limita r_d. El artículo llama «virtual handles» a los puntos auxiliares.',
   toFarthest: 'al punto más lejano de la celda',
-  toNearest: 'al otro punto de control más cercano',
+  toNearest: 'al vecino más cercano',
   times: 'Tiempo de cálculo por etapas',
   stages: {
     domain: 'Búsqueda del contorno',

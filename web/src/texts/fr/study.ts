@@ -46,7 +46,7 @@ export const lens: Texts['lens'] = {
   falloffLabel: (value, distance, end) =>
     `La décroissance vaut ${value} à une distance de ${distance}, et s’achève à ${end}.`,
   radii: (cell, nearest, support) =>
-    `Rayon de la cellule r_d ${cell}${nearest === null ? '' : `, poignée la plus proche r_h ${nearest}`}${support === null ? '' : `, support r ${support}`}. Faites glisser r dans la figure, ou réglez α.`,
+    `Rayon de la cellule r_d ${cell}${nearest === null ? '' : `, voisin le plus proche r_h ${nearest}`}${support === null ? '' : `, support r ${support}`}. Faites glisser r dans la figure, ou réglez α.`,
   distanceAxis: 'distance d dans la forme, px',
   thisPoint: (distance) => `ce point : ${distance} →`,
 };
@@ -57,10 +57,10 @@ export const cells: Texts['cells'] = {
   counts: (own, virtual) => `Cellules : ${own} de poignées, ${virtual} de points auxiliaires`,
   label: 'La forme avec ses cellules et leurs rayons',
   farthest: 'r_d, jusqu’au point le plus éloigné de la cellule',
-  nearest: 'r_h, jusqu’à l’autre poignée la plus proche',
+  nearest: 'r_h, jusqu’au voisin le plus proche',
   note: 'Un support couvre sa cellule et s’achève avant votre poignée suivante. r_h limite donc r_d. L’article appelle les points auxiliaires « virtual handles ».',
   toFarthest: 'jusqu’au point le plus éloigné de la cellule',
-  toNearest: 'jusqu’à l’autre poignée la plus proche',
+  toNearest: 'jusqu’au voisin le plus proche',
   times: 'Durée du calcul par étape',
   stages: {
     domain: 'Recherche du contour',

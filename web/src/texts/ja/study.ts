@@ -36,7 +36,7 @@ export const lens: Texts['lens'] = {
   noEnd: 'この部分の唯一のハンドルなので、影響範囲に終わりがありません。',
   falloffLabel: (value, distance, end) => `減衰は距離${distance}で${value}、${end}で終わります。`,
   radii: (cell, nearest, support) =>
-    `セルの半径 r_d ${cell}${nearest === null ? '' : `、最も近いハンドル r_h ${nearest}`}${support === null ? '' : `、影響範囲 r ${support}`}。図の r をドラッグするか、α を設定してください。`,
+    `セルの半径 r_d ${cell}${nearest === null ? '' : `、最も近い隣の点 r_h ${nearest}`}${support === null ? '' : `、影響範囲 r ${support}`}。図の r をドラッグするか、α を設定してください。`,
   distanceAxis: '形の内側の距離 d、px',
   thisPoint: (distance) => `この点：${distance} →`,
 };
@@ -47,10 +47,10 @@ export const cells: Texts['cells'] = {
   counts: (own, virtual) => `セル：ハンドル${number(own)}個、補助点${number(virtual)}個`,
   label: '形とそのセル、セルの半径',
   farthest: 'r_d：セルの最も遠い点まで',
-  nearest: 'r_h：最も近いほかのハンドルまで',
+  nearest: 'r_h：最も近い隣の点まで',
   note: '影響範囲は自分のセルを覆い、次のハンドルの手前で終わります。そのため r_h が r_d を制限します。論文では補助点を「virtual handles」と呼びます。',
   toFarthest: 'セルの最も遠い点まで',
-  toNearest: '最も近いほかのハンドルまで',
+  toNearest: '最も近い隣の点まで',
   times: '段階ごとの計算時間',
   stages: {
     domain: '輪郭の検出',

@@ -36,7 +36,7 @@ export const lens: Texts['lens'] = {
   noEnd: '这是该部分唯一的控制点，因此支撑域没有尽头。',
   falloffLabel: (value, distance, end) => `在距离 ${distance} 处衰减值为 ${value}，到 ${end} 处结束。`,
   radii: (cell, nearest, support) =>
-    `单元半径 r_d ${cell}${nearest === null ? '' : `，最近的控制点 r_h ${nearest}`}${support === null ? '' : `，支撑域 r ${support}`}。拖动图中的 r，或设置 α。`,
+    `单元半径 r_d ${cell}${nearest === null ? '' : `，最近的相邻点 r_h ${nearest}`}${support === null ? '' : `，支撑域 r ${support}`}。拖动图中的 r，或设置 α。`,
   distanceAxis: '形状内的距离 d，px',
   thisPoint: (distance) => `此点：${distance} →`,
 };
@@ -47,10 +47,10 @@ export const cells: Texts['cells'] = {
   counts: (own, virtual) => `单元：控制点 ${own} 个，辅助点 ${virtual} 个`,
   label: '形状及其单元和半径',
   farthest: 'r_d，到单元中最远的点',
-  nearest: 'r_h，到最近的另一个控制点',
+  nearest: 'r_h，到最近的相邻点',
   note: '支撑域覆盖其单元，并在你的下一个控制点之前结束。因此 r_h 限制 r_d。论文把辅助点称为“virtual handles”。',
   toFarthest: '到单元中最远的点',
-  toNearest: '到最近的另一个控制点',
+  toNearest: '到最近的相邻点',
   times: '各阶段的计算时间',
   stages: {
     domain: '查找轮廓',
