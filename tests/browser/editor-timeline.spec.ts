@@ -146,7 +146,7 @@ test('a wave made by pointer survives a reload, plays, and is the same by comman
   await expectSameByCommand(editor, Number(stopped), info);
 });
 
-test('a motion is made, moved and eased by keyboard alone', async ({ page }) => {
+test('a motion is created, moved and eased with only the keyboard', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('t');
   await expect(timeline(editor)).toBeFocused();

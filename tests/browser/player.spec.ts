@@ -441,7 +441,9 @@ test('readers take handles by pointer and by keyboard, also from a clip', async 
   await expect(player(page).locator('[part=handle]')).toHaveCount(0);
 });
 
-test('a poster is shown until the rig is there and if it fails, and nothing moves', async ({ page }) => {
+test('a poster is shown until the rig is loaded or fails, with a stable layout', async ({
+  page,
+}) => {
   let release = () => {};
   const held = new Promise<void>((resolve) => {
     release = resolve;
@@ -522,7 +524,7 @@ test('clips are chosen by name, and unknown ones are named', async ({ page }) =>
   expect(message).toBe('There is no clip “jump”: the clips are “wave”, “there and back”.');
 });
 
-test('nothing plays by itself with reduced motion', async ({ page }) => {
+test('nothing plays automatically with reduced motion', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await open(page);
   await added(page, { src: '/wave.c2rig', autoplay: '', loop: '' }, 'loadeddata');
@@ -547,7 +549,7 @@ test('time stands still out of sight', async ({ page }) => {
   await expect.poll(async () => (await state(page)).currentTime).toBeGreaterThan(0);
 });
 
-test('a damaged rig is reported, its content stays, and the page goes on', async ({ page }) => {
+test('a damaged rig is reported, its content remains, and the page continues', async ({ page }) => {
   const altered = Buffer.from(rig);
   altered[200] = (altered[200] ?? 0) ^ 1;
   await open(page, {

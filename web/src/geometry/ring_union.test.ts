@@ -18,7 +18,7 @@ describe('the union of two rings', () => {
   it('is the outer ring where one contains the other', () => {
     expect(areaOf(unionOf(square(0, 0, 10), square(2, 3, 4)))).toBe(100);
   });
-  it('fills what they enclose', () => {
+  it('fills the enclosed area', () => {
     const horseshoe: Ring = [
       [0, 0],
       [10, 0],

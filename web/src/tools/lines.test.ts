@@ -219,7 +219,7 @@ describe('drawing a bar', () => {
     expect(bench.machine.draft).toBeNull();
   });
 
-  it('is put back as it was, whatever is being drawn by then', () => {
+  it('is restored, even if another drawing has begun', () => {
     bench.click([200, 200], [260, 200], [260, 260]);
     const { drawings } = bench.machine;
     bench.apply(bench.machine.restore());
@@ -256,7 +256,7 @@ describe('drawing a bar', () => {
     ]);
   });
 
-  it('comes back when it cannot be solved', () => {
+  it('is restored when it cannot be solved', () => {
     bench.click([200, 200], [260, 200]);
     const { draft } = bench.machine;
     bench.apply(bench.machine.finish(bench.scene()));
@@ -313,8 +313,8 @@ describe('drawing a polygon', () => {
   });
 });
 
-describe('a bar that is there', () => {
-  it('is moved by its line, with whatever else is selected', () => {
+describe('an existing bar', () => {
+  it('is moved by its line, with all selected handles', () => {
     bench.drag([30, 2], [50, 22]);
     expect(bench.posed('arm')).toEqual([
       [20, 20],
@@ -385,7 +385,7 @@ describe('a bar that is there', () => {
 });
 
 describe('a corner outside of the selection', () => {
-  it('is told at once, and the drawing goes on', () => {
+  it('is reported immediately, and the drawing continues', () => {
     const bench = new Bench();
     const { project } = bench.document;
     const rings = [
