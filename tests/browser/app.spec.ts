@@ -52,7 +52,7 @@ async function openLens(page: Page): Promise<void> {
   await expect(page.getByRole('region', { name: 'Lens' })).toBeVisible();
 }
 
-/** The versions that the scripts of a page tell. */
+/** The versions reported by the scripts of a page. */
 const versions = (page: Page) =>
   page.evaluate(() => ['main', 'study'].map((name) => Reflect.get(globalThis, `${name}Version`)));
 

@@ -1,4 +1,4 @@
-/** Files that lie, a network that breaks off, and a browser that denies storage: all is told of, and work stays. */
+/** Deceptive files, an interrupted network, and a browser that denies storage: all is reported, and work is kept. */
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';

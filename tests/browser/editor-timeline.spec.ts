@@ -201,7 +201,7 @@ test('a motion is recorded while R is held', async ({ page }, info) => {
   for (let step = 1; step <= 24; step++) {
     const before = await now();
     await page.mouse.move(from.x + 3 * step, from.y - 60 * Math.sin(step / 4));
-    // Time goes on with the frames of the screen, however slow they are.
+    // Time advances with the frames of the screen, at any frame rate.
     if (step > 1) await expect.poll(now).toBeGreaterThan(before);
   }
   await page.mouse.up();

@@ -159,7 +159,7 @@ test('frames of a displaced picture equal those of the editor', async ({ page },
   expect((await difference(resting, webgl, info)).mean).toBeGreaterThan(3);
 });
 
-/** The sample in the harmonic mode, where handles turn as they are told. */
+/** The sample in the harmonic mode, without automatic rotations. */
 const posable = (): Project => ({
   ...project,
   pose: { mode: 'harmonic', blend: 'linear', density: 100 },
@@ -290,7 +290,7 @@ function solverRequests(page: Page): string[] {
   return asked;
 }
 
-/** The sample in the rigid mode, with a head that turns by itself. */
+/** The sample in the rigid mode, with an automatic rotation of the head. */
 const solved = (): Project => ({
   ...project,
   pose: { mode: 'rigid', blend: 'rigid', density: 100 },
@@ -441,9 +441,7 @@ test('readers take handles by pointer and by keyboard, also from a clip', async 
   await expect(player(page).locator('[part=handle]')).toHaveCount(0);
 });
 
-test('a poster is shown until the rig is loaded or fails, with a stable layout', async ({
-  page,
-}) => {
+test('a poster is shown until the rig is loaded or fails, with a stable layout', async ({ page }) => {
   let release = () => {};
   const held = new Promise<void>((resolve) => {
     release = resolve;

@@ -45,7 +45,7 @@ if (editor) {
   if (src) {
     editor.removeAttribute('src');
     editor.removeAttribute('project');
-    // The editor tells the person of a failure.
+    // The editor shows failures.
     editor.load(src, project, { notice: true }).catch(() => {});
   }
   // The editor's theme switch sets the attribute.
@@ -65,7 +65,7 @@ if (editor) {
   });
   // Keys then work before the first click, and before the picture is open.
   editor.updateComplete.then(() => editor.focus({ preventScroll: true }));
-  // The element tells the person of a language that does not load.
+  // The element reports languages that do not load.
   languageFor(tag, () => {}).then(({ texts }) => {
     editor.samples = samplesIn(texts);
     if (editor.hasAttribute('hint')) editor.setAttribute('hint', texts.page.hint);

@@ -164,7 +164,7 @@ fn rigs_of_the_rigid_mode_are_posable_only_if_wanted() {
     assert_eq!(baked(&project, &solution).handles(), None);
     let rig = baked_posable(&project, &solution);
     assert_eq!((rig.handles(), rig.vertices_posed_by(&project.handles)), (Some(&project.handles[..]), None));
-    // A point that turns by itself needs the solver, too.
+    // A point with automatic rotation also needs the solver.
     let (_, solution) = moving("gingerbread", PoseMode::Harmonic, Blend::Linear);
     assert!(baked(&project, &solution).handles().is_some());
     assert!(baked_posable(&project, &solution).poser().is_none());

@@ -11,7 +11,7 @@ import { type Rig, readRig } from './rig';
 const FILE = fixture('wave.c2rig');
 /** The same picture in the harmonic mode, with two points and a bar. */
 const POSABLE = fixture('posable.c2rig');
-/** A picture of 40 × 30 px in the rigid mode, with a point that turns by itself, a bar and a polygon. */
+/** A picture of 40 × 30 px in the rigid mode, with a point with automatic rotation, a bar and a polygon. */
 const SOLVED = fixture('solved.c2rig');
 const HEADER = 24;
 const ROW = 12;

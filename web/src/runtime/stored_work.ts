@@ -6,7 +6,7 @@
  * work of another keeps it among the recent work, as a version from that tab: nothing is lost.
  *
  * If the browser refuses storage, as in some private windows, or has no more of it, nothing is stored and nothing
- * fails. The owner hears of it.
+ * fails. The owner is notified.
  */
 import { bounded } from '../editor/recent';
 import { packed, unpacked } from '../editor/stored_displacements';
@@ -109,7 +109,7 @@ export class StoredWork {
       this.#recent = byId(next.recent);
       this.#stored(true, this.#next === null);
     } catch {
-      // Storage is full or refused: editing goes on.
+      // Storage is full or denied: editing continues.
       this.#stored(false, this.#next === null);
     }
   }

@@ -1,4 +1,5 @@
-//! Tests of `c2warp export`: files are read as the formats' documentation tells, and vertices compared with the solver.
+//! Tests of `c2warp export`: files are read according to the formats' documentation, and vertices are compared with the
+//! solver.
 
 mod dragonbones;
 mod exact;

@@ -27,7 +27,7 @@ pub(super) fn free_pose(handles: &[Handle], of: usize, by: impl Fn(usize) -> boo
     let turns = || others().filter(|other| matches!(other.rotation, Rotation::Degrees(_)) && is_point(other));
     let rotation = match handle.rotation {
         Rotation::Auto => Rotation::Auto,
-        // Where others turn by hand, the motion of their places tells nothing about it.
+        // The motion of their positions does not reveal manual turns of other handles.
         Rotation::Degrees(_) if turns().next().is_some() => {
             Rotation::Degrees(mean(turns().map(|other| (nearness(other, rest), degrees(other)))))
         }
