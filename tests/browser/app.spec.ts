@@ -52,7 +52,7 @@ async function openLens(page: Page): Promise<void> {
   await expect(page.getByRole('region', { name: 'Lens' })).toBeVisible();
 }
 
-/** The versions that the scripts of a page tell. */
+/** The versions reported by the scripts of a page. */
 const versions = (page: Page) =>
   page.evaluate(() => ['main', 'study'].map((name) => Reflect.get(globalThis, `${name}Version`)));
 
@@ -112,7 +112,7 @@ test('every file of a version is stored, and asked for once', async ({ page }) =
   expect(wasm).toHaveLength(1);
 });
 
-test('an update is told once, and waits for the next start', async ({ page }) => {
+test('an update is announced once, and waits for the next start', async ({ page }) => {
   const editor = await visited(page);
   server.deploy(second as Files);
   await update(page);
@@ -215,7 +215,7 @@ test('files opened with the editor open as those of its own button do', async ({
   await expect(editor.button('Undo: open gingerbread.c2warp.json')).toBeEnabled();
 });
 
-test('a file that is gone when it is opened is told', async ({ page }) => {
+test('opening a deleted file is reported', async ({ page }) => {
   await page.addInitScript(() => {
     const getFile = () => Promise.reject(new DOMException('gone', 'NotFoundError'));
     const launchQueue = {
@@ -304,7 +304,7 @@ test('a link of another site replaces no work by itself', async ({ page }) => {
   await expect(page).toHaveTitle('octopus.png – c2warp');
 });
 
-test('a share without a file is told', async ({ page }) => {
+test('a share without a file is reported', async ({ page }) => {
   await visited(page);
   await share(page, []);
   await expect(notice(page)).toContainText('Could not receive the shared picture');

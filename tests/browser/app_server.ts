@@ -20,10 +20,10 @@ const POLICY = `
 
 export type Files = ReadonlyMap<string, string | Uint8Array>;
 
-/** The scripts that tell their version: one of the page, and one that is loaded later. */
+/** The scripts that report their version: one of the page, and one that is loaded later. */
 const MARKED = { main: '/src/main.ts', study: '/ui/study/study.ts' };
 
-/** Builds a version of the editor, whose scripts tell the version on `globalThis`. */
+/** Builds a version of the editor whose scripts set the version on `globalThis`. */
 export async function builtEditor(version: string): Promise<Files> {
   const { NODE_ENV } = process.env;
   process.env.NODE_ENV = 'production';

@@ -58,7 +58,7 @@ const MOMENTS: Readonly<Record<string, (editor: Editor, random: () => number) =>
   },
 };
 
-test('a context lost at random moments loses nothing, and is told of in one sentence', async ({ page }) => {
+test('a context lost at random moments loses no work, and is reported in one sentence', async ({ page }) => {
   test.setTimeout(LOSSES * 20_000 + 120_000);
   const random = randomIn('graphics');
   const editor = await Editor.open(page);

@@ -40,7 +40,7 @@ async function kill(page: Page): Promise<void> {
   await page.close();
 }
 
-test('a tab killed at random moments keeps what was stored, and stores nothing by half', async ({
+test('a tab killed at random moments keeps stored work, and stores nothing incomplete', async ({
   context,
 }) => {
   test.setTimeout(KILLS * 20_000 + 120_000);

@@ -14,7 +14,7 @@ async function endWorker({ page }: Editor, random: () => number): Promise<string
   const workers = page.workers();
   if (workers.length === 0) return 'none';
   const worker = among(workers, random);
-  // A worker that has just been replaced is gone by itself.
+  // A worker that has just been replaced ends on its own.
   await worker
     .evaluate(() =>
       setTimeout(() => {

@@ -49,7 +49,7 @@ for (const name of ['holiday', 'old.c2warp.json']) {
   });
 }
 
-test('a waiting project is taken by its own picture alone', async ({ page }) => {
+test('a waiting project is only used by its own picture', async ({ page }) => {
   const editor = await Editor.open(page);
   const asks = page.getByText('belongs to the picture a.png (64 × 64 px)');
   const open = async (...files: readonly ReturnType<typeof png>[]) => {

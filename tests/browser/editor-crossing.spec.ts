@@ -50,7 +50,7 @@ test('a drag that crosses nothing changes no depth', async ({ page }) => {
   expect(await depthOf(editor, 'right-hand')).toBe(0);
 });
 
-test('all corners of a drawing come from the part of the first one', async ({ page }) => {
+test('all corners of a drawing belong to the part of the first corner', async ({ page }) => {
   const editor = await Editor.open(page);
   const toPage = await editor.fromImage('right hand', [900, 516]);
   await dragRightHand(editor, [760, 180]);

@@ -77,7 +77,7 @@ test('a push moves the picture at once, and undo takes strokes back one by one',
   await expect.poll(() => displacement(editor)).toEqual(stroked);
 });
 
-test('strokes and their history come back after a reload', async ({ page }) => {
+test('strokes and their history are restored after a reload', async ({ page }) => {
   const [editor, at] = await brushing(page);
   for (const y of [560, 640, 720]) await editor.drag(at(512, y), { x: 20, y: 0 });
   const stroked = await displacement(editor);
@@ -117,7 +117,7 @@ test('pinch and bloat change distances, and Alt swaps them', async ({ page }) =>
   await expect(editor.button('Undo: pinch')).toBeEnabled();
 });
 
-test('smoothing levels a stroke, and restoring takes it back to nothing', async ({ page }) => {
+test('smoothing evens out a stroke, and restoring removes it', async ({ page }) => {
   const [editor, at] = await brushing(page);
   await editor.drag(at(512, 640), { x: 30, y: 0 });
   const pushed = await largest(editor);

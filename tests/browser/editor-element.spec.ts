@@ -891,7 +891,7 @@ for (const [name, style] of Object.entries(TRANSFORMS)) {
   });
 }
 
-test('a lost graphics context is told of until it is restored, and loses nothing', async ({ page }) => {
+test('a lost graphics context is reported until it is restored, and loses no work', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.position('right hand');
   const goal = { x: hand.x, y: hand.y - 70 };

@@ -193,7 +193,7 @@ test('toBlob tells its progress, and a signal stops it', async ({ page }) => {
   expect(after).toBeGreaterThan(1000);
 });
 
-test('Escape and a button cancel an export, and leave all as it is', async ({ page }) => {
+test('Escape and a button cancel an export without other changes', async ({ page }) => {
   const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
   await editor.handle('head').focus();

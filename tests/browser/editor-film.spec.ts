@@ -382,7 +382,7 @@ test('without a clip the panel leads to the timeline, and choices survive a relo
   await expect(panel(page).getByRole('spinbutton', { name: 'Rate (fps)' })).toHaveValue('60');
 });
 
-test('the panel works by keyboard alone, and axe finds nothing', async ({ page }) => {
+test('the panel works with only the keyboard, and axe finds nothing', async ({ page }) => {
   const editor = await opened(page);
   await choose(page, 'GIF');
   await choose(page, 'Part of clip');

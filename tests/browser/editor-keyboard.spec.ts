@@ -76,7 +76,7 @@ test('O shows the original while held', async ({ page }) => {
   await expect.poll(async () => meanDifference(bent, await editor.screenshot(hand, 16))).toBeLessThan(SAME);
 });
 
-test('W shows the posed picture alone while held', async ({ page }) => {
+test('W shows only the posed picture while held', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.position('right hand');
   await editor.dragHandle('right hand', { x: 0, y: -90 });

@@ -54,7 +54,7 @@ test('a picture of thousands of dots opens, says what bends together, and bends'
   await expect.poll(() => editor.mappedDistance([500, 200], [500, 200])).toBeGreaterThan(20);
 });
 
-test('parts without a handle follow if they are asked to', async ({ page }) => {
+test('parts without a handle follow if the setting is on', async ({ page }) => {
   const editor = await Editor.open(page);
   // Three squares in a row.
   const isSquare = (x: number, y: number) => x % 100 < 80 && x % 100 > 20 && y > 120 && y < 180;

@@ -221,7 +221,7 @@ test.describe('the lens', () => {
     await expect(editor.button('Undo')).toBeDisabled();
   });
 
-  test('is saved as an SVG that stands by itself', async ({ page }) => {
+  test('is saved as a self-contained SVG', async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.handle('head').focus();
     await openPage(editor, 'Lens');

@@ -59,7 +59,7 @@ test('N keeps the handles that are there, and adds those that are missing', asyn
   await expect(editor.handles).toHaveCount(5);
 });
 
-test('N that comes before its picture waits, and a photograph gets even rows', async ({ page }) => {
+test('N before a picture is open waits, and a photograph gets even rows', async ({ page }) => {
   const editor = await Editor.open(page);
   const chooser = page.waitForEvent('filechooser');
   await editor.button('Open a picture or project').click();

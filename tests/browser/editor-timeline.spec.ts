@@ -146,7 +146,7 @@ test('a wave made by pointer survives a reload, plays, and is the same by comman
   await expectSameByCommand(editor, Number(stopped), info);
 });
 
-test('a motion is made, moved and eased by keyboard alone', async ({ page }) => {
+test('a motion is created, moved and eased with only the keyboard', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('t');
   await expect(timeline(editor)).toBeFocused();
@@ -201,7 +201,7 @@ test('a motion is recorded while R is held', async ({ page }, info) => {
   for (let step = 1; step <= 24; step++) {
     const before = await now();
     await page.mouse.move(from.x + 3 * step, from.y - 60 * Math.sin(step / 4));
-    // Time goes on with the frames of the screen, however slow they are.
+    // Time advances with the frames of the screen, at any frame rate.
     if (step > 1) await expect.poll(now).toBeGreaterThan(before);
   }
   await page.mouse.up();

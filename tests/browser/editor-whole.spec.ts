@@ -45,7 +45,7 @@ test('an exported PNG that holds the original opens again as the rig', async ({ 
   expect(alpha[(560 * width + 900) * 4 + 3]).toBe(255);
 });
 
-test('any exported PNG names its picture, and goes on with it', async ({ page }) => {
+test('any exported PNG names its picture, and continues with it', async ({ page }) => {
   const editor = await Editor.open(page);
   const original = await page.request.get('/samples/gingerbread.png');
   await editor.dragHandle('right hand', { x: 0, y: -80 });

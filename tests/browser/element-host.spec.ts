@@ -475,7 +475,7 @@ test('a signal gives a picture up, while it is read and while it is solved', asy
   expect(await heard(editor)).toEqual([]);
 });
 
-test('pictures of other origins are asked for with cookies where the page says so', async ({ page }) => {
+test('pictures of other origins are requested with cookies if the page allows it', async ({ page }) => {
   const editor = await Editor.open(page);
   const cookies: string[] = [];
   const allowed = { 'Access-Control-Allow-Credentials': 'true' };

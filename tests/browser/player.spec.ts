@@ -159,7 +159,7 @@ test('frames of a displaced picture equal those of the editor', async ({ page },
   expect((await difference(resting, webgl, info)).mean).toBeGreaterThan(3);
 });
 
-/** The sample in the harmonic mode, where handles turn as they are told. */
+/** The sample in the harmonic mode, without automatic rotations. */
 const posable = (): Project => ({
   ...project,
   pose: { mode: 'harmonic', blend: 'linear', density: 100 },
@@ -290,7 +290,7 @@ function solverRequests(page: Page): string[] {
   return asked;
 }
 
-/** The sample in the rigid mode, with a head that turns by itself. */
+/** The sample in the rigid mode, with an automatic rotation of the head. */
 const solved = (): Project => ({
   ...project,
   pose: { mode: 'rigid', blend: 'rigid', density: 100 },
@@ -439,7 +439,7 @@ test('readers take handles by pointer and by keyboard, also from a clip', async 
   await expect(player(page).locator('[part=handle]')).toHaveCount(0);
 });
 
-test('a poster is shown until the rig is there and if it fails, and nothing moves', async ({ page }) => {
+test('a poster is shown until the rig is loaded or fails, with a stable layout', async ({ page }) => {
   let release = () => {};
   const held = new Promise<void>((resolve) => {
     release = resolve;
@@ -593,7 +593,7 @@ test('clips are chosen by name, and unknown ones are named', async ({ page }) =>
   expect(message).toBe('There is no clip “jump”. The rig has “wave”, “there and back”.');
 });
 
-test('nothing plays by itself with reduced motion', async ({ page }) => {
+test('nothing plays automatically with reduced motion', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await open(page);
   await added(page, { src: '/wave.c2rig', autoplay: '', loop: '' }, 'loadeddata');
@@ -618,7 +618,7 @@ test('time stands still out of sight', async ({ page }) => {
   await expect.poll(async () => (await state(page)).currentTime).toBeGreaterThan(0);
 });
 
-test('a damaged rig is reported, its content stays, and the page goes on', async ({ page }) => {
+test('a damaged rig is reported, its content remains, and the page continues', async ({ page }) => {
   const altered = Buffer.from(rig);
   altered[200] = (altered[200] ?? 0) ^ 1;
   await open(page, {

@@ -9,7 +9,7 @@ import { RecordingProxy } from './recording_proxy';
 /** In the page and its workers, without a network: an object in memory, or the address itself. */
 const LOCAL = /^(blob|data):/;
 
-test('open, pose, export, film, rig and save ask the own server alone', async ({ browser }) => {
+test('open, pose, export, film, rig and save only send requests to the own server', async ({ browser }) => {
   test.slow();
   const [server, proxy] = [await AppServer.start(await builtEditor('first')), await RecordingProxy.start()];
   const context = await browser.newContext({

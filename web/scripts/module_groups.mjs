@@ -6,7 +6,7 @@ const SECTION = { custom: 0, import: 2, code: 10, data: 11 };
 /** The part of a custom section "name" that has the names of functions. */
 const FUNCTION_NAMES = 1;
 
-/** The first pattern that fits the name of a function tells its group. */
+/** The first pattern that matches the name of a function determines its group. */
 const GROUPS = /** @type {const} */ ([
   [/core::slice::sort/, 'sorts of the standard library'],
   [/^<?c2warp::project::json|serde|c2warp::project/, 'project and JSON'],

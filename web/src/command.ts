@@ -28,7 +28,7 @@ async function run(): Promise<number> {
   const wasi = new WASI({
     version: 'preview1',
     args: ['c2warp', ...process.argv.slice(2)],
-    // The program starts in the root folder, and goes on to this one.
+    // The program starts in the root folder, and changes to this one.
     env: { ...process.env, PWD: `/${relative(root, folder).split(sep).join('/')}` },
     preopens: { '/': root },
     returnOnExit: true,

@@ -67,7 +67,7 @@ if (editor) {
   });
   // Keys then work before the first click, and before the picture is open.
   editor.updateComplete.then(() => editor.focus({ preventScroll: true }));
-  // The element tells the person of a language that does not load.
+  // The element reports languages that do not load.
   languageFor(tag, () => {}).then(({ texts }) => {
     editor.samples = samplesIn(texts);
     if (editor.hasAttribute('hint')) editor.setAttribute('hint', texts.page.hint);

@@ -210,7 +210,7 @@ fn grown_frames_have_one_size_that_holds_all() {
 }
 
 #[test]
-fn sheet_has_all_frames_and_their_places() {
+fn sheet_has_all_frames_and_their_positions() {
     let folder = turning("none");
     animate(&folder, "--sheet sheet.png");
     let sheet = folder.picture("sheet.png");

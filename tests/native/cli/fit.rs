@@ -57,7 +57,7 @@ fn picture_of_another_size_gets_the_same_warp() {
 }
 
 #[test]
-fn handles_beside_the_new_outline_move_inside_or_are_named() {
+fn handles_outside_the_new_outline_move_inside_or_are_named() {
     let folder = SceneFolder::new("strip").edited(|project| {
         project["domain"] = json!({ "kind": "alpha" });
         project["handles"] = json!([{ "id": "hat", "kind": "point", "rest": [48, 1] }]);

@@ -1,4 +1,4 @@
-//! Tests of what the command tells about itself: help with examples that run, completions, manual pages, the schema.
+//! Tests of the command's own documentation: help with examples that run, completions, manual pages, the schema.
 
 use std::fs;
 use std::path::Path;

@@ -45,7 +45,7 @@ fn suggested_handles_can_be_solved() {
     let printed = succeed(folder.path(), "new gingerbread.png --suggest 3 -o -");
     assert_eq!(Project::from_json(&String::from_utf8(printed).unwrap()).unwrap().handles.len(), 3);
     succeed_with_closed_pipe(folder.path(), "new gingerbread.png --suggest 3 -o -");
-    // A photograph has no outline, and the command tells so.
+    // A photograph has no outline, and the command reports it.
     RgbaImage::from_pixel(90, 60, Rgba([9, 99, 200, 255])).save(folder.file("photo.png")).unwrap();
     let ended = command(folder.path(), "new photo.png --suggest").output().unwrap();
     assert!(ended.status.success());

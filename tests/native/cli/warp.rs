@@ -107,7 +107,7 @@ fn displaced_picture_moves_with_and_without_handles() {
 }
 
 #[test]
-fn handle_takes_along_what_is_displaced() {
+fn handle_moves_the_displaced_picture() {
     let folder = SceneFolder::new("strip").at_rest().edited(|project| {
         let handles = project["handles"].as_array_mut().unwrap();
         handles.truncate(1);

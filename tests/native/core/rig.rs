@@ -164,7 +164,7 @@ fn rigs_of_the_rigid_mode_are_posable_only_if_wanted() {
     assert_eq!(baked(&project, &solution).handles(), None);
     let rig = baked_posable(&project, &solution);
     assert_eq!((rig.handles(), rig.vertices_posed_by(&project.handles)), (Some(&project.handles[..]), None));
-    // A point that turns by itself needs the solver, too.
+    // A point with automatic rotation also needs the solver.
     let (_, solution) = moving("gingerbread", PoseMode::Harmonic, Blend::Linear);
     assert!(baked(&project, &solution).handles().is_some());
     assert!(baked_posable(&project, &solution).poser().is_none());
@@ -224,7 +224,7 @@ fn handles_are_posed_by_the_solver_in_the_rigid_mode() {
 }
 
 #[test]
-fn handles_that_turn_by_themselves_are_posed_by_the_solver() {
+fn automatic_rotations_are_posed_by_the_solver() {
     for (scene, mode) in
         [("gingerbread", PoseMode::Harmonic), ("gingerbread", PoseMode::Rigid), ("tower", PoseMode::Rigid)]
     {
@@ -238,7 +238,7 @@ fn handles_that_turn_by_themselves_are_posed_by_the_solver() {
 
 /// The layout of published rigs: these stay readable.
 #[test]
-fn a_published_rig_is_posed_as_when_it_was_baked() {
+fn published_rig_is_posed_as_when_baked() {
     let file = include_bytes!("../../../web/src/player/fixtures/solved.c2rig");
     let places = include_str!("../../../web/src/player/fixtures/solved.csv");
     let rig = Rig::from_bytes(file).expect("a rig");

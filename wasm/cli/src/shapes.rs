@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn landmarks_keep_their_form() {
+    fn landmarks_keep_their_format() {
         for (text, expected) in [
             (
                 r#"{"points":{"eye":[1,2],"ear":[-1,0]},"of":"cat"}"#,
@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_name_the_place_in_the_file() {
+    fn errors_name_the_position_in_the_file() {
         for (text, expected) in [
             (r#"{"points":{"eye":[1]}}"#, "points.eye: expected two numbers x, y"),
             (r#"{"type":"Polygon","coordinates":[[["a",2]]]}"#, "coordinates[0][0][0]: expected a list"),

@@ -52,7 +52,7 @@ mod tests {
     use super::Shared;
 
     #[test]
-    fn latest_results_are_made_once_and_errors_every_time() {
+    fn results_are_computed_once_and_errors_every_time() {
         let (shared, made) = (Shared::new(2), Cell::new(0));
         let get = |key: u32| {
             let make = || {

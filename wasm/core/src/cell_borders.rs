@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn between_two_places_of_different_cells_there_is_a_border() {
+    fn points_of_different_cells_are_separated_by_a_border() {
         let solution = square([Handle::point("left", [30.0, 40.0]), Handle::point("right", [70.0, 40.0])]);
         let line: f64 = ends(&solution)
             .iter()

@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sorts_as_the_stable_sort_of_the_standard_library() {
+    fn matches_the_stable_sort_of_the_standard_library() {
         let numbers = [0.0, -0.0, 1.5, f64::NAN, -2.0, f64::INFINITY, 1e-300, -1e300, f64::NEG_INFINITY];
         for count in [0, 1, 2, FEW, FEW + 1, 100, 1000] {
             let items: Vec<(f64, i64, usize)> =

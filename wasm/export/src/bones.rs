@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn sites_that_move_alike_become_one_bone() {
         let shift = |x: f64| DAffine2::from_translation(DVec2::new(x, 0.0));
-        // Sites 1 and 2 always move alike, site 0 by itself.
+        // Sites 1 and 2 always move alike, site 0 independently.
         let maps = vec![vec![shift(0.0), shift(5.0), shift(5.0)], vec![shift(2.0), shift(-1.0), shift(-1.0)]];
         let vertices = [DVec2::ZERO, DVec2::X, DVec2::Y];
         let weights = SparseWeights::from_parts(vec![0, 1, 2, 3], vec![0, 1, 2], vec![1.0; 3]).unwrap();

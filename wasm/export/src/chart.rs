@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_give_the_map_back() {
+    fn numbers_restore_the_map() {
         for chart in [Chart::Sheared, Chart::Chained] {
             let mut before: Option<Numbers> = None;
             for step in 0..200 {

@@ -116,7 +116,7 @@ mod tests {
     use super::Format;
 
     #[test]
-    fn formats_are_known_by_the_ends_of_names() {
+    fn formats_follow_from_file_name_endings() {
         assert_eq!(Format::of_file("a.spine.json"), Some((Format::Spine, "a")));
         assert_eq!(Format::of_file("a_ske.json"), Some((Format::DragonBones, "a")));
         assert_eq!(Format::of_file("Ä.GLB"), Some((Format::Gltf, "Ä")));

@@ -115,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_bone_takes_its_vertices_to_their_places() {
+    fn bone_motions_move_vertices_to_their_positions() {
         let vertices = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)].map(DVec2::from);
         let weights = SparseWeights::from_parts((0..=4).collect(), vec![1; 4], vec![1.0; 4]).unwrap();
         let rest = [DVec2::ZERO, DVec2::new(5.0, 5.0)];

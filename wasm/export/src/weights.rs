@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn bones_that_never_differ_share_what_they_had() {
+    fn identical_bones_keep_their_shares() {
         let maps = vec![vec![shift(1.0, 1.0); 3]];
         let fit = WeightFit { vertices: &[DVec2::ZERO], targets: &[vec![DVec2::ONE]], maps: &maps };
         let before = SparseWeights::from_parts(vec![0, 2], vec![0, 2], vec![0.4, 0.6]).unwrap();

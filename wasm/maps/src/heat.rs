@@ -71,7 +71,7 @@ mod tests {
     use super::heated;
 
     #[test]
-    fn colours_go_from_the_picture_to_yellow() {
+    fn colours_range_from_the_picture_to_yellow() {
         assert_eq!(heated([10, 20, 30, 40], 0.0), [10, 20, 30, 40]);
         assert_eq!(heated([0, 0, 0, 255], 1.0), [190, 187, 61, 255]);
         assert_eq!(heated([0, 0, 0, 255], 7.0), heated([0, 0, 0, 255], 1.0));

@@ -46,7 +46,7 @@ impl Course {
         let step = (END_STEP / length.max(END_STEP)).min(0.01);
         let slope = |from: f64, to: f64| (place(segment.eval(to)) - place(segment.eval(from))) / step;
         let ends = [slope(0.0, step), slope(1.0 - step, 1.0)];
-        // An interval is measured once: the first flag tells of the one that begins at its sample.
+        // An interval is measured once: the first flag refers to the interval that begins at its sample.
         let mut is_fine = vec![false; samples.len()];
         loop {
             set_slopes(&mut samples, ends);

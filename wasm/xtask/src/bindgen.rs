@@ -153,7 +153,7 @@ fn generate(module: &Path, output: &Path, name: &str, profile: Profile) -> Resul
         .ts_typed_array_buffers(true)
         // The page compiles the module itself, so that the bundler need not follow an import to it.
         .omit_default_module_path(true)
-        // Programs without a worker go on after a panic, with a new instance.
+        // Programs without a worker continue after a panic, with a new instance.
         .reset_state_function(name == SOLVER)
         .keep_debug(matches!(profile, Profile::Dev))
         .remove_name_section(matches!(profile, Profile::Release));

@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_and_their_paths_become_zeros_and_other_data_stays() {
+    fn locations_and_their_paths_become_zeros_and_other_data_is_kept() {
         let mut module = Module::with_config(ModuleConfig::new());
         let memory = module.memories.add_local(false, false, 1, None, None);
         let place: Vec<u8> = [1000_u32, 6, 12, 5].iter().flat_map(|number| number.to_le_bytes()).collect();

@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn the_later_part_has_what_only_its_exports_reach() {
+    fn later_part_has_functions_that_only_its_exports_reach() {
         let parts = split(&module(), |name| name == "seldom").unwrap();
         let (first, later) = (Module::from_buffer(&parts.first).unwrap(), Module::from_buffer(&parts.later).unwrap());
         assert_eq!(first.funcs.iter_local().count(), 2);
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn glue_of_another_shape_is_refused() {
+    fn unexpected_glue_is_rejected() {
         assert_eq!(joining_glue("wasm = instance.exports;"), None);
     }
 }

@@ -153,7 +153,7 @@ mod tests {
     use super::declarations;
 
     #[test]
-    fn tells_the_kinds_of_a_choice_apart() {
+    fn distinguishes_the_kinds_of_a_choice() {
         let schema = json!({
             "title": "Scene",
             "type": "object",

@@ -58,7 +58,7 @@ describe('the manifest', () => {
     );
   });
 
-  it('gives templates what can be set before an element is on a page', () => {
+  it('lists for templates the properties that can be set before connection', () => {
     const names = settable(warp).map(({ name }) => name);
     expect(names).toEqual(expect.arrayContaining(['project', 'tool', 'hint-for', 'hintFor', 'samples']));
     for (const name of ['projectSource', 'zoom', 'paused']) expect(names).not.toContain(name);
@@ -70,7 +70,7 @@ describe('the manifest', () => {
     expect(names).toEqual(['onChange', 'onSelectionChange', 'onTimeUpdate', 'onBeforeOpen', 'onEnded']);
   });
 
-  it('fills the tables of a document, and leaves the rest alone', () => {
+  it('fills the tables of a document, and changes nothing else', () => {
     const before = 'First.\n\n<!-- manifest: c2-warp slots -->\nold\n<!-- /manifest -->\n\nLast.\n';
     const after = withTables(before, [{ ...warp, slots: [{ name: '', description: 'A | B.' }] }], '');
     expect(after).toBe(

@@ -132,7 +132,7 @@ function started(line, folder) {
   const child = spawn(line, {
     cwd: folder,
     shell: true,
-    // A group of its own, so that it ends with the processes that it starts.
+    // A separate group, so that it ends with the processes that it starts.
     detached: !isWindows,
     env: {
       ...process.env,

@@ -54,7 +54,9 @@ async function answer(path: string, request: Request): Promise<Response> {
   return (await storedFile(await files(), scope, path, hashes)) ?? fetch(request);
 }
 
-/** Keeps shared files for the page, which opens next. If they cannot be kept, the page tells that none came. */
+/**
+ * Keeps shared files for the page, which opens next. If they cannot be stored, the page reports that no files arrived.
+ */
 async function received(request: Request): Promise<Response> {
   try {
     await keepShared(await caches.open(sharedCache(scope)), scope, await request.formData());

@@ -2,7 +2,7 @@
  * The files of one version, stored by path and content.
  *
  * Versions share the files that they have in common, so that an update loads changed files alone. A download that
- * breaks off goes on where it was.
+ * is interrupted is resumed.
  */
 
 /** The hash of each file's content by its path, in the form of Subresource Integrity. The page has the path "". */
@@ -11,7 +11,7 @@ export type FileHashes = Readonly<Record<string, string>>;
 /** Before the second and the third try of a download. */
 const PAUSES_MS = [1000, 4000];
 
-/** Where a file is stored: the query tells contents apart. */
+/** The storage key of a file: the query distinguishes contents. */
 const addressOf = (scope: string, path: string, hash: string): string =>
   new URL(`./${path}?${encodeURIComponent(hash)}`, scope).href;
 

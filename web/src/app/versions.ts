@@ -41,7 +41,7 @@ function takesOver(waiting: ServiceWorker): Promise<boolean> {
 }
 
 /**
- * Stores this version, and then looks for newer ones. A person hears of a new version once.
+ * Stores this version, and then looks for newer ones. A new version is announced once.
  *
  * @param address of the worker.
  * @param waits whether a newer version is stored already.

@@ -122,7 +122,7 @@ export class Engine {
   }
 
   /**
-   * Prepares to draw the warped picture in straight alpha. Solves go on between its bands. With a moment the handles
+   * Prepares to draw the warped picture in straight alpha. Solves continue between its bands. With a moment the handles
    * are posed as there.
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; C2WarpError otherwise.
    */
@@ -134,7 +134,7 @@ export class Engine {
   }
 
   /**
-   * Prepares to draw the frames of a clip. Solves go on between their bands.
+   * Prepares to draw the frames of a clip. Solves continue between their bands.
    * @param project with the poses of handles without a track.
    * @param clip names the handles as the project does.
    * @throws as {@link draw}.

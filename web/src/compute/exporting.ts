@@ -1,6 +1,6 @@
 /**
- * Makes exports with a solver, in a worker and a WebAssembly module of their own. Both end with the export: solves go
- * on meanwhile, and a cancel stops it at once.
+ * Makes exports with a solver, in a worker and a WebAssembly module of their own. Both end with the export: solves
+ * continue meanwhile, and a cancellation takes effect immediately.
  */
 import type { Project } from '../document/project';
 import { C2WarpError, ENGINE, TOO_MUCH } from '../error';

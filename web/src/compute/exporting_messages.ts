@@ -24,7 +24,7 @@ export interface EngineRigOrder {
   readonly vertices: number;
   /** Names the files. */
   readonly stem: string;
-  /** The name of the zip that all files come in; null for files by themselves. */
+  /** The name of the zip with all files; null for separate files. */
   readonly zip: string | null;
 }
 

@@ -72,7 +72,7 @@ describe('Link', () => {
     await expect(solve).rejects.toBeInstanceOf(C2WarpError);
   });
 
-  it('ends a worker that has solved for long, for a newer request alone', async () => {
+  it('ends a long-running worker only for a newer request', async () => {
     vi.useFakeTimers({ toFake: ['performance'] });
     const { link, worker, workers } = linked();
     void link.send('picture', PICTURE).catch(() => {});
@@ -113,7 +113,7 @@ describe('Link', () => {
     for (const port of ports) port.close();
   });
 
-  it('ignores what comes for an abandoned request', async () => {
+  it('ignores results of an abandoned request', async () => {
     const { link, worker } = linked();
     const solve = link.send('solve', { project: '{}' });
     link.abandon('solve');
@@ -202,7 +202,7 @@ describe('Link', () => {
     expect(workers).toHaveLength(2);
   });
 
-  it('rejects what cannot be sent, and sends it to no successor', async () => {
+  it('rejects a message that cannot be sent, and does not resend it', async () => {
     const { link, worker } = linked();
     const refused = new Error('out of memory');
     worker(0).postMessage = () => {
@@ -231,7 +231,7 @@ describe('Link', () => {
     expect(parts()).toEqual([[{ later: LATER }], [{ later: LATER }]]);
   });
 
-  it('rejects what is under way when disposed of, and starts no other worker', async () => {
+  it('rejects pending requests when disposed of, and starts no other worker', async () => {
     const { link, worker, workers } = linked();
     const solve = link.send('solve', { project: '{}' });
     link.dispose();

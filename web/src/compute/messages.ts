@@ -71,7 +71,7 @@ export interface Messages {
   solve: [request: { readonly project: string }, response: SolutionData];
   /**
    * Fills the picture behind the domain of a project that is solved; null if it has no fill. A newer fill or another
-   * picture ends it. A solve comes first, and the fill goes on after it.
+   * picture ends it. A solve has priority, and the fill continues after it.
    */
   fill: [request: { readonly project: string }, response: FillData | null];
   /** Stops a solve as a newer one would. */

@@ -272,7 +272,7 @@ export class SolverService {
         return false;
       }
       if (waits(['solve'])) {
-        // The fill goes on after it.
+        // The fill continues after it.
         this.#queue.push(request);
         return false;
       }

@@ -413,7 +413,7 @@ class WasmPose implements Pose {
   }
 }
 
-/** The part of a project that says which places are stiff, as a project of its own. */
+/** The part of a project that defines stiff areas, as a separate project. */
 type StiffPlaces = Pick<Project, 'format' | 'image' | 'handles' | 'stiffness'>;
 
 const stiffPlaces = ({ format, image, handles, stiffness }: Project): StiffPlaces => ({

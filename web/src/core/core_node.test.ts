@@ -168,7 +168,7 @@ describe('createWarper in Node', () => {
     expect(() => solution.clip('up', Number.NaN)).toThrow('seconds');
   });
 
-  it('refuses bad input by a code and goes on', async () => {
+  it('rejects bad input with a code and continues', async () => {
     const bytes = file('gingerbread.png');
     expect(await codeOf(createWarper(new Uint8Array(0)))).toBe('picture');
     expect(await codeOf(createWarper(bytes.subarray(0, 5000)))).toBe('picture');
@@ -223,7 +223,7 @@ describe('createWarper in Node', () => {
     expect((await first.pose().warp()).image.width).toBe(SIZE);
   });
 
-  it('goes on with a new instance after a panic', async () => {
+  it('continues with a new instance after a panic', async () => {
     const [own, other] = [await warper(), await warper()];
     const solution = await other.solve(PROJECT);
     const before = await solution.pose().warp();

@@ -1,4 +1,4 @@
-/** A solution in one pose. It holds no resources of its own. */
+/** A solution in one pose. It holds no resources. */
 import type { Moment, Points } from '../compute/messages';
 import type { PosedMesh } from '../compute/points';
 import type { Environment } from './environment';

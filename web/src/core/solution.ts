@@ -1,4 +1,4 @@
-/** A solved project. It holds no resources of its own. */
+/** A solved project. It holds no resources. */
 import type { Moment, Points } from '../compute/messages';
 import type { PointWeights } from '../compute/points';
 import type { SolutionData } from '../compute/solution';

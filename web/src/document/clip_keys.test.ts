@@ -56,7 +56,7 @@ describe('keys', () => {
     ]);
   });
 
-  it('hold the corners of a handle, and the values that are asked for', () => {
+  it('hold the corners of a handle, and the requested values', () => {
     const point: PointHandle = { id: 'a', kind: 'point', rest: [1, 2], posed: [3, 4], scale: 2 };
     expect(keyOf(point, 1 / 3, [])).toEqual({ time: 0.33333, posed: [3, 4], ease: 'smooth' });
     expect(keyOf(point, 0, ['rotation', 'scale', 'depth'])).toEqual({

@@ -1,4 +1,4 @@
-/** A rig for game engines: the numbers that tell its size, and how far it is off. */
+/** A rig for game engines: the figures for its size and its errors. */
 
 export type EngineFormat = 'spine' | 'dragonbones' | 'gltf' | 'godot';
 

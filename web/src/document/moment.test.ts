@@ -44,7 +44,7 @@ describe('a document at a moment', () => {
   const begun = at(withClip, 0.5);
   const dragged = drag(begun, 'a', 3);
 
-  it('makes a key of a pose, and one of the start where the handle had none', () => {
+  it('creates a key of a pose, and one at the start if the handle had none', () => {
     expect(keysOf(dragged, 'a')).toEqual([
       { time: 0, posed: [1, 0], ease: 'smooth' },
       { time: 0.5, posed: [4, 0], ease: 'smooth' },
@@ -88,7 +88,7 @@ describe('a document at a moment', () => {
     expect(fileProject(removed).handles.map(({ id }) => id)).toEqual(['b', 'c']);
   });
 
-  it('lets a held handle keep its pose while time goes on', () => {
+  it('keeps the pose of a held handle while time passes', () => {
     const held = changeHandles(begun, ['a'], (handle) => moved(handle, [2, 0]));
     expect(x(atMoment(held, 'wave', 0.6, lastKey, ['a']), 'a')).toBe(3);
     expect(x(atMoment(held, 'wave', 0.6, lastKey), 'a')).toBe(1);

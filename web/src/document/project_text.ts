@@ -13,7 +13,7 @@ export function projectText(project: Project | Pose): string {
   return `{\n${lines.join(',\n')}\n}\n`;
 }
 
-/** Returns a value with each item of a list in a line of its own. */
+/** Returns a value with each item of a list on its own line. */
 function valueText(value: unknown, indent = 2): string {
   if (!Array.isArray(value) || value.length === 0) return lineText(value, indent);
   const [inside, outside] = [indent + 2, indent].map((spaces) => `\n${' '.repeat(spaces)}`);

@@ -8,7 +8,7 @@ import type { PointHandle, Project } from './project';
 
 /** Point handles beside those of a project. */
 export interface Suggestion {
-  /** From top to bottom. Their ids tell where they lie. */
+  /** From top to bottom. Their ids contain their position. */
   readonly handles: readonly { readonly id: string; readonly rest: Vec }[];
   /** Whether they follow an outline. Otherwise they are in even rows. */
   readonly outlined: boolean;

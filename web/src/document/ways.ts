@@ -18,7 +18,7 @@ export interface FollowedPoses {
   apply(poses: Float64Array): Project;
 }
 
-/** A path on which each handle moves by itself. */
+/** A path on which each handle moves independently. */
 export interface HandleWay {
   readonly from: Float64Array;
   readonly to: Float64Array;

@@ -13,7 +13,7 @@ const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({
 });
 
 describe('commandOfKey', () => {
-  it('reads letters in either case, and marks however they are typed', () => {
+  it('reads letters in either case, and marks on any keyboard layout', () => {
     expect(commandOfKey(press('v'))).toBe('select');
     expect(commandOfKey(press('V', { shiftKey: true }))).toBe('select');
     expect(commandOfKey(press('+', { shiftKey: true }))).toBe('zoom-in');
@@ -66,7 +66,7 @@ describe('commandOfKey', () => {
     expect(commandsFor(true, true, 'select')).toEqual([]);
   });
 
-  it('leaves alone what it does not know', () => {
+  it('does not change unknown parts', () => {
     expect(commandOfKey(press('p', { ctrlKey: true }))).toBeNull();
     expect(commandOfKey(press('h', { altKey: true }))).toBeNull();
     expect(commandOfKey(press('Tab'))).toBeNull();

@@ -26,7 +26,7 @@ export interface FocusTarget {
   readonly ring?: RingCorner;
 }
 
-/** Controls that the editor focuses by itself. */
+/** Controls that the editor focuses automatically. */
 export type ControlName = 'name' | 'clip-name' | 'timeline' | 'overlays' | 'overlay-button' | 'code';
 
 /** Who had a picture opened: the page, a person, or the editor itself, which brings earlier work back. */
@@ -107,7 +107,7 @@ export type EditorEffect =
   | {
       readonly type: 'read';
       readonly id: number;
-      /** An address, which tells the name too, or files: the first that is a picture is read. Empty for no picture. */
+      /** An address, which includes the name, or files: the first picture is read. Empty for no picture. */
       readonly pictures: readonly (string | NamedFile)[];
       readonly project: ProjectSource | null;
       /** Whether a project in the picture is read too. */

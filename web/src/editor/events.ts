@@ -243,7 +243,7 @@ type FileEvent =
       readonly reply: number;
       readonly source: string | NamedFile;
       readonly project: string | ProjectFile | null;
-      /** The person is told of a failure. */
+      /** A failure is shown to the user. */
       readonly notice: boolean;
     }
   /** The page no longer wants the picture of this request. */

@@ -54,7 +54,7 @@ export function guarded(
 ): Guarded {
   const { document, transform = null, stopped = false } = wanted;
   if (!guard.on) return { document, guard };
-  // The brush leaves handles as they are, and has a guard of its own.
+  // The brush does not move handles, and has its own guard.
   const { handles } = document.project;
   const stays = handles.every((handle, k) => handle === present.project.handles[k]);
   if (stays && handles.length === present.project.handles.length)

@@ -13,7 +13,7 @@ const free = (width: number, height: number, cards: Pick<Cards, 'coarse' | 'shee
   return { width: width - left - right, height: height - bars - top - bottom };
 };
 
-describe('what the cards leave free', () => {
+describe('the space between the cards', () => {
   it('is most of the stage, however small the element', () => {
     for (const coarse of [false, true])
       for (const sheet of ['none', 'line'] as const)

@@ -68,7 +68,7 @@ describe('the lens', () => {
     expect(lensModel(NO_STUDY)).toBeNull();
   });
 
-  it('is told in words', () => {
+  it('is described in words', () => {
     expect(inEnglish(lensWords(lens, project))).toBe('x 3, y 2: left hand 25 %, helper points 75 %');
     expect([0, 0.004, 0.099, 0.5].map(percent)).toEqual(['0 %', '0.4 %', '9.9 %', '50 %']);
   });

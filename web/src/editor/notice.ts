@@ -1,4 +1,4 @@
-/** What the editor tells people: notices, texts for screen readers, and the tasks under way. */
+/** Messages to people: notices, texts for screen readers, and the current tasks. */
 import type { Wording, Words } from '../texts/wording';
 import type { EditorEvent } from './events';
 import type { Task } from './task';
@@ -10,7 +10,7 @@ export interface Notice {
   readonly action?: NoticeAction;
   /** A second action. */
   readonly other?: NoticeAction;
-  /** The notice disappears by itself although it has an action. */
+  /** The notice disappears automatically although it has an action. */
   readonly passes?: true;
   /** The notice is about the last step. Others about that step join it, and the next step ends it. */
   readonly ofStep?: true;
@@ -24,7 +24,7 @@ export interface NoticeAction {
 }
 
 export interface NoticesState {
-  /** A notice with an action, an error, and a notice that disappears by itself: the last one present is shown. */
+  /** A notice with an action, an error, and a notice that disappears automatically: the last one present is shown. */
   readonly offer: Notice | null;
   readonly error: Notice | null;
   readonly passing: Notice | null;

@@ -59,7 +59,7 @@ describe('words', () => {
     expect(inEnglish(cornerWords(bar, 1))).toBe('Corner 2 of left leg: x 8, y 2');
   });
 
-  it('put what the solver refuses in words of the editor, by its code', () => {
+  it('translate rejections of the solver by their code', () => {
     const message = 'handle “left-hand” at (1, 2) lies outside the domain';
     const error = new C2WarpError('handle-outside', message, { handles: ['left-hand'] });
     expect(inEnglish(errorWords(error))).toMatch(/^“left hand” lies outside the shape/);

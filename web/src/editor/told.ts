@@ -1,4 +1,4 @@
-/** For tests: what people are told, in English. */
+/** For tests: the messages to people, in English. */
 import { en } from '../texts/en';
 import { type Words, worded } from '../texts/wording';
 import type { EditorState } from './state';

@@ -166,7 +166,7 @@ describe('input while a picture is being opened', () => {
     expect(viewModel(runtime.state, en)).toMatchObject({ tool: 'lasso', awaiting: true, waitingPlaces });
   });
 
-  it('is dropped with a picture that cannot be read, and leaves the previous one alone', () => {
+  it('is dropped with an unreadable picture, and does not change the previous one', () => {
     const [runtime] = asked({ before: 'picture', project: null });
     for (const event of [run('point'), ...press([50, 50])]) send(runtime, event);
     runtime.failRead(new C2WarpError('picture', 'no picture'));

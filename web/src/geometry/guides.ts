@@ -30,8 +30,8 @@ export function gridStep(scale: number): number {
 }
 
 /**
- * Snaps a place to the nearest line within reach, along each axis by itself. Snaps to the grid where no line is within
- * reach.
+ * Snaps a position to the nearest line within reach, along each axis separately. Snaps to the grid where no line is
+ * within reach.
  */
 export function snappedTo(place: Vec, { lines, grid }: Guides, reach: number): SnappedPlace {
   const guides = ([0, 1] as const).flatMap((axis) => {

@@ -47,7 +47,7 @@ describe('a path along edges', () => {
       expect(path.length).toBeLessThan(40);
     }
   });
-  it('ends where it is asked to, and is straight without edges', () => {
+  it('ends at the requested point, and is straight without edges', () => {
     const flat = { width: 100, height: 100, values: new Uint8Array(1e4).fill(99), step: 1, coarser: null };
     for (const to of [
       [90, 35],

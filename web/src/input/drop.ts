@@ -9,7 +9,7 @@ export interface DropReceiver {
   address(address: string | null): void;
 }
 
-/** The types that are taken. Browsers tell no more of them before the drop. */
+/** The types that are taken. Browsers provide no more information before the drop. */
 const TAKEN = ['Files', 'text/uri-list', 'text/html'];
 
 export class DropTarget {

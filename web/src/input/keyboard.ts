@@ -59,7 +59,7 @@ export class KeyboardInput {
     if (event.defaultPrevented || this.#editor.state.page.disabled) return;
     // Controls of the page, in the slots, have keys of their own.
     if (this.#root.host.contains(target)) return;
-    // With Ctrl the menu has just closed, and the key goes on.
+    // With Ctrl, the menu has just closed, and the key is processed further.
     if (target.closest('.context') && !event.ctrlKey && !event.metaKey) return;
     if (isField(target) && !this.#leavesField(event, target)) return;
     // The browser closes an open menu on Escape unless the event is cancelled.

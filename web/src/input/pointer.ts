@@ -3,7 +3,7 @@
  *
  * One pointer works the tool. With space, the middle button or a second finger it navigates instead. A second finger
  * cancels the press of the first: two fingers never edit. A right click, or a finger that stays, asks for the menu. If
- * that finger then moves, its press goes on.
+ * that finger then moves, its press continues.
  *
  * While a pen is near, touches are those of the hand that holds it, and count for nothing.
  *
@@ -103,7 +103,7 @@ export class PointerInput {
     const palmStayed = this.#stayed?.pointer.coarse === true;
     this.#stayed = null;
     if (event.pointerType === 'pen') this.#takePen();
-    // One that was prevented has closed a menu. A pen goes on if its palm has brought that up.
+    // One that was prevented has closed a menu. A pen continues if its palm has opened it.
     if (event.defaultPrevented && !(event.pointerType === 'pen' && palmStayed)) return;
     // The focus stays where it was while the menu is open.
     if (event.button === 2 && this.#owner === 'editor') event.preventDefault();
@@ -231,7 +231,7 @@ export class PointerInput {
 
   /**
    * Opens the menu instead of the browser's, except with Shift. A finger's is a matter of `#holding`: few phones send
-   * this event. A press that is under way goes on, except one with Ctrl: on a Mac that is a right click.
+   * this event. A press in progress continues, except with Ctrl, which is a right click on a Mac.
    */
   #menu(event: MouseEvent): void {
     if (event.shiftKey) return;

@@ -28,7 +28,7 @@ describe('sizedDrawing', () => {
     );
   });
 
-  it('refuses drawings without a size, and texts that are none', () => {
+  it('rejects drawings without a size, and texts that are not drawings', () => {
     expect(() => size('')).toThrow(/no size/);
     expect(() => size('viewBox="0 0 0 5"')).toThrow(/no size/);
     expect(() => sizedDrawing('<?xml version="1.0"?><html/>')).toThrow(/damaged/);

@@ -31,7 +31,7 @@ import { PlaceBuffer } from './place_buffer';
 import { drawWith, type Program, program } from './program';
 import { RimLayer } from './rim';
 
-/** The shade of the static background beside a selection: enough to tell it apart, and to see it well. */
+/** The shade of the static background beside a selection: enough to distinguish it, but still clearly visible. */
 const SHADE = 0.3;
 
 /** Colour of the lines of a coarse mesh, premultiplied. It shows on light and dark pictures. */

@@ -39,7 +39,7 @@ export class Clipboard {
     const other = () => {
       last.newest = false;
     };
-    // Browsers send these events to the selected text, or to the body: the element hears them at the document.
+    // Browsers send these events to the selected text, or to the body, so the element listens on the document.
     element.ownerDocument.addEventListener('copy', (event) => this.#onCopy(event), { signal });
     element.ownerDocument.addEventListener('paste', (event) => this.#onPaste(event), { signal });
     element.ownerDocument.addEventListener('cut', other, { signal });

@@ -1,5 +1,5 @@
 /**
- * One picture by three methods, live beside each other. A worker of its own solves, so that the editor never waits.
+ * One picture by three methods, live beside each other. A separate worker solves, so that the editor never waits.
  *
  * Loaded when the comparison is first shown. Worker and graphics are released when it is left.
  */

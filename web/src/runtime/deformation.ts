@@ -29,7 +29,7 @@ import { OpenClip } from './clip_poses';
 
 type FilmRange = readonly [from: number, to: number] | null;
 
-/** Times of a film that are posed to tell its size roughly. */
+/** Number of times of a film that are posed to estimate its size. */
 const BOUND_TIMES = 24;
 
 const NO_TURNS: Turns = new Map();

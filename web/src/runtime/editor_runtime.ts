@@ -66,7 +66,7 @@ export interface EditorElement {
   /** Resolves once the last state is rendered. */
   rendered(): Promise<unknown>;
   notifyPage(notification: PageNotification): void;
-  /** Whether the page lets a person go on. */
+  /** Whether the page lets the action continue. */
   ask(question: PageQuestion): boolean;
   /** The picture of the attributes cannot be opened. */
   sourceFailed(error: Error): void;
@@ -290,7 +290,7 @@ export class EditorRuntime {
   /** The warped picture, ready to be drawn, see `Engine.draw`; by default as pixel art if it is shown so. */
   async drawing(asked: Omit<DrawingOptions, 'pixelated'>, pixelated = this.#isPixelated): Promise<Drawing> {
     if (!this.state.picture) throw new C2WarpError('no-picture', 'Open a picture first.');
-    // The pose of this moment: the page may go on to the next one meanwhile.
+    // The pose at this moment: the page may set the next one meanwhile.
     const { project, moment } = drawn(this.state);
     return this.#solver.draw(project, { ...asked, pixelated }, moment);
   }

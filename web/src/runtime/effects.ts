@@ -44,7 +44,7 @@ export interface Resources {
   /** Resolves once the page shows the state. */
   rendered(): Promise<unknown>;
   notifyPage(notification: PageNotification): void;
-  /** Whether the page lets a person go on. */
+  /** Whether the page lets the action continue. */
   ask(question: PageQuestion): boolean;
   settleLoad(reply: number, error: Error | 'superseded' | null): void;
   adoptPageProject(effect: Extract<EditorEffect, { type: 'adopt-page-project' }>): void;

@@ -33,7 +33,7 @@ export class Focus {
     if (active instanceof HTMLInputElement && isField(active)) untype(active);
   }
 
-  /** Focuses a handle or one of its corners once it is rendered, or else the stage, so that keys go on working. */
+  /** Focuses a handle or one of its corners once it is rendered, or else the stage, so that keys keep working. */
   move({ handle, corner, ring }: FocusTarget): void {
     queueMicrotask(() => {
       const id = handle === null ? '' : CSS.escape(handle);

@@ -33,7 +33,7 @@ export class FocusKeeper {
   /** Restores a lost focus; to be called after each render. */
   repair(): void {
     if (!this.#inside || !this.#isLost()) return;
-    // On the stage it can be seen, and Tab goes on to the handles.
+    // On the stage, it is visible, and Tab continues to the handles.
     const stage = this.#host.shadowRoot?.querySelector<HTMLElement>('.stage[tabindex]');
     (stage ?? this.#host).focus({ preventScroll: true });
   }

@@ -87,7 +87,7 @@ function thumbnailOf(bitmap: ImageBitmap): string {
   return canvas.toDataURL('image/webp', 0.8);
 }
 
-/** Bytes that tell whether a file is a drawing. */
+/** Number of bytes that determine whether a file is a drawing. */
 const START = 256;
 
 /** The picture of a drawing; null for any other file. The rest of the code for drawings is loaded at the first one. */

@@ -154,7 +154,9 @@ export class Solver {
     }
   }
 
-  /** Loads the part of the solver that draws, while the network is there. The first drawing tells why it is missing. */
+  /**
+   * Loads the part of the solver that draws, while the network is there. The first drawing reports why it is missing.
+   */
   prepareDrawing(): void {
     loadedLater().catch(() => {});
   }
@@ -248,7 +250,7 @@ export class Solver {
   #fail(key: string, error: Error): void {
     if (isAbort(error)) return;
     const failed = isEngineFailure(error);
-    // An error without a code is one of the page's module. The solution is to blame, whatever the reason.
+    // An error without a code is one of the page's module. The solution causes the failure, for any reason.
     const told =
       codeOf(error) === '' ? editorError(TOO_MUCH, say('errors.tooMuch.solve'), { cause: error }) : error;
     // The engine may have given up the picture: the next solve starts another.

@@ -6,7 +6,7 @@
  * work of another keeps it among the recent work, as a version from that tab: nothing is lost.
  *
  * If the browser refuses storage, as in some private windows, or has no more of it, nothing is stored and nothing
- * fails. The owner hears of it. The same holds for work that a newer version stored: it stays as it is.
+ * fails. The owner is notified. Work of a newer version stays as it is, and the owner is notified, too.
  */
 import { bounded } from '../editor/recent';
 import { packed, unpacked } from '../editor/stored_displacements';
@@ -125,7 +125,7 @@ export class StoredWork {
       this.#recent = byId(next.recent);
       this.#stored(true, this.#next === null);
     } catch (error) {
-      // Storage is full or refused, or holds newer work: editing goes on.
+      // Storage is full or denied, or holds newer work: editing continues.
       this.#stored(isOfNewer(error) ? 'newer' : false, this.#next === null);
     }
   }

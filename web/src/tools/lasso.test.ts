@@ -54,7 +54,7 @@ describe('the lasso', () => {
     effects = [];
   });
 
-  it('follows a drag in few corners, and closes where it comes back', () => {
+  it('follows a drag with few corners, and closes where it returns', () => {
     drag([
       [10, 10],
       [12, 10],
@@ -79,7 +79,7 @@ describe('the lasso', () => {
     });
     expect(machine.draft).toBeNull();
   });
-  it('goes on after a drag that ends elsewhere', () => {
+  it('continues after a drag that ends elsewhere', () => {
     drag([
       [10, 10],
       [50, 10],

@@ -279,8 +279,8 @@ describe('drawing a polygon', () => {
   });
 });
 
-describe('a bar that is there', () => {
-  it('is moved by its line, with whatever else is selected', () => {
+describe('an existing bar', () => {
+  it('is moved by its line, with all selected handles', () => {
     bench.drag([30, 2], [50, 22]);
     expect(bench.posed('arm')).toEqual([
       [20, 20],
@@ -351,7 +351,7 @@ describe('a bar that is there', () => {
 });
 
 describe('a corner outside of the selection', () => {
-  it('is told at once, and the drawing goes on', () => {
+  it('is reported immediately, and the drawing continues', () => {
     const bench = new Bench();
     const { project } = bench.document;
     const rings = [

@@ -151,7 +151,7 @@ export interface State {
   again?(): Outcome;
 }
 
-/** Snaps the place of a press. Shift has directions of its own. */
+/** Snaps the place of a press. Shift restricts directions instead. */
 export const snappedPlace = (
   at: Vec,
   press: Press,

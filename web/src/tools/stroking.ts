@@ -62,7 +62,7 @@ export function withoutStroke(draft: Draft): Draft {
 /**
  * The drawing under a pointer between two presses, with the way to it.
  *
- * @param end the effect of a press there: it goes on, closes the outline at its first corner, or ends it at the last.
+ * @param end the effect of a press there: it continues, closes the outline at its first corner, or ends it at the last.
  */
 export function aimed(
   draft: Draft,

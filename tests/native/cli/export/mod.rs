@@ -1,4 +1,5 @@
-//! Tests of `c2warp export`: files are read as the formats' documentation tells, and vertices compared with the solver.
+//! Tests of `c2warp export`: files are read according to the formats' documentation, and vertices are compared with the
+//! solver.
 
 mod dragonbones;
 mod exact;
@@ -169,7 +170,7 @@ fn four_weights_lose_half_a_pixel_at_most_at_99_of_100_vertices() {
 }
 
 #[test]
-fn files_lie_beside_each_other_and_hold_the_picture() {
+fn files_are_written_side_by_side_and_hold_the_picture() {
     let folder = strip();
     for output in ["a.spine.json", "b_ske.json", "c.glb", "d.tscn"] {
         succeed(folder.path(), &format!("export scene.c2warp.json -o {output}"));
@@ -240,7 +241,7 @@ fn refused_options_name_the_option_and_write_nothing() {
 }
 
 #[test]
-fn two_thousand_sites_become_as_many_bones_as_asked_for() {
+fn two_thousand_sites_become_the_requested_number_of_bones() {
     let folder = strip().edited(|project| project["pose"] = json!({ "density": 2000 }));
     let report =
         String::from_utf8(succeed(folder.path(), "export scene.c2warp.json -o out.spine.json --bones 255")).unwrap();

@@ -79,7 +79,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
         solutions: Shared::new(kept),
     };
     if has_many_images {
-        // An error about the only project is told once.
+        // An error about the only project is reported once.
         batch.project(&projects[0])?;
     }
     let failed = AtomicBool::new(false);

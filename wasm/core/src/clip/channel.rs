@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_go_on_unless_the_channel_repeats() {
+    fn values_beyond_the_ends_are_constant_unless_the_channel_repeats() {
         let knots = [(1.0, 10.0, Ease::Linear), (3.0, 20.0, Ease::Linear)];
         let once = channel(&knots, None);
         assert_eq!([0.0, 1.0, 2.0, 3.0, 4.0].map(|time| value(&once, time)), [10.0, 10.0, 15.0, 20.0, 20.0]);

@@ -191,7 +191,7 @@ mod tests {
         }
 
         #[test]
-        fn all_of_a_clip_is_its_widest_part((clip, rate, _) in film()) {
+        fn whole_clip_is_its_widest_range((clip, rate, _) in film()) {
             let all = FrameTimes::new(&clip, rate, None);
             prop_assert_eq!(all, FrameTimes::new(&clip, rate, Some(0.0..clip.duration)));
         }

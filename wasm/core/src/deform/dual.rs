@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_jumps_as_angles_go_round_and_round() {
+    fn result_is_continuous_through_many_turns() {
         let (step, radius) = (0.002, 100.0);
         for weight in [0.02, 0.3, 0.5, 0.501, 0.9] {
             // One site rotates beside one at rest, and two rotate in opposite directions.
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn the_derivative_is_that_of_the_place() {
+    fn jacobian_is_the_derivative_of_the_position() {
         // Weights of three sites that change from point to point, and sum to 1.
         let weights = |p: DVec2| {
             let raw = [0.3 + 0.001 * p.x, 0.5 - 0.0007 * p.y, 0.2 + 0.000_01 * p.x * p.y];

@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn neither_rest_nor_a_rotation_folds() {
+    fn rest_and_rotations_do_not_fold() {
         assert_eq!(count(&TRIANGLES, 4, SQUARE), 0);
         assert_eq!(count(&TRIANGLES, 4, SQUARE.map(|p| -p)), 0);
     }

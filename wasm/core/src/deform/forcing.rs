@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn poses_that_cannot_be_made_relieve_nothing() {
+    fn invalid_poses_relieve_no_crease() {
         let folds = creases(&[DVec2::ZERO, DVec2::new(0.0, 4.0), DVec2::new(4.0, 0.0)], &[[0, 1, 2]]);
         assert_eq!(forcing(&folds, &[vec![1.0]], |_| None), [0]);
         assert!(forcing(&[], &[], |_| None).is_empty());

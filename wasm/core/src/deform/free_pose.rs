@@ -27,7 +27,7 @@ pub(super) fn free_pose(handles: &[Handle], of: usize, by: impl Fn(usize) -> boo
     let turns = || others().filter(|other| matches!(other.rotation, Rotation::Degrees(_)) && is_point(other));
     let rotation = match handle.rotation {
         Rotation::Auto => Rotation::Auto,
-        // Where others turn by hand, the motion of their places tells nothing about it.
+        // The motion of their positions does not reveal manual turns of other handles.
         Rotation::Degrees(_) if turns().next().is_some() => {
             Rotation::Degrees(mean(turns().map(|other| (nearness(other, rest), degrees(other)))))
         }
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_handle_alone_follows_nothing() {
+    fn single_handle_has_no_free_pose() {
         assert_eq!(free_pose(&[at([1.0, 2.0], [3.0, 4.0])], 0, |_| true), None);
         let two = [at([1.0, 2.0], [3.0, 4.0]), at([5.0, 5.0], [5.0, 6.0])];
         assert_eq!(free_pose(&two, 0, |_| false), None);
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn a_turned_handle_takes_the_turn_of_those_that_are_turned_too() {
+    fn turned_handle_follows_the_turn_of_other_handles() {
         let turned = |handle: Handle, degrees: f64| handle.turned(degrees);
         let handles = [
             turned(at([0.0, 0.0], [0.0, 0.0]), 170.0),

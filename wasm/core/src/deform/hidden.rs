@@ -30,7 +30,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_point_is_hidden_where_a_later_part_is_drawn_over_it() {
+    fn point_below_a_later_part_is_hidden() {
         let square = |x: f64| [[x, 0.0], [x + 4.0, 0.0], [x + 4.0, 4.0], [x, 4.0]].map(DVec2::from);
         let rest = [square(0.0), square(20.0)].concat();
         // The second square covers the right half of the first one.

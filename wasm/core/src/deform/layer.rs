@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn the_part_of_the_first_corner_is_continued_where_another_covers_its_end() {
+    fn part_of_the_first_corner_is_continued_below_another_part() {
         let (rest, posed, triangles) = covered();
         assert_near(&under(&rest, &posed, &triangles, &[[0.5, 0.5], [5.0, 0.5]]), &[[0.5, 0.5], [5.0, 0.5]]);
     }

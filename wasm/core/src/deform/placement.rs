@@ -97,14 +97,14 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_bends_is_kept_however_near_the_border() {
+    fn bending_position_near_the_border_is_kept() {
         let found = at(11.99, 0.5, 0.0).expect("inside");
         assert_eq!(found.posed, DVec2::new(11.99, 0.5));
         assert!(found.rest.distance(DVec2::new(0.995, 0.25)) < 1e-9 && (found.scale - 2.0).abs() < 1e-9, "{found:?}");
     }
 
     #[test]
-    fn a_place_on_the_rim_moves_a_little_inside_the_border() {
+    fn position_on_the_skirt_moves_just_inside_the_border() {
         let found = at(13.0, 1.0, 0.0).expect("the skirt");
         assert!(found.posed.x > 11.8 && found.posed.x < 12.0, "{found:?}");
         assert!((found.rest.x - (found.posed.x - 10.0) / 2.0).abs() < 1e-9, "{found:?}");
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_beside_the_picture_moves_no_farther_than_the_radius() {
+    fn position_beside_the_picture_moves_at_most_by_the_radius() {
         assert_eq!(at(9.5, 1.0, 0.4), None);
         assert!(at(9.5, 1.0, 0.6).is_some_and(|found| found.posed.x > 10.0));
         assert_eq!(at(9.0, 3.0, 1.3), None);
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_under_the_rim_is_kept() {
+    fn position_under_the_skirt_is_kept() {
         let mut covered = posed();
         // The skirt folds back over the square.
         covered[4] = DVec2::new(10.0, 1.0);

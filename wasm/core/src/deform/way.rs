@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn an_automatic_point_turns_from_the_rotation_that_was_found() {
+    fn automatic_point_turns_from_its_computed_rotation() {
         let free = pose(&[[0.0, 0.0]], Rotation::Auto);
         let turn = Turn { from: 20.0, to: 40.0, is_given: true };
         assert_eq!(halfway(&free, &pose(&[[4.0, 0.0]], 40.0), turn), pose(&[[2.0, 0.0]], 30.0));

@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn distances_differ_from_exact_ones_in_the_wedge_alone_and_by_little() {
+    fn distances_differ_from_exact_ones_only_in_the_wedge_and_slightly() {
         let navigation = room();
         let smooth = of(&navigation, (60.0, 120.0));
         let (source, corner) = (DVec2::new(60.0, 120.0), DVec2::splat(200.0));

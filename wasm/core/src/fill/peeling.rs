@@ -53,7 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn layers_of_a_deep_hole_look_at_few_patches_and_fill_all_of_it() {
+    fn deep_hole_is_filled_while_each_layer_checks_few_patches() {
         let mut level = deep();
         let work = work(&level);
         assert_eq!(work.len(), level.depth);

@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn no_map_turns_over() {
+    fn no_map_is_inverted() {
         for (x, y) in [(1.0, -9.0), (0.0, 0.0), (-2.0, 2.0)] {
             let (angle, strain) = polar(DMat2::from_diagonal(DVec2::new(x, y)));
             let motion = Motion { angle, strain, ..Motion::default() };

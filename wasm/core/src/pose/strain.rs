@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bone_of_no_length_is_kept_above_0() {
+    fn zero_length_bone_keeps_a_positive_stretch() {
         let stretch = Strain::of_bone(DVec2::X, 0.0, 1.0).stretch();
         assert!((stretch.determinant() - 1e-9).abs() < 1e-15);
         assert!(Strain::of_bone(DVec2::X, f64::NAN, 1.0).stretch().is_nan());

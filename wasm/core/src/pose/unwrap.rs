@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_go_on_through_many_turns() {
+    fn angles_continue_through_many_turns() {
         let wound: Vec<f64> = (0..40).map(|i| f64::from(i) * 0.5).collect();
         let wrapped: Vec<f64> = wound.iter().map(|angle| angle - TAU * libm::round(angle / TAU)).collect();
         let found = chain(&wrapped, &[true; 40]);

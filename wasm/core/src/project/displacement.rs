@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn places_of_a_cropped_picture_move_as_before() {
+    fn points_of_a_cropped_picture_move_as_before() {
         let wide = |k: i32| {
             let apart = DVec2::new(f64::from(k % 11) - 3.0, f64::from(k / 11) - 4.0);
             [(200.0 * (1.0 - apart.length_squared() / 16.0).max(0.0).powi(3)) as i16, 0]

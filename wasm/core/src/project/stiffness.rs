@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn mask_of_another_picture_covers_the_same_places() {
+    fn mask_of_another_picture_covers_the_same_points() {
         let mask = Stiffness::new(4, 2, vec![0, 0, 255, 255, 0, 0, 51, 0]);
         let [from, to] = [DVec2::new(40.0, 20.0), DVec2::new(80.0, 60.0)];
         assert_eq!(mask.mapped(&DAffine2::from_scale(to / from), from, to), Some(mask.clone()));

@@ -227,7 +227,7 @@ mod tests {
     };
 
     #[test]
-    fn nearest_real_sites_are_those_of_a_search_over_all() {
+    fn nearest_real_sites_match_a_brute_force_search() {
         let prepared = PreparedDomain::without_picture(Domain::rectangle(200, 150));
         let navigation = &prepared.navigation;
         let scattered = (0..20)

@@ -95,13 +95,13 @@ mod tests {
     }
 
     #[test]
-    fn ids_tell_the_place_and_are_unique() {
+    fn ids_contain_the_position_and_are_unique() {
         let places = [([5.0, 5.0], "end"), ([8.0, 9.0], "end"), ([50.0, 50.0], "middle"), ([50.0, 95.0], "joint")];
         assert_eq!(named(&places, &[]), ["top-left-end", "top-left-end-2", "middle", "bottom-joint"]);
     }
 
     #[test]
-    fn mirrored_places_have_mirrored_ids() {
+    fn mirrored_positions_have_mirrored_ids() {
         let legs = [(8.0, 90.0), (30.0, 95.0), (44.0, 86.0), (56.0, 86.0), (70.0, 95.0), (92.0, 90.0)];
         let end = |(x, y): (f64, f64)| ([x, y], "end");
         let mirrored = |(x, y): (f64, f64)| end((100.0 - x, y));

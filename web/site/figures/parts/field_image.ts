@@ -19,7 +19,7 @@ export interface Isolines {
   readonly width: number;
 }
 
-/** The colours of a ramp that are told apart. */
+/** The number of distinct colours of a ramp. */
 const SHADES = 256;
 
 /** @param isolines The last ones lie on top. */

@@ -1,4 +1,4 @@
-/** Autosave: the work is stored under a key after each step, and tabs that share the key hear of it. */
+/** Autosave: the work is stored under a key after each step, and tabs that share the key are notified. */
 
 import { fileProject } from '../../document/document';
 import { recordOf, timeline } from '../../document/history';

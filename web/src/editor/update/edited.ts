@@ -27,7 +27,7 @@ export type ChangeKind = 'open' | 'input' | 'drag' | 'change' | 'selection' | 'p
 const MERGE_MS = 800;
 
 export function edited(before: EditorState, kind: ChangeKind, emit: Emit): EditorState {
-  // Before the solution of this step, which may be known and tell of something. A drag does so as it begins.
+  // Before the solution of this step, which may be known and cause a notice. A drag does so as it begins.
   let state = kind === 'change' ? closeStepNotice(before, emit) : before;
   if (solves(state, kind)) state = requestSolution(state, emit);
   state = withFocusedCornerSelected(closeMenuUnlessSelected(state, emit));

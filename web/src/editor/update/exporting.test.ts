@@ -50,7 +50,7 @@ describe('an export', () => {
     expect(toldTask(runtime.state)).toBeNull();
   });
 
-  it('is cancelled by Escape and by its button, and leaves all else as it is', () => {
+  it('is cancelled by Escape and by its button, without other changes', () => {
     for (const cancel of [
       { type: 'command-run', command: 'bail' },
       { type: 'task-cancelled', task: 'export' },

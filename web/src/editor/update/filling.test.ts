@@ -34,7 +34,7 @@ describe('the fill of a lasso', () => {
     expect(isOn(runtime)).toBe(false);
   });
 
-  it('leaves no gap, and the notice tells of none', () => {
+  it('leaves no gap, and the notice mentions none', () => {
     expect(toldNotice(lassoed().state)?.text).toBe('Only this part bends now, over a filled background.');
   });
 

@@ -12,7 +12,7 @@ function lost(page = PAGE): FakeRuntime {
 const elapse = (runtime: FakeRuntime) => runtime.dispatch({ type: 'timer-elapsed', timer: 'graphics' });
 
 describe('a lost graphics context', () => {
-  it('is told of after a moment, until it is restored', () => {
+  it('is reported after a moment, until it is restored', () => {
     const runtime = lost();
     expect(runtime.effects.at(-1)).toMatchObject({ type: 'start-timer', timer: 'graphics' });
     expect(toldNotice(runtime.state)).toBeNull();
@@ -22,13 +22,13 @@ describe('a lost graphics context', () => {
     expect(toldNotice(runtime.state)).toBeNull();
   });
 
-  it('is not told of if it comes back in time', () => {
+  it('is not reported if it is restored in time', () => {
     const runtime = lost();
     runtime.dispatch({ type: 'graphics-restored' });
     expect(runtime.effects.at(-1)).toEqual({ type: 'stop-timer', timer: 'graphics' });
   });
 
-  it('is still told of when another picture is opened, and can be dismissed', () => {
+  it('is still reported when another picture is opened, and can be dismissed', () => {
     const runtime = lost();
     elapse(runtime);
     runtime.open(testPicture('dog.png'));
@@ -46,7 +46,7 @@ describe('a lost graphics context', () => {
     expect(toldNotice(runtime.state)?.text).toContain('Your work is safe. Reload');
   });
 
-  it('is told of to readers, who have nothing to save', () => {
+  it('is also reported to readers, who have nothing to save', () => {
     const runtime = lost();
     runtime.dispatch({ type: 'page-changed', page: { ...PAGE, posable: true } });
     elapse(runtime);

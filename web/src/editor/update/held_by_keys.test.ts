@@ -23,7 +23,7 @@ beforeEach(() => {
 });
 
 describe('a push that keys hold', () => {
-  it('is a step once Enter lets go', () => {
+  it('is a step once Enter is released', () => {
     expect(project().displacement).toBeDefined();
     expect(history().open).not.toBeNull();
     runtime.dispatch({ type: 'place-pressed' });

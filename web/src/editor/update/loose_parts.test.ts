@@ -14,7 +14,7 @@ function opened(): FakeRuntime {
 }
 
 describe('parts without a handle', () => {
-  it('are told of once a handle is placed, and follow in one step if asked to', () => {
+  it('are reported once a handle is placed, and follow in one step on request', () => {
     const runtime = opened();
     expect(toldNotice(runtime.state)).toBeNull();
     place(runtime, 'a');
@@ -32,7 +32,7 @@ describe('parts without a handle', () => {
     expect(projectOf(runtime.state).loose_parts).toBe('stay');
   });
 
-  it('are told of if the solve ends before the press that places a handle', () => {
+  it('are reported if the solve ends before the press that places a handle', () => {
     const runtime = opened();
     const pointer = { stage: [200, 150], shift: false, alt: false, free: false, coarse: false } as const;
     runtime.dispatch({ type: 'command-run', command: 'point' });
@@ -45,7 +45,7 @@ describe('parts without a handle', () => {
     expect(toldNotice(runtime.state)).toBeNull();
   });
 
-  it('are told of once for each picture', () => {
+  it('are reported once for each picture', () => {
     const runtime = opened();
     place(runtime, 'a');
     runtime.solve({ looseParts: 2 });

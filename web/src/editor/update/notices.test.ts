@@ -114,7 +114,7 @@ describe('an error', () => {
     expect(toldNotice(runtime.state)).toBeNull();
   });
 
-  it('of anything else stays, and the page hears of it', () => {
+  it('of another kind remains, and the page is notified', () => {
     const runtime = new FakeRuntime();
     runtime.dispatch({ type: 'error-reported', error: new Error('no picture') });
     elapsed(runtime);

@@ -32,7 +32,7 @@ export const shownNotice = ({ page, notices }: EditorState): Notice | null =>
 /** The newest task under way. */
 export const currentTask = ({ notices }: EditorState): Task | null => notices.tasks.at(-1) ?? null;
 
-/** Shows a notice. Its action dismisses it. Without an action, anything but an error disappears by itself. */
+/** Shows a notice. Its action dismisses it. Notices without an action disappear automatically, except errors. */
 export function notify(state: EditorState, given: Notice, emit: Emit): EditorState {
   const notice = joined(state.notices.passing, given);
   const cleared = withoutPassing(state, emit);
@@ -173,7 +173,7 @@ function withoutPassing(state: EditorState, emit: Emit): EditorState {
 const startPassing = ({ action }: Notice, emit: Emit): void =>
   emit({ type: 'start-timer', timer: 'notice', ms: action ? ANSWER_MS : PASSING_MS });
 
-/** Keeps a notice that disappears by itself, or gives it its whole time again. */
+/** Keeps a notice that disappears automatically, or restarts its time. */
 export function keepPassing({ notices }: EditorState, keep: boolean, emit: Emit): void {
   if (keep) emit({ type: 'stop-timer', timer: 'notice' });
   else if (notices.passing) startPassing(notices.passing, emit);

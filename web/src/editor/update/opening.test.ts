@@ -165,7 +165,7 @@ describe('a newer request', () => {
 });
 
 describe('edited work', () => {
-  it('is parked when another picture opens, and comes back', () => {
+  it('is parked when another picture opens, and restored later', () => {
     const runtime = opened();
     placeHandle(runtime);
     drop(runtime);
@@ -265,7 +265,7 @@ describe('a project file alone', () => {
     expect(asks(runtime)).toBe(true);
   });
 
-  it('waits no more once a project comes with its picture', () => {
+  it('stops waiting once a project is opened with its picture', () => {
     const runtime = waiting();
     opens(runtime, 'cat.png', other);
     expect(projectOf(runtime.state).samples).toBe(3000);
@@ -436,7 +436,7 @@ describe('the first content', () => {
     expect(toldNotice(runtime.state)?.text).toContain('damaged');
   });
 
-  it('leaves a picture alone that was opened while the storage was read', () => {
+  it('does not replace a picture that was opened while the storage was read', () => {
     const runtime = started();
     drop(runtime);
     runtime.dispatch({ type: 'storage-read', stored: stored() });
@@ -446,7 +446,7 @@ describe('the first content', () => {
     expect(runtime.state.opening.recent.map(({ name }) => name)).toEqual(['stored.png']);
   });
 
-  it('comes back when a newer picture is refused before it was there', () => {
+  it('is restored when a newer picture is rejected while opening', () => {
     const runtime = started();
     runtime.dispatch({ type: 'storage-read', stored: stored() });
     drop(runtime);

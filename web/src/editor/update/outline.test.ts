@@ -50,7 +50,7 @@ describe('an outline too fine to be followed', () => {
   const bridged = { outline: 'bridged', bridgedGap: 8 } as const;
   const text = 'This outline is too fine to follow: parts up to 8 pixels apart bend together.';
 
-  it('is told of once, and again when another way is taken', () => {
+  it('is reported once, and again when another way is taken', () => {
     const runtime = new FakeRuntime();
     runtime.open(testPicture(), bridged);
     expect(toldNotice(runtime.state)?.text).toBe(text);
@@ -63,7 +63,7 @@ describe('an outline too fine to be followed', () => {
     expect(toldNotice(runtime.state)?.text).toContain('the whole picture bends');
   });
 
-  it('is told of for the next picture as well', () => {
+  it('is also reported for the next picture', () => {
     const runtime = new FakeRuntime();
     runtime.open(testPicture('a.png'), bridged);
     runtime.open(testPicture('b.png'), bridged);

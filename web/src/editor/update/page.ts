@@ -106,7 +106,7 @@ export const pageHandlers: Handlers<
       : withOpening(state, { pageSelection: ids }),
   'play-asked': (state, _, emit) => playForPage(openTimeline(state, false, emit), emit),
   'pause-asked': (state, _, emit) => pauseForPage(state, emit),
-  // For people who prefer reduced motion nothing plays by itself.
+  // For people who prefer reduced motion, nothing plays automatically.
   'autoplay-asked': (state, _, emit) =>
     state.page.autoplay && !state.media.still ? playForPage(state, emit) : state,
   'seek-asked': (state, { time }, emit) => seekForPage(openTimeline(state, false, emit), time, emit),

@@ -178,7 +178,7 @@ describe('a clip that the page plays', () => {
     expect(runtime.state.playback.active).toBe(false);
   });
 
-  it('plays by itself only for people who do not mind motion', () => {
+  it('plays automatically only without reduced motion', () => {
     const runtime = opened({ autoplay: true });
     send(
       runtime,

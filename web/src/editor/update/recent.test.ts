@@ -100,7 +100,7 @@ describe('the work of two tabs', () => {
     ]);
   });
 
-  it('is stored over that of another tab by changes alone', () => {
+  it('only replaces the stored work of another tab after changes', () => {
     const runtime = stored();
     runtime.dispatch({ type: 'work-stored', stored: true, newest: true });
     runtime.dispatch({
@@ -150,7 +150,7 @@ describe('a change', () => {
     expect(isKept(runtime.state)).toBe(false);
   });
 
-  it('is told to the page with the name of the picture', () => {
+  it('is reported to the page with the name of the picture', () => {
     const runtime = stored();
     edit(runtime);
     const titles = runtime.effects.flatMap((effect) =>

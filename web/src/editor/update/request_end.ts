@@ -1,4 +1,4 @@
-/** The ends of requests: the asker is told, and the first content goes on. */
+/** Ends requests: notifies the requester, and continues with the initial content. */
 
 import { codeOf, isAbort, isEngineFailure } from '../../error';
 import { say } from '../../texts/wording';
@@ -17,7 +17,7 @@ import { inform, report } from './notices';
 import { requestAttributes, restore, withOpening } from './requests';
 import { chooseByHandles } from './tool_choice';
 
-/** A picture is open. One that a person did not choose may play by itself. */
+/** A picture is open. A picture that the user did not choose may play automatically. */
 function notifyLoad(origin: Origin, emit: Emit): void {
   emit({ type: 'notify-page', notification: { type: 'load', origin } });
   if (origin !== 'person') emit({ type: 'follow-up', event: { type: 'autoplay-asked' } });

@@ -77,7 +77,7 @@ export function commitStep(
   return edited(applyTools(stepped, cancelPress(stepped.tools), emit), 'change', emit);
 }
 
-/** Poses handles without a step. A press goes on, and the handles that it holds are left to it. */
+/** Poses handles without a step. A press continues, and keeps control of its handles. */
 export function poseForPage(state: EditorState, handles: readonly Handle[], emit: Emit): EditorState {
   const held = state.tools.current.holds ? selectionOf(state) : [];
   const posed = handles.filter(({ id }) => !held.includes(id));
@@ -99,7 +99,7 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
   if (label === null) return state;
   const travelled = returnToMoment(withDocument(state, { history: move(present), travelled: way }));
   const { handle } = state.focus;
-  // The focused handle may have another name now: keys go on at the selected one.
+  // The focused handle may have been renamed: keys continue at the selected one.
   if (handle !== null && !handleById(documentOf(travelled), handle))
     emit({ type: 'focus', target: { handle: selectionOf(travelled)[0] ?? null, corner: null } });
   return announce(

@@ -59,7 +59,7 @@ describe('a setting', () => {
     expect(settingsOf(projectOf(runtime.state)).shape_factor).toBe(1);
   });
 
-  it('stays as it is for readers', () => {
+  it('does not change for readers', () => {
     const runtime = opened({ ...PAGE, readonly: true });
     alpha(runtime, 0.4);
     runtime.dispatch({ type: 'preset-chosen', preset: 'paper' });

@@ -37,7 +37,7 @@ beforeEach(() => {
 });
 
 describe('suggested handles', () => {
-  it('are added as one step, and told', () => {
+  it('are added as one step, and reported', () => {
     run('suggest');
     answer();
     expect(ids()).toEqual(['top-left-end', 'middle']);
@@ -69,7 +69,7 @@ describe('suggested handles', () => {
     expect(text()).toBe('Added 2 handles. The existing handle stays.');
   });
 
-  it('say why none is added', () => {
+  it('say why no handle is added', () => {
     const none = { handles: [], outlined: false };
     run('suggest');
     answer(none);
@@ -127,7 +127,7 @@ describe('suggested handles', () => {
     expect(ids()).toHaveLength(3);
   });
 
-  it('are those of the newest command alone', () => {
+  it('only belong to the newest command', () => {
     run('suggest');
     const first = asked();
     runtime.dispatch({ type: 'handle-added', handle: HAND });

@@ -66,7 +66,7 @@ describe('handles that force folds', () => {
     expect(toldNotice(runtime.state)?.text).toMatch(/^Found no pose without folds/);
   });
 
-  it('are not told during a press, nor to people who may change nothing', () => {
+  it('are not reported during a press, nor to people who may not edit', () => {
     runtime.dispatch({ type: 'page-changed', page: { ...PAGE, readonly: true } });
     pose('left-hand', 1200);
     expect(toldNotice(runtime.state)).toBeNull();

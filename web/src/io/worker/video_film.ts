@@ -1,7 +1,7 @@
 /**
  * WebM and MP4: frames are encoded by the browser (WebCodecs), and packed by mediabunny.
  *
- * WebM carries transparency as a second picture of each frame, which is encoded by itself. A key frame of the colours
+ * WebM carries transparency as a second picture of each frame, which is encoded separately. A key frame of the colours
  * is one of the transparency too, so that players can seek. Encoders get a few frames at a time: memory stays flat.
  */
 

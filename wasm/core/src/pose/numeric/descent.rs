@@ -242,7 +242,7 @@ mod tests {
     const START: [DVec2; 3] = [DVec2::new(0.02, 3.0), DVec2::new(-5.0, 0.1), DVec2::new(0.5, -40.0)];
 
     #[test]
-    fn it_ends_in_minima_however_wrong_the_first_steps_are() {
+    fn descent_reaches_a_minimum_despite_wrong_first_steps() {
         for scale in [1e-3, 1.0, 100.0] {
             let mut well = DoubleWell::new(&START);
             descend(&mut well, START.len(), |values| values.iter_mut().for_each(|value| *value *= scale), LIMITS);
@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn a_small_gain_ends_it() {
+    fn descent_ends_after_a_small_gain() {
         let iterations = |gain| {
             let mut well = DoubleWell::new(&START);
             descend(&mut well, START.len(), |_| {}, Limits { gain, ..LIMITS });

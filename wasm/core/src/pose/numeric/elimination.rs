@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn what_nothing_holds_stays_at_0() {
+    fn unconstrained_unknowns_remain_0() {
         let laplacian = GroundedLaplacian::new(vec![0.0, 0.0, 2.0], [(0, 1, 1.0)].into_iter());
         let mut x = [0.0, 0.0, 3.0];
         laplacian.solve(&mut x);

@@ -184,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_energy_along_a_line_has_the_derivatives_that_are_told() {
+    fn energy_along_a_line_matches_its_derivatives() {
         let rest = [(0.0, 0.0), (10.0, 1.0), (12.0, 9.0), (-1.0, 11.0)].map(DVec2::from);
         let motion = |k: usize| Motion::similarity(0.0, 1.0, DVec2::new(k as f64, 3.0 - k as f64), 0.0);
         let motions: Vec<Motion> = (0..4).map(motion).collect();

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn the_gradient_is_that_of_the_energy_turned_over_or_not() {
+    fn gradient_matches_the_energy_even_if_inverted() {
         let step = 1e-6;
         for entries in [[1.2, 0.4, -0.3, 0.8], [0.3, 0.1, 0.2, 0.1], [1.0, 0.0, 0.0, -0.4], [0.0; 4]] {
             let distortion = Distortion::new(0.2);

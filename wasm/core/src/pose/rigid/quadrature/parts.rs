@@ -101,7 +101,7 @@ fn divide(
         let mut next = dominant;
         next[known..].fill(MANY_SITES);
         if known == 0 {
-            // One of them tells two hubs apart.
+            // One of them distinguishes two hubs.
             next[1] = tied().next().map_or(NO_SITE, |one| one.site as u32);
         }
         take(next, area);
