@@ -14,6 +14,18 @@ pub enum ExportError {
         /// The requested number.
         found: usize,
     },
+    /// More handles than bones.
+    #[error("this project has {found} handles: --bones must be at least {found}")]
+    Handles {
+        /// The number of handles.
+        found: usize,
+    },
+    /// More handles than formats hold bones.
+    #[error("this project has {found} handles: an engine's rig has up to {MOST_BONES} bones, one for each handle")]
+    HandlesOfFormats {
+        /// The number of handles.
+        found: usize,
+    },
     /// The number of influences is 0 or too large.
     #[error("--influences: expected a number from 1 to {MOST_INFLUENCES}, found {found}")]
     Influences {

@@ -1,5 +1,7 @@
 //! Size limits of a rig.
 
+use c2warp::project::Project;
+
 use crate::{error::ExportError, format::Format};
 
 /// Maximum number of bones besides the root: engines such as Bevy store bone numbers in 8 bits.
@@ -23,7 +25,7 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// With 64 bones, 99 % of the vertices of the samples are at most half a pixel off in random poses.
+    /// With 64 bones, 99 % of the vertices of the samples are at most 0.75 px off in random poses.
     fn default() -> Self {
         Self { bones: 64, influences: 4, vertices: 300 }
     }
@@ -50,5 +52,17 @@ impl Options {
             return Err(ExportError::Vertices { found: vertices });
         }
         Ok(())
+    }
+
+    /// Checks that each handle of a project can have a bone of its own.
+    ///
+    /// # Errors
+    /// [`ExportError::Handles`] or [`ExportError::HandlesOfFormats`].
+    pub fn check_handles(&self, project: &Project) -> Result<(), ExportError> {
+        match project.handles.len() {
+            found if found > MOST_BONES => Err(ExportError::HandlesOfFormats { found }),
+            found if found > self.bones => Err(ExportError::Handles { found }),
+            _ => Ok(()),
+        }
     }
 }

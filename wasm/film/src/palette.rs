@@ -1,19 +1,36 @@
 //! A palette of 255 colours for a picture, and mixtures of its colours.
 //!
-//! The palette: median cut (Heckbert 1982) on a histogram, then some rounds of k-means. Mixtures: for each colour, the
-//! palette's colours whose mean is nearest to it, ordered by brightness and chosen by a fixed pattern (Knoll's pattern
-//! dithering, US 6,606,166, expired).
+//! The palette: the colours of flat areas as they are, and for the rest median cut (Heckbert 1982) on a histogram, then
+//! some rounds of k-means. Mixtures: for each colour, the palette's colours whose mean is nearest to it, ordered by
+//! brightness and chosen by a fixed pattern (Knoll's pattern dithering, US 6,606,166, expired). Colours that are in the
+//! palette, or close to it, are not mixed: a pattern would be visible in flat areas.
+
+use std::{cmp::Reverse, collections::BTreeMap};
 
 /// Colours of the palette. One index is left for transparency.
 const COLOURS: usize = 255;
-/// Bits of a channel in the histogram and among the colours that are mixed.
-const BITS: u32 = 6;
+/// Colours of flat areas that the palette has as they are. The others are left for gradients and edges.
+const MOST_FLAT: usize = 128;
+/// A row of as many equal pixels is flat. In photographs few are.
+const FLAT_RUN: usize = 4;
+/// The least flat area of a colour, as a part of all pixels: 16 × 16 of 1024 × 1024.
+const FLAT_PART: usize = 4096;
+/// A colour is not mixed if the nearest one of the palette differs by no more in any channel. Nobody sees such a step.
+const NEAR: f32 = 1.5;
+/// Bits of a channel in the histogram, and among the colours that are mixed: steps of two are not seen in gradients.
+const HISTOGRAM_BITS: u32 = 6;
+const MIXED_BITS: u32 = 7;
 /// Rounds of k-means. Later ones change colours by less than the rounding of the histogram.
 const ROUNDS: usize = 4;
 /// Colours in a mixture: the cells of the pattern.
 const MIX: usize = 16;
 /// Fraction of the error of a mixture that its next colour compensates. With 1, flat colours get grainy.
 const STRENGTH: f32 = 0.7;
+
+/// Colours that may be in a mixture: the nearest ones. Farther ones would be seen as specks.
+const NEAREST: usize = 24;
+/// How much a colour in a mixture counts for its distance from the wanted one.
+const GRAIN: f32 = 0.5;
 
 /// The order in which 4 × 4 pixels take the colours of a mixture (Bayer 1973).
 const PATTERN: [[usize; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
@@ -23,11 +40,14 @@ type Colour = [f32; 3];
 /// A palette, and a cache of mixtures.
 #[derive(Debug)]
 pub(crate) struct Dithering {
+    /// The first colours of the palette: those of flat areas, ascending.
+    flat: Vec<[u8; 3]>,
     /// 256 × 3 bytes.
     bytes: Vec<u8>,
     colours: Vec<Colour>,
-    /// Mixtures by the bits of a colour.
-    mixtures: Vec<Option<Box<[u8; MIX]>>>,
+    mixtures: Vec<[u8; MIX]>,
+    /// By the bits of a colour: one more than the index of its mixture, or 0.
+    mixture_of: Vec<u32>,
 }
 
 /// A bin of the histogram.
@@ -38,17 +58,19 @@ struct Bin {
 }
 
 impl Dithering {
-    /// The palette for some pixels.
-    pub(crate) fn new(pixels: impl Iterator<Item = [u8; 3]>) -> Self {
-        let mut bins = histogram(pixels);
-        let mut colours = median_cut(&mut bins);
+    /// The palette for the pixels of a picture, row by row. `None` is transparent.
+    pub(crate) fn new(pixels: impl Iterator<Item = Option<[u8; 3]>> + Clone) -> Self {
+        let flat = flat_colours(pixels.clone());
+        let mut bins = histogram(pixels.flatten().filter(|colour| flat.binary_search(colour).is_err()));
+        let mut colours: Vec<Colour> = flat.iter().map(|colour| colour.map(f32::from)).collect();
+        colours.extend(median_cut(&mut bins, COLOURS - flat.len()));
         for _ in 0..ROUNDS {
-            improve(&mut colours, &bins);
+            improve(&mut colours, flat.len(), &bins);
         }
         let mut bytes: Vec<u8> = colours.iter().flatten().map(|&channel| channel.round() as u8).collect();
         bytes.resize(3 * (COLOURS + 1), 0);
         let colours = bytes.as_chunks::<3>().0[..colours.len()].iter().map(|rgb| rgb.map(f32::from)).collect();
-        Self { bytes, colours, mixtures: vec![None; 1 << (3 * BITS)] }
+        Self { flat, bytes, colours, mixtures: Vec::new(), mixture_of: vec![0; 1 << (3 * MIXED_BITS)] }
     }
 
     /// The palette: red, green and blue of 256 colours.
@@ -58,24 +80,56 @@ impl Dithering {
 
     /// The index of the colour for a pixel at a position.
     pub(crate) fn index(&mut self, colour: [u8; 3], [x, y]: [usize; 2]) -> u8 {
-        let Self { colours, mixtures, .. } = self;
+        let Self { flat, colours, mixtures, mixture_of, .. } = self;
         if colours.is_empty() {
             return 0;
         }
-        let mixture = mixtures[bin_of(colour)].get_or_insert_with(|| Box::new(mixture(colours, colour)));
-        mixture[PATTERN[y % 4][x % 4]]
+        if let Ok(index) = flat.binary_search(&colour) {
+            return index as u8;
+        }
+        let at = &mut mixture_of[bin_of(colour, MIXED_BITS)];
+        if *at == 0 {
+            mixtures.push(mixture(colours, colour));
+            *at = mixtures.len() as u32;
+        }
+        mixtures[*at as usize - 1][PATTERN[y % 4][x % 4]]
     }
 }
 
-fn bin_of(colour: [u8; 3]) -> usize {
-    colour.into_iter().fold(0, |bin, channel| (bin << BITS) | usize::from(channel >> (8 - BITS)))
+fn bin_of(colour: [u8; 3], bits: u32) -> usize {
+    colour.into_iter().fold(0, |bin, channel| (bin << bits) | usize::from(channel >> (8 - bits)))
+}
+
+/// The colours of the largest flat areas, ascending.
+fn flat_colours(pixels: impl Iterator<Item = Option<[u8; 3]>>) -> Vec<[u8; 3]> {
+    let mut areas: BTreeMap<[u8; 3], usize> = BTreeMap::new();
+    let (mut shown, mut run, mut last) = (0, 0, None);
+    let mut end_run = |colour: Option<[u8; 3]>, run: usize| {
+        if let Some(colour) = colour.filter(|_| run >= FLAT_RUN) {
+            *areas.entry(colour).or_default() += run;
+        }
+    };
+    for pixel in pixels {
+        shown += usize::from(pixel.is_some());
+        if pixel != last {
+            end_run(last, run);
+            (run, last) = (0, pixel);
+        }
+        run += 1;
+    }
+    end_run(last, run);
+    let mut large: Vec<([u8; 3], usize)> = areas.into_iter().filter(|(_, area)| area * FLAT_PART >= shown).collect();
+    large.sort_by_key(|&(colour, area)| (Reverse(area), colour));
+    let mut flat: Vec<[u8; 3]> = large.into_iter().take(MOST_FLAT).map(|(colour, _)| colour).collect();
+    flat.sort_unstable();
+    flat
 }
 
 /// The bins that have pixels, with their mean colours.
 fn histogram(pixels: impl Iterator<Item = [u8; 3]>) -> Vec<Bin> {
-    let mut sums = vec![([0_u64; 3], 0_u64); 1 << (3 * BITS)];
+    let mut sums = vec![([0_u64; 3], 0_u64); 1 << (3 * HISTOGRAM_BITS)];
     for colour in pixels {
-        let (sum, count) = &mut sums[bin_of(colour)];
+        let (sum, count) = &mut sums[bin_of(colour, HISTOGRAM_BITS)];
         sum.iter_mut().zip(colour).for_each(|(sum, channel)| *sum += u64::from(channel));
         *count += 1;
     }
@@ -85,13 +139,13 @@ fn histogram(pixels: impl Iterator<Item = [u8; 3]>) -> Vec<Bin> {
     sums.into_iter().filter_map(bin).collect()
 }
 
-/// Splits the bins at means of their widest channel until there are enough parts, and returns the mean of each.
-fn median_cut(bins: &mut [Bin]) -> Vec<Colour> {
+/// Splits the bins at means of their widest channel until there are `most` parts, and returns the mean of each.
+fn median_cut(bins: &mut [Bin], most: usize) -> Vec<Colour> {
     if bins.is_empty() {
         return Vec::new();
     }
     let mut parts = vec![(0, bins.len())];
-    while parts.len() < COLOURS {
+    while parts.len() < most {
         let spread = |&(from, to): &(usize, usize)| widest(&bins[from..to]);
         let found = parts.iter().map(spread).enumerate().max_by(|a, b| a.1.0.total_cmp(&b.1.0));
         let Some((part, (error, channel, middle))) = found else { break };
@@ -126,15 +180,15 @@ fn mean(bins: &[Bin]) -> Colour {
     [0, 1, 2].map(|channel| bins.iter().map(|bin| bin.count * bin.colour[channel]).sum::<f32>() / count)
 }
 
-/// Moves each colour to the mean of the bins that are nearest to it.
-fn improve(colours: &mut [Colour], bins: &[Bin]) {
+/// Moves each colour to the mean of the bins that are nearest to it. The first ones stay.
+fn improve(colours: &mut [Colour], staying: usize, bins: &[Bin]) {
     let mut sums = vec![([0.0_f32; 3], 0.0_f32); colours.len()];
     for bin in bins {
         let (sum, count) = &mut sums[nearest(colours, bin.colour)];
         sum.iter_mut().zip(bin.colour).for_each(|(sum, channel)| *sum += bin.count * channel);
         *count += bin.count;
     }
-    for (colour, (sum, count)) in colours.iter_mut().zip(sums) {
+    for (colour, (sum, count)) in colours.iter_mut().zip(sums).skip(staying) {
         if count > 0.0 {
             *colour = sum.map(|sum| sum / count);
         }
@@ -142,19 +196,32 @@ fn improve(colours: &mut [Colour], bins: &[Bin]) {
 }
 
 fn nearest(colours: &[Colour], to: Colour) -> usize {
-    let distance = |colour: &Colour| -> f32 { colour.iter().zip(to).map(|(a, b)| (a - b).powi(2)).sum() };
-    let distances = colours.iter().map(distance).enumerate();
+    let distances = colours.iter().map(|&colour| squared(colour, to)).enumerate();
     distances.fold((0, f32::INFINITY), |least, one| if one.1 < least.1 { one } else { least }).0
+}
+
+fn squared(a: Colour, b: Colour) -> f32 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum()
 }
 
 /// Colours whose mean is near a colour, from the darkest.
 fn mixture(colours: &[Colour], wanted: [u8; 3]) -> [u8; MIX] {
     let wanted = wanted.map(f32::from);
+    let mut near: Vec<(f32, usize)> =
+        colours.iter().enumerate().map(|(index, &colour)| (squared(colour, wanted), index)).collect();
+    near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    near.truncate(NEAREST);
+    let first = near[0].1;
+    if colours[first].iter().zip(wanted).all(|(a, b)| (a - b).abs() <= NEAR) {
+        return [first as u8; MIX];
+    }
     let mut error = [0.0_f32; 3];
     let mut mixture = [0_u8; MIX];
     for index in &mut mixture {
         let aim = [0, 1, 2].map(|k| wanted[k] + STRENGTH * error[k]);
-        let found = nearest(colours, aim);
+        let cost = |&(apart, index): &(f32, usize)| squared(colours[index], aim) + GRAIN * apart;
+        let found =
+            near.iter().map(|one| (cost(one), one.1)).reduce(|a, b| if b.0 < a.0 { b } else { a }).expect("c").1;
         error = [0, 1, 2].map(|k| error[k] + wanted[k] - colours[found][k]);
         *index = found as u8;
     }

@@ -3,17 +3,19 @@
 
 mod dragonbones;
 mod exact;
+mod gltf;
 mod godot;
 mod reading;
 mod spine;
 
 use std::fs;
 
+use c2warp::project::Looping;
 use glam::DVec2;
 use serde_json::{Value, json};
 
 use self::exact::Exact;
-use self::reading::Reading;
+use self::reading::{Listing, Reading};
 use crate::command::{fail, succeed};
 use crate::scene_folder::SceneFolder;
 
@@ -123,6 +125,119 @@ fn check(folder: &SceneFolder, output: &str, options: &str, read: impl Fn(&Scene
         .sum();
     let drawn = exact.solution.domain().area();
     assert!(area > 0.98 * drawn && area < 1.4 * drawn, "{output}: triangles of {area} px² for {drawn} px²");
+}
+
+/// The bones and clips of a scene in all formats.
+fn listings(folder: &SceneFolder, options: &str) -> [(&'static str, Listing); 4] {
+    let export = |output| drop(succeed(folder.path(), &format!("export scene.c2warp.json -o {output} {options}")));
+    ["out.spine.json", "out_ske.json", "out.glb", "out.tscn"].into_iter().for_each(export);
+    [
+        ("Spine", spine::read(folder).listing()),
+        ("DragonBones", dragonbones::read(folder).listing()),
+        ("glTF", gltf::listing(folder)),
+        ("Godot", godot::read(folder).listing()),
+    ]
+}
+
+#[test]
+fn each_handle_is_a_bone_of_its_name_at_its_place_in_all_formats() {
+    // The first has many sites, the second turns and stretches, and the third has bars alone.
+    for (folder, options) in [(figure(), "--bones 6"), (strip(), "--bones 3 --influences 2"), (bars(), "--bones 2")] {
+        // Names that others could take: those of the root, of bones between, and of further bones of a handle.
+        let folder = folder.edited(|project| {
+            let last = project["handles"].as_array().unwrap().len() - 1;
+            for (at, name) in [(0, "site 9"), (last, "root")] {
+                let text =
+                    project.to_string().replace(&project["handles"][at]["id"].to_string(), &json!(name).to_string());
+                *project = serde_json::from_str(&text).unwrap();
+            }
+        });
+        let Exact { project, .. } = Exact::of(&folder);
+        // As few bones as possible, and in the largest scene as many as usual.
+        let usual = (project.handles.len() > 3).then_some("");
+        for options in [options].into_iter().chain(usual) {
+            for (format, Listing { bones, .. }) in listings(&folder, options) {
+                for handle in &project.handles {
+                    let place = bones.get(&handle.id).unwrap_or_else(|| panic!("{format} {options}: {:?}", handle.id));
+                    let corners = handle.shape.posed();
+                    let pieces = corners.windows(2).map(|piece| (piece[0], piece[1]));
+                    let on_piece = |(a, b): (DVec2, DVec2)| place.distance(a) + place.distance(b) - a.distance(b);
+                    let off = pieces.map(on_piece).fold(place.distance(corners[0]), f64::min);
+                    assert!(off < ROUNDING_PX, "{format} {options}: {:?} is {off} px off", handle.id);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn pieces_of_a_bar_have_bones_of_their_own_where_there_are_enough() {
+    let names = |options: &str| -> Vec<String> {
+        let [(_, spine), ..] = listings(&bars(), options);
+        spine.bones.into_keys().filter(|name| !name.starts_with("site ")).collect()
+    };
+    let few = names("--bones 2");
+    assert_eq!(few.len(), 3, "the root and two bars: {few:?}");
+    let of_handle = |name: &str| names("").into_iter().filter(|bone| bone.starts_with(name)).count();
+    let Exact { project, .. } = Exact::of(&bars());
+    assert!(project.handles.iter().all(|handle| of_handle(&handle.id) >= 2), "{:?}", names(""));
+}
+
+#[test]
+fn clips_last_as_long_in_all_formats() {
+    let still = |name: &str, seconds: f64, looping: &str, keys: &[(f64, [f64; 2])]| {
+        let key = |&(time, posed): &(f64, [f64; 2])| json!({ "time": time, "posed": posed });
+        let keys: Vec<Value> = keys.iter().map(key).collect();
+        let tracks = if keys.is_empty() { json!([]) } else { json!([{ "handle": "middle", "keys": keys }]) };
+        json!({ "name": name, "duration": seconds, "loop": looping, "tracks": tracks })
+    };
+    let [here, there] = [[48.0, 24.0], [44.0, 30.0]];
+    let clips = json!([
+        still("no track", 2.0, "none", &[]),
+        still("one key", 3.0, "repeat", &[(0.5, there)]),
+        still("one key at rest", 0.5, "none", &[(0.0, here)]),
+        still("two equal keys", 1.5, "none", &[(0.0, there), (1.0, there)]),
+        still("there and back", 1.0, "alternate", &[(0.0, there)]),
+        still("pause at the end", 2.0, "none", &[(0.0, here), (0.5, there)]),
+        still("pause at the beginning", 2.0, "none", &[(1.5, here), (2.0, there)]),
+        still("no whole number of frames", 0.71, "repeat", &[(0.0, here), (0.4, there)]),
+        still("less than a frame", 0.004, "none", &[]),
+    ]);
+    let with_handles = strip().edited(|project| project["clips"] = clips.clone());
+    let without = SceneFolder::new("untouched").edited(|project| project["clips"] = json!([clips[0], clips[8]]));
+    for folder in [with_handles, without] {
+        let Exact { project, .. } = Exact::of(&folder);
+        for (format, Listing { clips, .. }) in listings(&folder, "") {
+            assert_eq!(clips.len(), project.clips.len(), "{format}");
+            for clip in &project.clips {
+                let plays_back = clip.looping == Looping::Alternate && format != "Godot";
+                let wanted = if plays_back { 2.0 * clip.duration } else { clip.duration };
+                let found = clips[&clip.name];
+                assert!((found - wanted).abs() < 2e-6, "{format}: {found} s of {:?}, {wanted} s", clip.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn more_handles_than_bones_are_refused_by_their_number() {
+    let folder = strip();
+    let before = folder.file_names();
+    let line = fail(folder.path(), "export scene.c2warp.json -o out.glb --bones 2");
+    assert_eq!(line, "scene.c2warp.json: this project has 3 handles: --bones must be at least 3");
+    let many = strip().edited(|project| {
+        let handle = |k: usize| {
+            let at = [4.0 + (k % 30) as f64 * 3.0, 4.0 + (k / 30) as f64 * 4.0];
+            json!({ "id": format!("{k}"), "kind": "point", "rest": at, "posed": at })
+        };
+        (project["clips"], project["handles"]) = (json!([]), (0..256).map(handle).collect());
+    });
+    let line = fail(many.path(), "export scene.c2warp.json -o out.glb --bones 255");
+    assert_eq!(
+        line,
+        "scene.c2warp.json: this project has 256 handles: an engine's rig has up to 255 bones, one for each handle"
+    );
+    assert_eq!(folder.file_names(), before);
 }
 
 #[test]
