@@ -3,6 +3,7 @@
 mod code;
 
 use crate::{
+    display_name::DisplayName,
     display_number::DisplayNumber,
     limits,
     project::{ProjectError, ShapeKind},
@@ -199,7 +200,8 @@ pub enum Error {
     #[error(
         "handle “{id}” at ({}, {}) lies outside the domain: place it on the picture's opaque part",
         DisplayNumber(*.x),
-        DisplayNumber(*.y)
+        DisplayNumber(*.y),
+        id = DisplayName(.id)
     )]
     HandleOutside {
         /// Id of the handle.
@@ -214,7 +216,8 @@ pub enum Error {
         "handle “{id}” would lie {:.0} px outside the outline of this picture, but is moved by at most {:.0} px: fit \
          the project in another way, or move the handle first",
         .distance,
-        .most
+        .most,
+        id = DisplayName(.id)
     )]
     HandleFarOutside {
         /// Id of the handle.
@@ -226,7 +229,7 @@ pub enum Error {
     },
     /// Two handles coincide.
     #[error("handles “{first}” and “{second}” are less than {min} px apart: move or delete one of them",
-        min = limits::MIN_SEPARATION)]
+        min = limits::MIN_SEPARATION, first = DisplayName(.first), second = DisplayName(.second))]
     HandlesTooClose {
         /// Id of one handle.
         first: String,
@@ -236,7 +239,8 @@ pub enum Error {
         distance: f64,
     },
     /// Two corners of a bar or polygon coincide.
-    #[error("corner {corner} of handle “{id}” coincides with the next corner: move or delete one of them")]
+    #[error("corner {corner} of handle “{id}” coincides with the next corner: move or delete one of them",
+        id = DisplayName(.id))]
     BarTooShort {
         /// Id of the handle.
         id: String,
@@ -254,7 +258,8 @@ pub enum Error {
     /// A handle is on a fixed boundary.
     #[error(
         "handle “{id}” is on the fixed boundary: move it at least {min} px inside, or set fix_boundary to false",
-        min = limits::HELD_CLEARANCE
+        min = limits::HELD_CLEARANCE,
+        id = DisplayName(.id)
     )]
     OnHeldBoundary {
         /// Id of the handle.
@@ -262,7 +267,7 @@ pub enum Error {
     },
     /// The project has too many handles.
     #[error("the project has {count} handles, but at most {max} are supported: “{id}” is the first one above the limit",
-        max = limits::MAX_HANDLES)]
+        max = limits::MAX_HANDLES, id = DisplayName(.id))]
     TooManyHandles {
         /// Number of handles.
         count: usize,
@@ -272,7 +277,8 @@ pub enum Error {
     /// Too many point handles are close to another handle.
     #[error(
         "{count} point handles are less than {within:.3} px from another, but at most {max} are supported: move some \
-         of them apart, such as “{id}”"
+         of them apart, such as “{id}”",
+        id = DisplayName(.id)
     )]
     HandlesCrowded {
         /// Number of such handles.
@@ -299,7 +305,8 @@ pub enum Error {
     #[error(
         "the bars and polygons have {segments} segments, but at most {max} are supported: handle “{id}” has {corners} \
          corners, draw it with fewer",
-        max = limits::MAX_SITES
+        max = limits::MAX_SITES,
+        id = DisplayName(.id)
     )]
     TooManyCorners {
         /// Id of the handle with the most corners.
@@ -326,7 +333,8 @@ pub enum Error {
         found: usize,
     },
     /// The pose lacks a handle of the solution.
-    #[error("the pose lacks handle “{id}” of the solution: pass every handle of the solution")]
+    #[error("the pose lacks handle “{id}” of the solution: pass every handle of the solution",
+        id = DisplayName(.id))]
     PoseMissing {
         /// Id of the handle.
         id: String,
@@ -335,7 +343,7 @@ pub enum Error {
     #[error("the pose belongs to another solution: use the poser of this solution")]
     PoseOfAnotherSolution,
     /// A posed handle has another kind or number of corners than the solved one.
-    #[error("handle “{id}” is posed as {posed}, but was solved as {solved}")]
+    #[error("handle “{id}” is posed as {posed}, but was solved as {solved}", id = DisplayName(.id))]
     PoseShape {
         /// Id of the handle.
         id: String,
@@ -345,7 +353,8 @@ pub enum Error {
         posed: ShapeKind,
     },
     /// Numbers of the pose overflow.
-    #[error("the pose of handle “{id}” has numbers that are too large: move it closer, or lower its scale")]
+    #[error("the pose of handle “{id}” has numbers that are too large: move it closer, or lower its scale",
+        id = DisplayName(.id))]
     PoseNotFinite {
         /// Id of the handle.
         id: String,
@@ -362,7 +371,8 @@ pub enum Error {
         "clip “{clip}”: expected a range within 0 to {} seconds that ends after it begins, found {}..{}",
         DisplayNumber(*duration),
         DisplayNumber(*from),
-        DisplayNumber(*to)
+        DisplayNumber(*to),
+        clip = DisplayName(.clip)
     )]
     FrameRange {
         /// Name of the clip.
@@ -378,7 +388,8 @@ pub enum Error {
     #[error(
         "a film of clip “{clip}” would have {frames} frames, but at most {max} are supported: lower the frame rate, or \
          show a part of the clip",
-        max = limits::MAX_FRAMES
+        max = limits::MAX_FRAMES,
+        clip = DisplayName(.clip)
     )]
     TooManyFrames {
         /// Name of the clip.
@@ -538,8 +549,8 @@ pub enum Error {
 /// Names the handles of an overlap for a message.
 fn overlap(first: &str, second: &str) -> String {
     if first == second {
-        format!("handle “{first}” runs along itself")
+        format!("handle “{}” runs along itself", DisplayName(first))
     } else {
-        format!("handles “{first}” and “{second}” run along each other")
+        format!("handles “{}” and “{}” run along each other", DisplayName(first), DisplayName(second))
     }
 }
