@@ -69,10 +69,11 @@ export const notices: Texts['notices'] = {
 
   noPose: 'Die Zwischenablage enthält keine Pose. Kopieren Sie zuerst eine.',
   badPose: (detail) => `Die Pose konnte nicht eingefügt werden: ${detail}.`,
+  badKeys: (detail) => `Die Keyframes konnten nicht eingefügt werden: ${detail}.`,
   notCopied:
-    'Der Browser hat die Zwischenablage gesperrt. Sie können die Pose nur auf dieser Seite einfügen.',
+    'Der Browser hat die Zwischenablage gesperrt. Sie können die Kopie nur auf dieser Seite einfügen.',
   notCopiedByMenu: (keys) =>
-    `Der Browser hat die Zwischenablage gesperrt. Sie können die Pose nur auf dieser Seite einfügen. Für andere Seiten kopieren Sie sie mit ${keys}.`,
+    `Der Browser hat die Zwischenablage gesperrt. Sie können die Kopie nur auf dieser Seite einfügen. Für andere Seiten kopieren Sie sie mit ${keys}.`,
   notRead: 'Der Browser hat die Zwischenablage gesperrt. Erlauben Sie den Zugriff, um einzufügen.',
   notReadByMenu: (keys) => `Der Browser hat die Zwischenablage gesperrt. Drücken Sie zum Einfügen ${keys}.`,
 

@@ -77,10 +77,11 @@ export const notices = {
   noPose: 'The clipboard has no pose. Copy one first.',
   /** @param detail the fault, in English. */
   badPose: (detail: string) => `Could not paste this pose: ${detail}.`,
-  notCopied: 'The browser blocked the clipboard. You can paste the pose on this page only.',
+  badKeys: (detail: string) => `Could not paste these keys: ${detail}.`,
+  notCopied: 'The browser blocked the clipboard. You can paste the copy on this page only.',
   /** @param keys that copy. */
   notCopiedByMenu: (keys: string) =>
-    `The browser blocked the clipboard. You can paste the pose on this page only. To copy it for other pages, press ${keys}.`,
+    `The browser blocked the clipboard. You can paste the copy on this page only. To copy for other pages, press ${keys}.`,
   notRead: 'The browser blocked the clipboard. Allow access to paste.',
   /** @param keys that paste. */
   notReadByMenu: (keys: string) => `The browser blocked the clipboard. Press ${keys} to paste.`,

@@ -69,9 +69,10 @@ export const notices: Texts['notices'] = {
 
   noPose: 'El portapapeles no contiene ninguna pose. Copie una primero.',
   badPose: (detail) => `No se ha podido pegar esta pose: ${detail}.`,
-  notCopied: 'El navegador ha bloqueado el portapapeles. Solo puede pegar la pose en esta página.',
+  badKeys: (detail) => `No se han podido pegar estas claves: ${detail}.`,
+  notCopied: 'El navegador ha bloqueado el portapapeles. Solo puede pegar la copia en esta página.',
   notCopiedByMenu: (keys) =>
-    `El navegador ha bloqueado el portapapeles. Solo puede pegar la pose en esta página. Para copiarla a otras, pulse ${keys}.`,
+    `El navegador ha bloqueado el portapapeles. Solo puede pegar la copia en esta página. Para copiarla a otras, pulse ${keys}.`,
   notRead: 'El navegador ha bloqueado el portapapeles. Permita el acceso para pegar.',
   notReadByMenu: (keys) => `El navegador ha bloqueado el portapapeles. Pulse ${keys} para pegar.`,
 

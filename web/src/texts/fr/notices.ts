@@ -70,9 +70,11 @@ export const notices: Texts['notices'] = {
 
   noPose: 'Le presse-papiers ne contient pas de pose. Copiez-en une d’abord.',
   badPose: (detail) => `Impossible de coller cette pose : ${detail}.`,
-  notCopied: 'Le navigateur a bloqué le presse-papiers. Vous pouvez coller la pose sur cette page seulement.',
+  badKeys: (detail) => `Impossible de coller ces clés : ${detail}.`,
+  notCopied:
+    'Le navigateur a bloqué le presse-papiers. Vous pouvez coller la copie sur cette page seulement.',
   notCopiedByMenu: (keys) =>
-    `Le navigateur a bloqué le presse-papiers. Vous pouvez coller la pose sur cette page seulement. Pour la copier vers d’autres pages, appuyez sur ${keys}.`,
+    `Le navigateur a bloqué le presse-papiers. Vous pouvez coller la copie sur cette page seulement. Pour la copier vers d’autres pages, appuyez sur ${keys}.`,
   notRead: 'Le navigateur a bloqué le presse-papiers. Autorisez l’accès pour coller.',
   notReadByMenu: (keys) => `Le navigateur a bloqué le presse-papiers. Appuyez sur ${keys} pour coller.`,
 

@@ -35,10 +35,6 @@ export const timeline: Texts['timeline'] = {
   ease: 'イージング',
   easeTip: '次のキーフレームまでの動き',
   eases: { smooth: '滑らか', linear: 'リニア', hold: '保持' },
-  copyKeys: 'キーフレームをコピー',
-  pasteKeys: '再生ヘッドにキーフレームを貼り付け',
-  mirrorKeys: 'キーフレームを反対側に反転',
-  deleteKeys: 'キーフレームを削除',
   playhead: '再生ヘッド',
   key: {
     smooth: (handle, time) => `${handle}、${time}のキーフレーム、滑らか`,
