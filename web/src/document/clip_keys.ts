@@ -154,6 +154,15 @@ export const keyCorners = (posed: Posed): readonly Vec[] =>
 export const withKey = (handle: Handle, { time, ease, ...values }: Key): Handle =>
   checkedHandle({ ...handle, ...values } as Handle);
 
+/**
+ * Whether a new key at a time holds a value, like other keys of its track. A depth applies until another key changes
+ * it, so a new key holds one only if it replaces a key with a depth.
+ */
+export const isKeyed = (track: Track | undefined, time: number, value: KeyedValue): boolean =>
+  track?.keys.some(
+    (key) => key[value] !== undefined && (value !== 'depth' || isSameTime(key.time, roundedTime(time))),
+  ) ?? false;
+
 /** A key that holds the posed corners of a handle, and these of its other values. */
 export const keyOf = (handle: Handle, time: number, values: readonly KeyedValue[]): Key => ({
   time: roundedTime(time),

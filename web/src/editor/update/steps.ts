@@ -33,6 +33,7 @@ export function openWork(
   const opened = withDocument(guardEnded(rested), {
     drawn: null,
     travelled: null,
+    automaticDepths: new Map(),
     history: history.historyOf(record),
     saved: saved ?? (record.past[0]?.value ?? record.present).project,
   });
