@@ -1,10 +1,10 @@
-/** The element opened, bent, exported and closed again and again: memory stays as it is. */
+/** The element opened, bent, exported and closed repeatedly: memory does not grow. */
 import { type CDPSession, expect, test } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { times } from './attacks';
 
 const ROUNDS = times(500, 18);
-/** After these, everything that is made once is there. */
+/** After these, everything that is created once exists. */
 const FIRST = times(50, 12);
 /** The part of the first figure by which a later one may be larger. */
 const GROWTH = 0.05;
@@ -29,7 +29,7 @@ test('opening, bending, exporting and closing again and again takes no more memo
   await page.goto('/plain/');
   const devtools = await page.context().newCDPSession(page);
   await page.locator('c2-warp').evaluate((element) => element.remove());
-  // Each call of a function in the page compiles it anew, and that code stays.
+  // Each call of a function in the page compiles it again, and that code stays.
   const rounds = (count: number) =>
     page.evaluate(
       async ({ count, sample, project }) => {

@@ -301,7 +301,7 @@ export class C2Warp extends TypedElement {
 
   /**
    * Settings of new projects, with the keys of a project file: `samples`, `weighting`, `pose`, `fix_boundary`, `edges`
-   * and `loose_parts`. Missing settings are the editor's. Opened projects keep their own settings.
+   * and `loose_parts`. Missing settings keep the defaults of the editor. Opened projects keep their own settings.
    *
    * @throws RangeError that names an unknown key; TypeError for anything but an object or null. An invalid value emits
    * an `error` with the code `project`, and resets all settings to the editor's.
@@ -358,7 +358,7 @@ export class C2Warp extends TypedElement {
     const copied = typeof given === 'object' && given ? deepCopy(given) : given;
     const asked = ++this.#asked;
     const named = namedSource(source);
-    // An address or a file is asked for at once.
+    // Requests an address or a file at once.
     const picture = named instanceof Promise ? await coded(named) : named;
     if (asked !== this.#asked || runtime !== this.#runtime)
       throw new DOMException('another picture was requested, or the editor was removed', 'AbortError');
@@ -438,7 +438,7 @@ export class C2Warp extends TypedElement {
    * are not changed.
    *
    * @param handles Positions in pixels of the picture, degrees, and scale factors.
-   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. Then nothing moves.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. In these cases, no handle moves.
    */
   pose(handles: readonly HandlePose[]): void {
     const { state, dispatch } = this.#present;
@@ -616,7 +616,7 @@ export class C2Warp extends TypedElement {
    * The warped picture on a canvas of the page's document.
    *
    * @param options How the picture is drawn.
-   * @throws as `toBlob`.
+   * @throws the errors of `toBlob`.
    */
   async toCanvas(options: WarpOptions = {}): Promise<HTMLCanvasElement> {
     checkDrawn(options);
@@ -789,7 +789,7 @@ export class C2Warp extends TypedElement {
   protected override willUpdate(changes: Changes): void {
     const runtime = this.#runtime;
     if (!runtime || changes.size === 0) return;
-    // A field that goes commits what is typed.
+    // A removed field commits its text.
     if (changes.has('posable') || changes.has('readonly') || changes.has('disabled')) runtime.untype();
     runtime.dispatch({ type: 'page-changed', page: this.#attributes });
     if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#media() });

@@ -53,7 +53,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let beside = |ending: &str| path.with_file_name(format!("{stem}{ending}"));
     let endings = [format.ending()].into_iter().chain(format.other_endings().iter().copied());
     let outputs = endings.map(|ending| loaded.output(&beside(ending))).collect::<Result<Vec<_>, _>>()?;
-    // The project's own picture is used as it is.
+    // The project's own picture is used unchanged.
     let picture_path = format.picture_ending().map(beside).filter(|path| !loaded.is_picture(path));
     let picture_output = picture_path.map(|path| loaded.output(&path)).transpose()?;
 

@@ -103,7 +103,7 @@ impl ProjectFile {
 
     /// The project with a picture of its size.
     ///
-    /// `names_picture` is for errors about the contents of the project: they name the picture in place of the project.
+    /// `names_picture` is for errors about the contents of the project: they name the picture instead of the project.
     pub(crate) fn with_picture(
         &self,
         image: Arc<PictureFile>,

@@ -148,7 +148,7 @@ impl Solver {
         let Some(PendingSolve { input, progress }) = pending.take() else { return Ok(None) };
         let (stage, progress) = match progress {
             Progress::Solved => {
-                let finished = finished.as_mut().expect("a solution is only ever replaced");
+                let finished = finished.as_mut().expect("a finished solve has a solution");
                 let solution = Arc::make_mut(&mut finished.solution);
                 let poser = &mut solution.solved.poser;
                 if finished.input.stiffness != input.stiffness {

@@ -218,13 +218,13 @@ impl EngineRig {
         (self.vertices.len(), self.triangles.len())
     }
 
-    /// The greatest number of bones that move a vertex.
+    /// The maximum number of bones that move a vertex.
     #[must_use]
     pub fn influences(&self) -> usize {
         self.weights.offsets().windows(2).map(|row| row[1] - row[0]).max().unwrap_or(0) as usize
     }
 
-    /// The greatest distance between the outline and that of the visible pixels, in pixels.
+    /// The maximum distance between the outline and that of the visible pixels, in pixels.
     #[must_use]
     pub fn outline_tolerance(&self) -> f64 {
         self.outline

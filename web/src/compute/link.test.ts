@@ -176,7 +176,7 @@ describe('Link', () => {
     worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
     worker(1).reply({ kind: 'died', started: true, message: 'unreachable' });
     await expect(solve).rejects.toMatchObject({ code: 'too-much' });
-    // No words of the browser reach a person.
+    // No message of the browser is shown to a person.
     await expect(solve).rejects.toThrow('This is more than the solver can do with the memory that there is.');
     expect(workers).toHaveLength(2);
     void link.send('cells', { project: 'good' });

@@ -29,7 +29,7 @@ describe('commandOfKey', () => {
     expect(commandOfKey(press('я', { code: 'KeyZ', ctrlKey: true }))).toBe('undo');
     expect(commandOfKey(press('Φ', { code: 'KeyV', shiftKey: true }))).toBe('select');
     expect(commandOfKey(press('é', { code: 'Digit2' }))).toBeNull();
-    // Of Latin letters what they say counts: on a French keyboard A is where others have Q.
+    // Latin letters count as typed: on a French keyboard A is where others have Q.
     expect(commandOfKey(press('a', { code: 'KeyQ', ctrlKey: true }))).toBe('select-all');
   });
 

@@ -85,7 +85,7 @@ export type EditorEffect =
   /** Another event that follows at once. `update` reduces it; the runtime never sees it. */
   | { readonly type: 'follow-up'; readonly event: EditorEvent }
   | { readonly type: 'notify-page'; readonly notification: PageNotification }
-  /** Sets the solver's picture; null when none is open. */
+  /** Sets the solver's picture; null if no picture is open. */
   | { readonly type: 'use-picture'; readonly picture: Picture | null }
   /** Answered by `luminance-read`. */
   | { readonly type: 'read-luminance'; readonly picture: Picture }

@@ -94,7 +94,7 @@ export interface EditorModel {
   readonly grips: Grips;
   /** A press on the stage is in progress. */
   readonly pressing: boolean;
-  /** The word for a short press: fingers tap. */
+  /** The verb for a short press: fingers tap. */
   readonly press: 'click' | 'tap';
   /** Labels of the next undo and redo steps, or null. */
   readonly undo: string | null;
@@ -159,7 +159,7 @@ export interface EditorModel {
   readonly box: Box | null;
   /** Where the keyboard would place a handle, image pixels. */
   readonly crosshair: Vec | null;
-  /** Whether handles snap to guides, and the guides that what is moved or placed lies on. */
+  /** Whether handles snap to guides, and the guides through the item that is moved or placed. */
   readonly snapping: boolean;
   readonly guides: readonly Guide[];
   /** Whether the lasso snaps to edges of the picture. */
@@ -453,7 +453,7 @@ function ringedOf(state: EditorState): string | null {
   return ringedHandle({ document: documentOf(state), grips: gripsOf(state) }, hovered)?.id ?? null;
 }
 
-/** The index of the focused corner, if its bar or polygon alone is selected. */
+/** The index of the focused corner, if only its bar or polygon is selected. */
 function cornerInHand(state: EditorState): number | null {
   const { corner } = state.focus;
   const [only, ...others] = selectedHandles(documentOf(state));

@@ -85,7 +85,7 @@ interface Opening {
   readonly project: Project | null;
 }
 
-/** An editor whose picture was just asked for, and the answers that open it. */
+/** An editor whose picture was just requested, and the replies that open it. */
 function asked({ before, project }: Opening): [FakeRuntime, readonly (() => void)[]] {
   const runtime = new FakeRuntime();
   runtime.dispatch({ type: 'stage-resized', size: { width: 400, height: 300 }, typing: false });
@@ -106,7 +106,7 @@ function asked({ before, project }: Opening): [FakeRuntime, readonly (() => void
   return [runtime, [read, () => runtime.solve()]];
 }
 
-/** What a person has made of the picture. */
+/** A person's work on the picture. */
 function made(runtime: FakeRuntime) {
   while (pendingKey(runtime.state.solution) !== null) runtime.solve();
   const { state } = runtime;

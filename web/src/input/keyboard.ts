@@ -22,7 +22,7 @@ const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'save-whole', 'expo
 /** Left to a text field while it has uncommitted input. */
 const OF_HISTORY: readonly CommandName[] = ['undo', 'redo'];
 
-/** Left to the browser, which then sends what is on the clipboard without asking anybody. */
+/** Left to the browser, which then sends the clipboard without asking. */
 const OF_CLIPBOARD: readonly CommandName[] = ['copy', 'paste'];
 
 /** By `code`, since Shift changes `key`. */

@@ -164,7 +164,7 @@ export class C2WarpPlayer extends PlayerAttributes {
    * with changes. If the poses of a rig need the solver, the first pose loads it, and is then shown.
    *
    * @param handles Positions in pixels of the picture, degrees, and scale factors.
-   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. Then nothing moves.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. In these cases, no handle moves.
    * @throws C2WarpError if the rig is not loaded yet, or cannot be posed.
    */
   pose(handles: readonly HandlePose[]): void {
@@ -249,7 +249,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#stop();
   }
 
-  /** The handles as they are shown. */
+  /** The handles with their shown poses. */
   #handles(): readonly Handle[] {
     const { shares, solved, rest } = this.#source.loaded?.rig ?? {};
     const sources = shares ?? solved;
@@ -396,7 +396,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   #advance(now: number): void {
     const gap = Math.min(now - this.#last, BREAK_MS);
     this.#last = this.#paused ? Number.NaN : now;
-    // The first frame has none before it.
+    // The first frame has no predecessor.
     if (this.#paused || Number.isNaN(gap)) return;
     const { time, stops } = advanced(this.#time, (gap / 1000) * this.#rate, this.duration, this.loop);
     this.#time = time;

@@ -114,7 +114,7 @@ export class Clipboard {
     return poseText(handles);
   }
 
-  /** Pastes a text that is a pose, or opens what it leads to. Returns whether it is or does. */
+  /** Pastes a text as a pose, or opens the address in it. Returns whether it is or does. */
   #pasted(text: string, html = ''): boolean {
     const { state, dispatch } = this.#editor;
     if (this.#focus.isInField) return false;

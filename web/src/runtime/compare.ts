@@ -42,7 +42,7 @@ export class Compare {
     if (this.#request === 0 && !this.#disposed) this.#request = requestAnimationFrame(() => this.#frame());
   }
 
-  /** The pictures as they are shown, as addresses of PNGs; null where one is not solved yet. */
+  /** The shown pictures, as addresses of PNGs; null where one is not solved yet. */
   pngs(): VariantPictures {
     const project = projectOf(this.#editor.state);
     return byVariant((variant) => this.#shown[variant].png(variantOf(project, variant)));

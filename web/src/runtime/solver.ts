@@ -70,7 +70,7 @@ export class Solver {
     }
   }
 
-  /** Fills the picture behind the rings of a project that was solved, unless that is there. */
+  /** Fills the picture behind the rings of a solved project, unless the fill exists. */
   async fill(key: string, project: Project): Promise<void> {
     try {
       const engine = await this.#started();
@@ -94,7 +94,7 @@ export class Solver {
     this.#tell((engine) => engine.stopFilling());
   }
 
-  /** The fill that the state names, once it is there. */
+  /** The fill that the state names, once it is available. */
   fillOf({ solution: { fill } }: EditorState): TexturePatch | null {
     return fill?.done && this.#fill?.key === fill.key ? this.#fill.patch : null;
   }
@@ -155,7 +155,8 @@ export class Solver {
   }
 
   /**
-   * Loads the part of the solver that draws, while the network is there. The first drawing reports why it is missing.
+   * Loads the part of the solver that draws, while the network is available. The first drawing reports why it is
+   * missing.
    */
   prepareDrawing(): void {
     loadedLater().catch(() => {});

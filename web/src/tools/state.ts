@@ -68,8 +68,8 @@ export interface ToolContext {
   place(at: Vec, within?: number): Placement | null;
   /**
    * The way of a lasso from its last corner to a place, along edges of the picture. It ends at the edge near the place,
-   * and lacks the corner. From `null`, it is the end alone. Null while the lasso does not snap to edges. A way that is
-   * set, and not only shown under the pointer, is precise.
+   * and lacks the corner. From `null`, only the end. Null while the lasso does not snap to edges. A way that is set,
+   * and not only shown under the pointer, is precise.
    */
   readonly trace: ((from: Vec | null, to: Vec, precise?: boolean) => readonly Vec[]) | null;
   /** Snaps a place to guides, except to those of the moving handles. */

@@ -28,7 +28,7 @@ use crate::workers;
 /// One result.
 struct Job {
     project: PathBuf,
-    /// A picture in place of the project's own.
+    /// A picture that replaces the project's own.
     image: Option<PathBuf>,
     output: PathBuf,
     stmap: Option<PathBuf>,

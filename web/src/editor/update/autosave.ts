@@ -64,7 +64,7 @@ export function saveWork(state: EditorState, emit: Emit): EditorState {
   return withAutosave(state, { unread: false, step: now, untold, storing: key !== null });
 }
 
-/** Stores the recent work alone. */
+/** Stores only the recent work. */
 export function saveRecent(state: EditorState, emit: Emit): EditorState {
   const { recent } = state.opening;
   if (state.autosave.key !== null) emit({ type: 'store', work: null, recent, changed: false });

@@ -57,7 +57,7 @@ const solves = ({ solution }: EditorState, kind: ChangeKind): boolean =>
   kind === 'input' ? !solution.failed : kind !== 'selection' && kind !== 'pose';
 
 function selected(state: EditorState, emit: Emit): EditorState {
-  // The lasso hides what is selected in the list.
+  // The lasso hides the selection of the list.
   if (isLassoing(state) && selectionOf(state).length > 0) {
     emit({ type: 'follow-up', event: { type: 'tool-set', tool: 'select' } });
   }

@@ -95,7 +95,7 @@ describe('the first lasso of an opaque picture', () => {
     expect(toldNotice(runtime.state)?.action?.label).toBe('Hold its boundary');
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
-    // A second one leaves that as it is.
+    // A second one does not change that.
     runtime.dispatch({ type: 'lasso-drawn', ring: SQUARE.map(([x, y]): Vec => [x + 150, y]), hole: false });
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
   });

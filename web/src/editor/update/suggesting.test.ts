@@ -19,7 +19,7 @@ let runtime: FakeRuntime;
 
 const run = (command: CommandName) => runtime.dispatch({ type: 'command-run', command });
 
-/** The project that handles were last asked for. */
+/** The project of the last request for handles. */
 function asked(): Project {
   const effect = runtime.effects.findLast(({ type }) => type === 'suggest-handles');
   if (effect?.type !== 'suggest-handles') throw new Error('no handles were asked for');
