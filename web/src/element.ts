@@ -438,7 +438,8 @@ export class C2Warp extends TypedElement {
    * are not changed.
    *
    * @param handles Positions in pixels of the picture, degrees, and scale factors.
-   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. In these cases, no handle moves.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. On an error,
+   *   no handle moves.
    */
   pose(handles: readonly HandlePose[]): void {
     const { state, dispatch } = this.#present;
