@@ -224,7 +224,7 @@ impl LoadedProject {
         finish(&mut solver)?;
         let solution = solver.into_solution().expect("every stage has run");
         if let Some(remark) = remark(solution.domain()) {
-            error::tell(format_args!("{}: {remark}", self.image_path.display()));
+            error::print(format_args!("{}: {remark}", self.image_path.display()));
         }
         progress::show("drawing");
         Ok(solution)

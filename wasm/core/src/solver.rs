@@ -126,7 +126,7 @@ impl Solver {
         self.begin_fill(project);
         let domain = self.domain.as_ref().map(|domain| &domain.key);
         let known = self.finished.as_ref().filter(|finished| Some(&finished.key) == domain);
-        let is_solved = known.is_some_and(|known| known.input.differs_in_poser_alone(&input));
+        let is_solved = known.is_some_and(|known| known.input.differs_only_in_poser(&input));
         let progress = if is_solved { Progress::Solved } else { Progress::Begun };
         self.pending = Some(PendingSolve { input, progress });
         Ok(())

@@ -19,7 +19,7 @@ describe('commandOfKey', () => {
     expect(commandOfKey(press('+', { shiftKey: true }))).toBe('zoom-in');
   });
 
-  it('tells undo from redo, with Ctrl and with Cmd', () => {
+  it('distinguishes undo from redo, with Ctrl and with Cmd', () => {
     expect(commandOfKey(press('z', { ctrlKey: true }))).toBe('undo');
     expect(commandOfKey(press('Z', { metaKey: true, shiftKey: true }))).toBe('redo');
     expect(commandOfKey(press('y', { ctrlKey: true }))).toBe('redo');

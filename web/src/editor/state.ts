@@ -97,7 +97,7 @@ export interface DocumentState {
   readonly crossing: Crossing;
   /** Whether the document was ever changed: the page's hint ends then. */
   readonly touched: boolean;
-  /** What the page was last told of the selection, the history, the title and the tool. */
+  /** The last reports to the page: the selection, the history, the title and the tool. */
   readonly reported: Reported;
 }
 

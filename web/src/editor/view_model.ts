@@ -253,7 +253,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
   const draft = draftOf(tools);
   const overlays = overlaysOf(state);
   const notice = shownNotice(state);
-  const told = (words: Wording | null) => words && worded(texts, words);
+  const inWords = (words: Wording | null) => words && worded(texts, words);
   return {
     texts,
     document: documentOf(state),
@@ -281,8 +281,8 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     grips: gripsOf(state),
     pressing: isPressing(tools),
     press: state.pointer.coarse ? 'tap' : 'click',
-    undo: told(draft ? SET_CORNER : undoLabel(history)),
-    redo: told(hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history)),
+    undo: inWords(draft ? SET_CORNER : undoLabel(history)),
+    redo: inWords(hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history)),
     solved: shown?.report ?? null,
     task: shownTask(currentTask(state) ?? openingTask(state), texts),
     notice: notice && { ...notice, text: worded(texts, notice.text) },
@@ -363,7 +363,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),
     offers: (command) => offers(state, command),
-    reasonAgainst: (command) => told(reasonAgainst(state, command)),
+    reasonAgainst: (command) => inWords(reasonAgainst(state, command)),
     worded: (words) => worded(texts, words),
   };
 }

@@ -9,10 +9,10 @@ export function loadOf(element: TypedElement): Promise<void> {
   let failure: C2WarpError | null = null;
   const loaded = new Promise<void>((resolve, reject) => {
     element.addEventListener('load', () => resolve(), { signal });
-    const told = ({ detail }: CustomEvent<C2WarpError>) => {
+    const onError = ({ detail }: CustomEvent<C2WarpError>) => {
       failure = detail;
     };
-    element.addEventListener('error', told, { signal });
+    element.addEventListener('error', onError, { signal });
     element.addEventListener('ready', () => failure && reject(failure), { signal });
   });
   return loaded.finally(() => heard.abort());

@@ -51,7 +51,7 @@ export class Solver {
     this.#pixels = pixels;
     this.#releaseFill();
     if (!pixels) return;
-    this.#tell((engine) => engine.setPicture(pixels));
+    this.#withEngine((engine) => engine.setPicture(pixels));
   }
 
   async solve(key: string, project: Project): Promise<void> {
@@ -91,7 +91,7 @@ export class Solver {
   }
 
   stopFilling(): void {
-    this.#tell((engine) => engine.stopFilling());
+    this.#withEngine((engine) => engine.stopFilling());
   }
 
   /** The fill that the state names, once it is available. */
@@ -138,7 +138,7 @@ export class Solver {
   }
 
   stopSuggesting(): void {
-    this.#tell((engine) => engine.stopSuggesting());
+    this.#withEngine((engine) => engine.stopSuggesting());
   }
 
   /** A project for another picture, fitted to the present one: see `Engine.fit`. */
@@ -252,20 +252,20 @@ export class Solver {
     if (isAbort(error)) return;
     const failed = isEngineFailure(error);
     // An error without a code is one of the page's module. The solution causes the failure, for any reason.
-    const told =
+    const reported =
       codeOf(error) === '' ? editorError(TOO_MUCH, say('errors.tooMuch.solve'), { cause: error }) : error;
     // The engine may have given up the picture: the next solve starts another.
-    if (failed || told !== error) this.#stop();
-    this.#dispatch({ type: 'solve-refused', key, error: told, failed });
+    if (failed || reported !== error) this.#stop();
+    this.#dispatch({ type: 'solve-refused', key, error: reported, failed });
   }
 
-  /** Tells the engine something, unless it has failed to start. */
-  #tell(act: (engine: Engine) => void): void {
+  /** Calls the engine, unless it has failed to start. */
+  #withEngine(act: (engine: Engine) => void): void {
     this.#engine?.then(act, () => {});
   }
 
   #stop(): void {
-    this.#tell((engine) => engine.dispose());
+    this.#withEngine((engine) => engine.dispose());
     this.#engine = null;
   }
 }

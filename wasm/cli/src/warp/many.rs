@@ -83,21 +83,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
         batch.project(&projects[0])?;
     }
     let failed = AtomicBool::new(false);
-    let tell = |reason: CliError| {
-        error::tell(reason);
+    let report = |reason: CliError| {
+        error::print(reason);
         failed.store(true, Ordering::Relaxed);
     };
-    let jobs = batch.with_own_results(jobs, tell);
+    let jobs = batch.with_own_results(jobs, report);
     let origins = Mutex::new(vec![None; jobs.len()]);
     workers::each(threads, &jobs, |index, job| match batch.work(job) {
         Ok(origin) => origins.lock().unwrap_or_else(PoisonError::into_inner)[index] = Some(origin),
-        Err(reason) => tell(reason),
+        Err(reason) => report(reason),
     });
     if arguments.drawing.grow {
         let origins = origins.into_inner().unwrap_or_else(PoisonError::into_inner);
         print_origins(&jobs, &origins).map_err(CliError::Print)?;
     }
-    if failed.into_inner() { Err(CliError::Told) } else { Ok(()) }
+    if failed.into_inner() { Err(CliError::Reported) } else { Ok(()) }
 }
 
 /// The pictures; a folder stands for its files, sorted by name. Hidden files and subfolders are left out.
@@ -137,12 +137,12 @@ impl Arguments {
 
 impl Batch<'_> {
     /// The jobs, except those whose result has the same name as another result.
-    fn with_own_results(&self, jobs: Vec<Job>, tell: impl Fn(CliError)) -> Vec<Job> {
+    fn with_own_results(&self, jobs: Vec<Job>, report: impl Fn(CliError)) -> Vec<Job> {
         let mut first: HashMap<PathBuf, PathBuf> = HashMap::new();
         let is_own = |job: &Job| {
             let input = job.input(self).to_owned();
             if let Some(other) = first.get(&job.output) {
-                tell(CliError::SameResult { path: input, other: other.clone() });
+                report(CliError::SameResult { path: input, other: other.clone() });
                 return false;
             }
             first.insert(job.output.clone(), input);

@@ -60,9 +60,9 @@ pub(super) fn bake(
     solution: &Solution,
     picture: RigPicture,
     posable: Posable,
-    tell: &mut dyn FnMut(f64),
+    on_progress: &mut dyn FnMut(f64),
 ) -> Result<Rig, BakeError> {
-    let progress = &mut Progress::new(MotionSequence::count_frames(project, solution)?, tell);
+    let progress = &mut Progress::new(MotionSequence::count_frames(project, solution)?, on_progress);
     let blend = project.pose.blend;
     let sequences = MotionSequence::all(project, solution, progress)?;
     let poses = Poses::of(project, solution, posable)?;

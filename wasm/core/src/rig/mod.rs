@@ -139,9 +139,9 @@ impl Rig {
         solution: &Solution,
         picture: RigPicture,
         posable: Posable,
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> Result<Self, BakeError> {
-        bake::bake(project, solution, picture, posable, tell)
+        bake::bake(project, solution, picture, posable, on_progress)
     }
 
     /// The picture.

@@ -33,7 +33,7 @@ const send = (runtime: FakeRuntime, ...events: readonly EditorEvent[]) => {
 };
 const tick = (seconds: number): EditorEvent => ({ type: 'clock-ticked', seconds });
 const x = (runtime: FakeRuntime) => projectOf(runtime.state).handles.map((handle) => anchor(handle)[0])[0];
-const told = (runtime: FakeRuntime) =>
+const emitted = (runtime: FakeRuntime) =>
   runtime.notified.filter((type) => ['play', 'pause', 'timeupdate', 'ended'].includes(type));
 
 const pointer = (runtime: FakeRuntime, [x, y]: Vec) => {
@@ -54,7 +54,7 @@ describe('a clip that the page plays', () => {
     expect([x(runtime), runtime.state.playback.time]).toEqual([150, 0.5]);
     send(runtime, tick(1), tick(1));
     expect([x(runtime), runtime.state.playback.playing, hasEnded(runtime.state)]).toEqual([300, false, true]);
-    expect(told(runtime)).toEqual(['play', 'timeupdate', 'timeupdate', 'timeupdate', 'pause', 'ended']);
+    expect(emitted(runtime)).toEqual(['play', 'timeupdate', 'timeupdate', 'timeupdate', 'pause', 'ended']);
     send(runtime, { type: 'play-asked' }, tick(0.1));
     expect(runtime.state.playback.time).toBeCloseTo(0.1, 12);
   });

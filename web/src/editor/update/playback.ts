@@ -20,8 +20,8 @@ const withPlayback = (state: EditorState, change: Partial<PlaybackState>): Edito
   playback: { ...state.playback, ...change },
 });
 
-type Told = 'play' | 'pause' | 'timeupdate' | 'ended';
-const tell = (emit: Emit, ...types: readonly Told[]): void => {
+type MediaEventType = 'play' | 'pause' | 'timeupdate' | 'ended';
+const emitEvents = (emit: Emit, ...types: readonly MediaEventType[]): void => {
   for (const type of types) emit({ type: 'notify-page', notification: { type } });
 };
 
@@ -31,7 +31,7 @@ export function playForPage(state: EditorState, emit: Emit): EditorState {
   const { playing, time, rate } = state.playback;
   if (!clip || playing) return state;
   emit({ type: 'run-clock', on: true });
-  tell(emit, 'play');
+  emitEvents(emit, 'play');
   const end = playedDuration(clip);
   const from = rate > 0 && time >= end ? 0 : rate < 0 && time <= 0 ? end : time;
   return withPlayback(state, { active: true, playing: true, time: from });
@@ -40,7 +40,7 @@ export function playForPage(state: EditorState, emit: Emit): EditorState {
 export function pauseForPage(state: EditorState, emit: Emit): EditorState {
   if (!state.playback.playing) return state;
   emit({ type: 'run-clock', on: false });
-  tell(emit, 'timeupdate', 'pause');
+  emitEvents(emit, 'timeupdate', 'pause');
   return withPlayback(state, { playing: false, easing: null });
 }
 
@@ -48,7 +48,7 @@ export function pauseForPage(state: EditorState, emit: Emit): EditorState {
 export function seekForPage(state: EditorState, time: number, emit: Emit): EditorState {
   const clip = playedClip(state);
   if (!clip) return state;
-  tell(emit, 'timeupdate');
+  emitEvents(emit, 'timeupdate');
   return withPlayback(state, { active: true, time: Math.min(Math.max(time, 0), playedDuration(clip)) });
 }
 
@@ -69,10 +69,10 @@ export function tickPlayback(before: EditorState, seconds: number, emit: Emit): 
   const next = time + seconds * rate;
   if (!state.page.loop && (next >= end || next <= 0) && rate !== 0) {
     const stopped = pauseForPage(withPlayback(state, { time: rate > 0 ? end : 0 }), emit);
-    if (rate > 0) tell(emit, 'ended');
+    if (rate > 0) emitEvents(emit, 'ended');
     return stopped;
   }
-  if (Math.floor(next / UPDATES) !== Math.floor(time / UPDATES)) tell(emit, 'timeupdate');
+  if (Math.floor(next / UPDATES) !== Math.floor(time / UPDATES)) emitEvents(emit, 'timeupdate');
   return withPlayback(state, { time: ((next % end) + end) % end });
 }
 
