@@ -48,7 +48,7 @@ export async function builtEditor(version: string): Promise<Files> {
 export class AppServer {
   /** The address of the editor. */
   readonly home: string;
-  /** The paths that were asked for, in the folder. */
+  /** The requested paths, in the folder. */
   readonly asked: string[] = [];
   /** Paths that the server answers with this status, as often as it says. */
   readonly failures = new Map<string, { readonly status: number; times: number }>();
@@ -70,12 +70,12 @@ export class AppServer {
     return started;
   }
 
-  /** Puts another version in place of the present one. */
+  /** Replaces the present version with another one. */
   deploy(files: Files): void {
     this.#files = files;
   }
 
-  /** From here on, there is no network. */
+  /** From here on, the network is off. */
   stop(): Promise<void> {
     const stopped = new Promise<void>((done) => this.#server.close(() => done()));
     this.#server.closeAllConnections();

@@ -4,7 +4,7 @@ import type { C2Warp } from '../../web/src/element';
 import { times } from './attacks';
 
 const ROUNDS = times(500, 18);
-/** After these, everything that is made once is there. */
+/** After these, everything that is created once exists. */
 const FIRST = times(50, 12);
 /** Pictures that one editor opens, and those after which memory is compared. */
 const OPENS = times(200, 18);

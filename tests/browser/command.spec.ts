@@ -1,4 +1,4 @@
-/** The command as WebAssembly, by the script of the package: it does what the native one does. */
+/** The command as WebAssembly, by the script of the package: it behaves like the native one. */
 import { spawnSync } from 'node:child_process';
 import {
   copyFileSync,

@@ -66,7 +66,7 @@ test('a waiting project is only used by its own picture', async ({ page }) => {
   await open(png('b.png', disc(64)));
   await expect(editor.handles).toHaveCount(0);
   await expect(asks).toBeVisible();
-  // Another project comes with the picture that was asked for.
+  // Another project is loaded with the requested picture.
   await open(project(posed('second', 'a.png'), 'other.json'), png('a.png', disc(64)));
   await expect(editor.handle('second')).toBeVisible();
   await expect(asks).toBeHidden();

@@ -190,7 +190,7 @@ test('keys hold and push the picture, and the bin clears', async ({ page }) => {
   await clear.click();
   expect(await largest(editor)).toBe(0);
   await expect(clear).toBeDisabled();
-  // A push with Alt restores, and there is nothing left.
+  // A push with Alt restores everything.
   await page.keyboard.down('Alt');
   await editor.drag(at(512, 640), { x: 10, y: 0 });
   await page.keyboard.up('Alt');
@@ -279,7 +279,7 @@ test('a picture without handles is pushed, exported, saved and opened', async ({
     return [...a].reduce((sum, value, at) => sum + Math.abs(value - (b[at] ?? 0)), 0) / a.length;
   };
   expect(apart(128)).toBeGreaterThan(1);
-  // Far below the stroke nothing has moved. Only edges are drawn anew.
+  // Far below the stroke nothing has moved. Only edges are redrawn.
   expect(apart(200)).toBeLessThan(0.1);
   const buffer = await bytes(await editor.download('Save the project file'));
   await editor.button('Undo: push').click();

@@ -1,4 +1,4 @@
-/** Input from the moment that a picture is asked for: nothing of it is lost, on a slow machine either. */
+/** Input from the moment of requesting a picture: none of it is lost, even on a slow machine. */
 import type { CDPSession, Page } from '@playwright/test';
 import { encode } from 'fast-png';
 import type { Handle } from '../../web/src/document/project';
@@ -132,7 +132,7 @@ const project = (page: Page) => page.locator('c2-warp').evaluate((element) => (e
 
 const placesOf = ({ kind, posed }: Handle): readonly Place[] => (kind === 'point' ? [posed] : posed);
 
-/** Returns the greatest distance between found and wanted places, or infinity if their numbers differ. */
+/** Returns the maximum distance between found and wanted places, or infinity if their numbers differ. */
 function farthest(found: readonly Place[], wanted: readonly Place[]): number {
   if (found.length !== wanted.length) return Number.POSITIVE_INFINITY;
   return Math.max(

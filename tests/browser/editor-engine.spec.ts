@@ -125,7 +125,7 @@ test('rigs of the editor are those of the command, and it tells their loss', asy
 });
 
 test('files go into a picked folder, and choices stay for the next rig', async ({ page }) => {
-  // The folder of the page in place of one of the disk.
+  // The folder of the page instead of one on the disk.
   await page.addInitScript(() => {
     const picked = async () =>
       (await navigator.storage.getDirectory()).getDirectoryHandle('rigs', { create: true });

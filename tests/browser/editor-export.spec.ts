@@ -296,7 +296,7 @@ test.describe('on a phone', () => {
   });
 });
 
-/** Hides what lies over the picture. Adopted, since the policy of the page forbids style elements. */
+/** Hides everything above the picture. Adopted, since the policy of the page forbids style elements. */
 const hideCards = (page: Page, hidden: boolean) =>
   page.evaluate((hidden) => {
     const bare = new CSSStyleSheet();

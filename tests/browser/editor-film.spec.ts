@@ -471,7 +471,7 @@ test('a picture is exported as the clip poses it at the playhead', async ({ page
   await page.keyboard.press('t');
   const ruler = page.getByRole('region', { name: 'Timeline' }).getByRole('slider', { name: 'Playhead' });
   await ruler.focus();
-  // Here the handles alone lead to the other minimum, at a mean difference of 53 of 255.
+  // Here only the handles lead to the other minimum, at a mean difference of 53 of 255.
   for (let frame = 1; frame <= 9; frame++) await page.keyboard.press('ArrowRight');
   await expect(ruler).toHaveAttribute('aria-valuenow', '0.3');
   await editor.button('Export as …').click();

@@ -1,4 +1,4 @@
-/** Words and marks: what the stage, the menu and the bars show and say about the work in hand. */
+/** Texts and marks of the stage, the menu and the bars about the present work. */
 import type { Locator } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Position } from './editor';

@@ -57,7 +57,7 @@ test('F2 renames without another solve, Escape keeps the old name', async ({ pag
   await page.keyboard.press('Enter');
   await expect(editor.handle('Boot')).toBeFocused();
   expect(await editor.shownPose('Boot')).toEqual(pose);
-  // The time of the solve in the status line is the one of before.
+  // The status line still shows the time of the previous solve.
   await expect(editor.solved).toHaveText(solved ?? '');
   await page.keyboard.press('ArrowDown');
   await expect.poll(() => editor.shownPose('Boot')).toMatchObject({ y: pose.y + 1 });

@@ -1,4 +1,4 @@
-/** Pictures with transparency: their outline, its least opacity, and parts without a handle. */
+/** Pictures with transparency: their outline, its minimum opacity, and parts without a handle. */
 import { encode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';

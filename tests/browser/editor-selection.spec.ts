@@ -109,7 +109,7 @@ test('an opaque picture opens with its boundary held; the switch frees it', asyn
   await expect(editor.switch('Lock the outline')).toBeChecked();
   await editor.switch('Lock the outline').click();
   expect((await project(editor)).fix_boundary).toBe(false);
-  // By its address alone, as on other pages.
+  // By its address only, as on other pages.
   await page.locator('c2-warp').evaluate(
     (element, address) => {
       element.removeAttribute('project');
@@ -263,7 +263,7 @@ test('corners of the selection are dragged, added and removed', async ({ page })
   const added = await at(200, 270);
   await page.mouse.dblclick(added.x, added.y);
   await expect.poll(() => ring(editor)).toHaveLength(4);
-  // By keys alone: the corners are tab stops behind the stage.
+  // With the keyboard only: the corners are tab stops behind the stage.
   await page.locator('c2-warp .stage').focus();
   await page.keyboard.press('Tab');
   const first = page.getByRole('button', { name: /^Corner 1 of the selection/ });

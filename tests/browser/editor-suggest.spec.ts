@@ -1,4 +1,4 @@
-/** Suggested handles: by button, key and menu, beside handles that are there, and for photographs. */
+/** Suggested handles: by button, key and menu, beside existing handles, and for photographs. */
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';

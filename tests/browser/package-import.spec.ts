@@ -1,4 +1,4 @@
-/** The built modules, imported where there is no DOM. */
+/** The built modules, imported without a DOM. */
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

@@ -280,7 +280,7 @@ test('a rig that was baked without poses says that it cannot be posed', async ({
   expect(said).toEqual([0, 'this rig cannot be posed: it was baked without the poses of its handles']);
 });
 
-/** Addresses of what the page loads for poses by the solver. */
+/** Addresses that the page loads to pose with the solver. */
 function solverRequests(page: Page): string[] {
   const asked: string[] = [];
   page.on('request', (request) => {
@@ -314,7 +314,7 @@ test('handles of the rigid mode are posed as in the editor', async ({ page }, in
     { id: 'head', posed: [560, 220] as [number, number], depth: 1 },
   ];
   const expected = await poseBy(page, posed, changes);
-  // Grips show that the solver is there.
+  // Grips show that the solver is loaded.
   await player(page).evaluate((element) => {
     (element as C2WarpPlayer).posable = true;
   });
@@ -431,7 +431,7 @@ test('readers take handles by pointer and by keyboard, also from a clip', async 
   expect(await posed('left-hand')).toEqual([124, 516]);
   const grips = await new AxeBuilder({ page }).include('c2-warp-player').analyze();
   expect(grips.violations).toEqual([]);
-  // Rigs that were baked without poses offer none.
+  // Rigs that were baked without poses have no grips.
   await player(page).evaluate((element) => {
     (element as C2WarpPlayer).src = '/wave.c2rig';
     return new Promise((resolve) => element.addEventListener('loadeddata', resolve, { once: true }));

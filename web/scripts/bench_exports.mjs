@@ -1,7 +1,7 @@
 /**
  * The exports of `npm run bench`: the element exports a picture of 12 megapixels in each format, in Chromium.
  *
- * Times are compared with the time for drawing alone, in the same run. Drawing and compressing run side by side, in two
+ * Times are compared with the time for drawing only, in the same run. Drawing and compressing run side by side, in two
  * workers.
  */
 import { readFileSync } from 'node:fs';

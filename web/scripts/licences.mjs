@@ -139,7 +139,7 @@ async function licenceTexts({ name, license, folder, authors }) {
     return Promise.all(chosen.map((file) => readFile(join(folder, file), 'utf8')));
   }
   if (!/\bMIT\b/.test(license)) throw new Error(`${name} (${license}) comes without the text of its licence`);
-  // Some crates name the licence alone. Its text is the same for all but the holders.
+  // Some crates give only the name of the licence. Its text is the same for all but the holders.
   const holders = authors?.length ? authors.join(', ') : `the authors of ${name}`;
   const own = await readFile(join(ROOT, 'LICENSE-MIT'), 'utf8');
   return [own.replace(/^Copyright .*$/m, () => `Copyright (c) ${holders}`)];

@@ -26,8 +26,8 @@ const GROUPS = /** @type {const} */ ([
 /** @typedef {{ name: string, raw: number, brotli: number }} Group Sizes in bytes. */
 
 /**
- * The groups of a module, the largest first. Groups are compressed alone. Their sizes are scaled to that of the module,
- * which compresses better as a whole.
+ * The groups of a module, the largest first. Each group is compressed separately. Their sizes are scaled to that of the
+ * module, which compresses better as a whole.
  * @param {Uint8Array} module with a name section
  * @returns {Group[]}
  */

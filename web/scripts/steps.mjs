@@ -12,7 +12,7 @@ export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const OFFLINE =
   /ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ENETUNREACH|ETIMEDOUT|ECONNRESET|resolve host|could not connect|error sending request|failed to download|spurious network error|temporary failure/i;
 
-/** Whether a program failed for want of a network. @param {string} output */
+/** Whether a program failed because it had no network. @param {string} output */
 export const lacksNetwork = (output) => OFFLINE.test(output);
 
 /** Command line tools among the npm packages. Node runs them directly: quicker than npx, and the same on Windows. */

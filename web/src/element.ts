@@ -296,7 +296,7 @@ export class C2Warp extends TypedElement {
 
   /**
    * Settings of new projects, with the keys of a project file: `samples`, `weighting`, `pose`, `fix_boundary`, `edges`
-   * and `loose_parts`. Missing settings are the editor's. Opened projects keep their own settings.
+   * and `loose_parts`. Missing settings keep the defaults of the editor. Opened projects keep their own settings.
    *
    * @throws RangeError that names an unknown key; TypeError for anything but an object or null. An invalid value emits
    * an `error` with the code `project`, and resets all settings to the editor's.
@@ -455,7 +455,8 @@ export class C2Warp extends TypedElement {
    * are not changed.
    *
    * @param handles Positions in pixels of the picture, degrees, and scale factors.
-   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. Then nothing moves.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. On an error,
+   *   no handle moves.
    */
   pose(handles: readonly HandlePose[]): void {
     const { state, dispatch } = this.#present;
@@ -633,7 +634,7 @@ export class C2Warp extends TypedElement {
    * The warped picture on a canvas of the page's document.
    *
    * @param options How the picture is drawn.
-   * @throws as `toBlob`.
+   * @throws the errors of `toBlob`.
    */
   async toCanvas(options: WarpOptions = {}): Promise<HTMLCanvasElement> {
     checkDrawn(options);

@@ -47,7 +47,7 @@ export const C2Warp = forwardRef<C2WarpElement, Props>(function C2Warp(props, re
   return createElement('c2-warp', { ...others(props), ref: host } as HTMLAttributes<C2WarpElement>);
 });
 
-/** Properties of any element. React 18 knows no `className` on custom elements. */
+/** Properties of any element. React 18 does not support `className` on custom elements. */
 function others(props: Props): Props {
   const given = Object.entries(props).filter(([name]) => !(PROPERTIES.includes(name) || name in EVENTS));
   return Object.fromEntries(given.map(([name, value]) => [name === 'className' ? 'class' : name, value]));

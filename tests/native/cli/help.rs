@@ -53,7 +53,7 @@ fn every_command_has_an_example_that_runs_and_is_in_the_manual() {
         assert!(!lines.is_empty(), "{name}");
         for line in lines {
             assert!(line.starts_with(&name) && manual.contains(&format!("c2warp {line}")), "cli.md: {line}");
-            // The shell would write what is printed to a file.
+            // The shell would write the output to a file.
             let (arguments, file) = line.split_once(" > ").map_or((&*line, None), |(line, file)| (line, Some(file)));
             let printed = succeed(folder.path(), arguments);
             assert!(file.is_none() || !printed.is_empty(), "{line}");

@@ -24,7 +24,7 @@ fn new_project_has_the_given_handles_and_the_settings_of_the_editor() {
     assert_eq!(made.image.src, "gingerbread.png");
     assert_eq!(made.domain, Some(DomainSpec::Alpha { threshold: 0.5 }));
     assert_eq!(made, made.clone().with_editor_settings());
-    // It warps as it is, and the picture is found from another folder.
+    // It can be warped unchanged, and the picture is found from another folder.
     fs::create_dir(folder.file("rigs")).unwrap();
     succeed(folder.path(), "new gingerbread.png --handles 90,120 -o rigs/one.c2warp.json");
     assert_eq!(project(&folder, "rigs/one.c2warp.json").image.src, "../gingerbread.png");

@@ -58,7 +58,7 @@ fn second_derivatives_are_continuous_across_shadow_lines_and_no_support_is_cut()
             let (exact, smooth) = (solved(&project).unwrap(), solved(&c2(project)).unwrap());
             let (kinks, _) = relative_jumps(&exact);
             let (shadows, cuts) = relative_jumps(&smooth);
-            // A lone handle has weight 1 everywhere, unless a hole asks for more sites.
+            // A lone handle has weight 1 everywhere, unless a hole requires more sites.
             assert!(kinks[1] > 1e-3 || handles.len() == 1, "{name} {support:?}: a scene with jumps");
             assert!(shadows[1] < 0.02 * shadows[0].max(1e-3), "{name} {support:?}: {shadows:?}");
             assert_eq!(cuts, 0, "{name} {support:?}");

@@ -118,7 +118,7 @@ fn inverse_map_returns_the_rest_position() {
         let back = solution.rest_point(&pose, mapped.posed).expect("inside what is drawn");
         assert!(back.distance(p) < 0.1, "{p} came back as {back}");
     }
-    // The background around the ring stays. Outside the picture there is nothing.
+    // The background around the ring stays. Everything outside the picture is empty.
     assert_eq!(solution.rest_point(&pose, DVec2::ZERO), Some(DVec2::ZERO));
     assert_eq!(solution.rest_point(&pose, DVec2::NEG_ONE), None);
 }

@@ -1,4 +1,4 @@
-//! Tests of feathers: a moved part has a soft rim, and the picture at rest stays as it is.
+//! Tests of feathers: a moved part has a soft rim, and the picture at rest does not change.
 
 use c2warp::{
     Canvas, Filter, Picture, ResampleOptions, Solution, Solver, Warped,
@@ -258,7 +258,7 @@ fn reused_solver_gives_the_same_feather() {
             let reused = solver.solution().expect("every stage has run");
             assert_eq!(reused.feather(), solved(&project, &rgba).feather());
             let steps = std::iter::from_fn(|| solver.advance_fill(&picture).expect("a step")).count();
-            // The fill depends on the rings alone.
+            // The fill depends only on the rings.
             assert!(steps == 0 || feather == 12.0);
         }
     }

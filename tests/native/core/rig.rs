@@ -39,7 +39,7 @@ fn baked(project: &Project, solution: &Solution) -> Rig {
     Rig::bake(project, solution, picture).expect("a valid scene")
 }
 
-/// The greatest distance of a corner of the rig from its place.
+/// The maximum distance of a corner of the rig from its place.
 fn distance(solution: &Solution, rig: &Rig, found: &[DVec2], exact: &[DVec2]) -> f64 {
     let behind = solution.static_background().triangles().len();
     let corners = rig.triangles()[behind..].iter().flatten().zip(solution.triangles().iter().flatten());
@@ -141,7 +141,7 @@ fn handles_are_posed_without_a_solver_in_the_harmonic_mode() {
         for pose in 0..12 {
             project.handles = posed_at_random(&handles, reach, &mut random);
             if pose == 0 {
-                // Bars without a length do not collapse what they pass their motion on to.
+                // Bars without a length do not collapse the parts that they move.
                 project.handles.iter_mut().for_each(|handle| {
                     let [first, others @ ..] = handle.shape.posed_mut() else {
                         unreachable!("every handle has a place")
@@ -271,7 +271,7 @@ fn poses_of_other_handles_are_refused() {
     assert!(poser.motions(&poses).is_err());
 }
 
-/// The mean difference of the rig's picture from the one of the solution, in steps of 255.
+/// The mean difference of the rig's picture from that of the solution, in steps of 255.
 fn mean_difference(project: &Project, solution: &Solution, rig: &Rig, frame: u32) -> f64 {
     let picture = Scene::named("gingerbread").picture;
     let picture = Picture::new(picture.width(), picture.height(), picture.as_raw()).expect("a valid scene");

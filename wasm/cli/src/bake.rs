@@ -36,8 +36,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let solution = loaded.solve()?;
     let picture = RigPicture { width, height, file: smaller(loaded.picture_file()) };
     let posable = if arguments.posable { Posable::Always } else { Posable::WithoutSolver };
-    let mut tell = |part: f64| progress::show(&format!("baking {:.0} %", 100.0 * part));
-    let rig = Rig::bake_with_progress(&loaded.project, &solution, picture, posable, &mut tell)
+    let mut on_progress = |part: f64| progress::show(&format!("baking {:.0} %", 100.0 * part));
+    let rig = Rig::bake_with_progress(&loaded.project, &solution, picture, posable, &mut on_progress)
         .map_err(|reason| loaded.not_baked(reason))?;
     let file = rig.to_bytes().map_err(|reason| loaded.not_baked(reason))?;
     output.write(|writer| writer.write_all(&file))

@@ -39,7 +39,7 @@ pub(crate) enum CliError {
     Proportions { path: PathBuf, project: (u32, u32), found: (u32, u32) },
     /// The reasons have been printed to standard error.
     #[error("some inputs failed")]
-    Told,
+    Reported,
     #[error(
         "{}: the extension means {format:?}, but the output is {written:?}: use .{}",
         path.display(),
@@ -150,7 +150,7 @@ fn listed(names: &[String]) -> String {
 }
 
 /// Prints a message as one line on standard error.
-pub(crate) fn tell(message: impl Display) {
+pub(crate) fn print(message: impl Display) {
     let line = format!("c2warp: {}\n", one_line(&message.to_string()));
     progress::clear();
     // If standard error is closed, nobody reads it. Lines of threads do not mix.

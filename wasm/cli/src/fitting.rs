@@ -61,7 +61,10 @@ impl FittingProject {
         if let Some(farthest) = moved.iter().map(|handle| handle.distance).reduce(f64::max) {
             let names: Vec<_> = moved.iter().map(|handle| format!("“{}”", DisplayName(&handle.id))).collect();
             let names = names.join(", ");
-            error::tell(format_args!("{}: moved into the outline, by up to {farthest:.1} px: {names}", path.display()));
+            error::print(format_args!(
+                "{}: moved into the outline, by up to {farthest:.1} px: {names}",
+                path.display()
+            ));
         }
         let file = ProjectFile { project, ..self.file.clone() };
         Ok(file.with_picture(image, path, true))

@@ -107,9 +107,9 @@ pub fn run() -> ExitCode {
         Err(CliError::Print(reason) | CliError::Write { reason, .. }) if reason.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
-        Err(CliError::Told) => ExitCode::FAILURE,
+        Err(CliError::Reported) => ExitCode::FAILURE,
         Err(error) => {
-            error::tell(error);
+            error::print(error);
             ExitCode::FAILURE
         }
     }

@@ -91,7 +91,7 @@ fn suggested(
     let is_spread = suggested.iter().all(|handle| handle.role == SuggestedRole::Spread);
     let no_outline = || "the picture has no outline to follow, so the handles are in even rows".to_owned();
     if let Some(remark) = remark(&domain).or_else(|| is_spread.then(no_outline)) {
-        error::tell(format_args!("{}: {remark}", path.display()));
+        error::print(format_args!("{}: {remark}", path.display()));
     }
     Ok(suggested.into_iter().map(|handle| Handle::point(handle.id, handle.rest)).collect())
 }

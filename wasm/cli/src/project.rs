@@ -102,7 +102,7 @@ impl ProjectFile {
 
     /// The project with a picture of its size.
     ///
-    /// `names_picture` is for errors about the contents of the project: they name the picture in place of the project.
+    /// `names_picture` is for errors about the contents of the project: they name the picture instead of the project.
     pub(crate) fn with_picture(
         &self,
         image: Arc<PictureFile>,
@@ -215,7 +215,7 @@ impl LoadedProject {
         finish(&mut solver)?;
         let solution = solver.into_solution().expect("every stage has run");
         if let Some(remark) = remark(solution.domain()) {
-            error::tell(format_args!("{}: {remark}", self.image_path.display()));
+            error::print(format_args!("{}: {remark}", self.image_path.display()));
         }
         progress::show("drawing");
         Ok(solution)

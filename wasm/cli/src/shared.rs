@@ -8,7 +8,7 @@ pub(crate) struct Shared<K, V> {
     most: usize,
 }
 
-/// `None` while there is no result.
+/// `None` before the result is available.
 type Entry<V> = Arc<OnceLock<Option<Arc<V>>>>;
 
 impl<K: PartialEq, V> Shared<K, V> {

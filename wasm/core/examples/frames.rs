@@ -34,7 +34,7 @@ fn draw_frames(project: &Path, clip: &str, folder: &Path, scale: f64) -> Result<
     let clip = project.clips.iter().find(|one| one.name == clip).ok_or("unknown clip")?;
     let picture = Picture::new(picture.width(), picture.height(), &picture)?;
     let solution = solve(&project, &picture)?;
-    // Frames depend on the time alone: the playback has no jumps, and they can be drawn in any order.
+    // Frames depend only on the time: the playback has no jumps, and they can be drawn in any order.
     let mut playback = Playback::new(solution.poser().clone(), clip.clone(), project.handles.clone());
     let times = FrameTimes::new(clip, RATE, None)?;
     fs::create_dir_all(folder)?;

@@ -24,7 +24,7 @@
 //!               Ω      𝒫, mesh    d(p, h)    cells,    eq. 2    eq. 4     eq. 1    picture
 //!                                          Algorithm 1
 //! ```
-// Some parts of the core serve a feature alone. With all features, nothing is unused.
+// Some parts of the core serve only one feature. With all features, nothing is unused.
 #![cfg_attr(
     not(all(feature = "serde", feature = "raster", feature = "cloud", feature = "rig", feature = "poser-bytes")),
     allow(dead_code, unused_imports)

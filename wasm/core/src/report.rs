@@ -20,7 +20,7 @@ pub struct Report {
     pub specks: usize,
     /// How closely the outline follows the picture.
     pub outline: OutlineDetail,
-    /// Greatest width of a gap that the domain includes, in pixels.
+    /// Maximum width of a gap that the domain includes, in pixels.
     pub bridged_gap: f64,
     /// Corners of the outline at which shortest paths may bend.
     pub reflex_corners: usize,
@@ -41,7 +41,7 @@ pub struct Report {
     pub scores: Vec<f64>,
     /// Mean number of supports that contain a sample.
     pub cover_mean: f64,
-    /// Greatest number of supports that contain a sample.
+    /// Maximum number of supports that contain a sample.
     pub cover_max: usize,
     /// Least Σφ over the samples of islands with handles.
     pub min_phi_sum: f64,

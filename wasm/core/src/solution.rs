@@ -351,7 +351,7 @@ impl Solution {
     /// no mesh.
     ///
     /// # Panics
-    /// If there is not one value per vertex.
+    /// If the number of values differs from the number of vertices.
     #[must_use]
     pub fn interpolated(&self, values: &[f64], points: &[DVec2]) -> Vec<Option<f64>> {
         let RenderMesh { vertices, triangles } = &self.mesh;

@@ -128,7 +128,7 @@ impl SolveInput {
     }
 
     /// Whether the solutions of two inputs differ only in their posers: in stiffness or displacement.
-    pub(crate) fn differs_in_poser_alone(&self, other: &Self) -> bool {
+    pub(crate) fn differs_only_in_poser(&self, other: &Self) -> bool {
         let (stiffness, displacement) = (other.stiffness.clone(), other.displacement.clone());
         self != other && Self { stiffness, displacement, ..self.clone() } == *other
     }

@@ -126,7 +126,7 @@ impl Solver {
         self.begin_fill(project);
         let domain = self.domain.as_ref().map(|domain| &domain.key);
         let known = self.finished.as_ref().filter(|finished| Some(&finished.key) == domain);
-        let is_solved = known.is_some_and(|known| known.input.differs_in_poser_alone(&input));
+        let is_solved = known.is_some_and(|known| known.input.differs_only_in_poser(&input));
         let progress = if is_solved { Progress::Solved } else { Progress::Begun };
         self.pending = Some(PendingSolve { input, progress });
         Ok(())
@@ -148,7 +148,7 @@ impl Solver {
         let Some(PendingSolve { input, progress }) = pending.take() else { return Ok(None) };
         let (stage, progress) = match progress {
             Progress::Solved => {
-                let finished = finished.as_mut().expect("a solution is only ever replaced");
+                let finished = finished.as_mut().expect("a finished solve has a solution");
                 let solution = Arc::make_mut(&mut finished.solution);
                 let poser = &mut solution.solved.poser;
                 if finished.input.stiffness != input.stiffness {

@@ -133,7 +133,7 @@ impl SpriteMesh {
         &self.hull
     }
 
-    /// The greatest distance between the outline and that of the visible pixels or of the domain, in pixels.
+    /// The maximum distance between the outline and that of the visible pixels or of the domain, in pixels.
     #[must_use]
     pub fn tolerance(&self) -> f64 {
         self.tolerance

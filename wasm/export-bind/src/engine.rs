@@ -92,7 +92,7 @@ impl EngineFiles {
 
 /// Solves a project, and builds its rig for an engine. `stem` is the stem of the file names.
 ///
-/// `rgba` is straight, rows from top to bottom. `tell` receives the completed fraction, from 0 to 1.
+/// `rgba` is straight, rows from top to bottom. `on_progress` receives the completed fraction, from 0 to 1.
 ///
 /// # Errors
 /// For a project that cannot be solved with this picture, and for unsuitable options.
@@ -104,7 +104,7 @@ pub fn engine_rig(
     rgba: &[u8],
     stem: &str,
     EngineOptions { format, options }: EngineOptions,
-    tell: &Function,
+    on_progress: &Function,
 ) -> Result<EngineFiles, JsError> {
     let refused = |reason: &dyn fmt::Display| JsError::new(&reason.to_string());
     let not_exported = |reason: ExportError| match reason {
@@ -112,17 +112,17 @@ pub fn engine_rig(
         ExportError::Outline(reason) => refused(&reason),
         reason => refused(&reason),
     };
-    let tell = |part: f64| {
+    let on_progress = |part: f64| {
         // Nothing can be done about a listener that fails.
-        let _ = tell.call1(&JsValue::NULL, &part.into());
+        let _ = on_progress.call1(&JsValue::NULL, &part.into());
     };
     options.check(format).map_err(not_exported)?;
     let project = Project::from_json(project_json).map_err(|reason| refused(&reason))?;
     let picture = Picture::new(width, height, rgba).map_err(|reason| refused(&reason))?;
     let solution = solution(&project, &picture).map_err(|reason| refused(&reason))?;
-    let mut tell_rest = |part: f64| tell(SOLVED + (1.0 - SOLVED) * part);
-    tell_rest(0.0);
-    let rig = EngineRig::new_with_progress(stem, &project, &solution, &picture, options, &mut tell_rest);
+    let mut on_rest = |part: f64| on_progress(SOLVED + (1.0 - SOLVED) * part);
+    on_rest(0.0);
+    let rig = EngineRig::new_with_progress(stem, &project, &solution, &picture, options, &mut on_rest);
     let rig = rig.map_err(not_exported)?;
     let mut png = Vec::new();
     let encoder = PngEncoder::new(&mut png);

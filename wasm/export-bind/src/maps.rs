@@ -66,7 +66,7 @@ impl SolvedProject {
         let drawn = ResampleOptions { scale: 1.0, canvas, filter, edges: self.project.edges };
         let drawing = self.solution.drawing(&picture, &pose, drawn).map_err(refused)?;
         let maps = Maps { solution: &self.solution, pose: &pose, picture, drawing: &drawing, name };
-        maps.file(map, format, &mut |part| self.tell(part)).map_err(refused)
+        maps.file(map, format, &mut |part| self.report(part)).map_err(refused)
     }
 
     /// The weight of a handle as a heat map over the picture at rest, as PNG.
@@ -76,7 +76,7 @@ impl SolvedProject {
     #[wasm_bindgen(js_name = heatMap)]
     pub fn heat_map(&self, handle: &str) -> Result<Vec<u8>, JsError> {
         let weights = Weights::new(&self.solution, &self.project, Some(handle)).map_err(refused)?;
-        heat_map(&self.solution, &weights, self.picture()?, &mut |part| self.tell(part)).map_err(refused)
+        heat_map(&self.solution, &weights, self.picture()?, &mut |part| self.report(part)).map_err(refused)
     }
 
     /// The weights of all sites at every N-th pixel, as an array for NumPy or as CSV.
@@ -115,7 +115,7 @@ impl SolvedProject {
         weights.check_size(&places, MOST_BYTES).map_err(refused)?;
         let format = if npy { TableFormat::Npy } else { TableFormat::Csv };
         let mut file = Vec::new();
-        weights.write(&places, format, &mut file, &mut |part| self.tell(part)).map_err(refused)?;
+        weights.write(&places, format, &mut file, &mut |part| self.report(part)).map_err(refused)?;
         Ok(file)
     }
 }

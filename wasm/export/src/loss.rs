@@ -5,7 +5,7 @@ use glam::DVec2;
 /// Distances in pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Errors {
-    /// The greatest distance.
+    /// The maximum distance.
     pub largest: f64,
     /// The 99th percentile.
     pub percentile_99: f64,

@@ -128,7 +128,7 @@ impl EngineRig {
         Self::new_with_progress(name, project, solution, picture, options, &mut |_| {})
     }
 
-    /// Like [`new`](Self::new), with progress: `tell` receives the completed fraction, from 0 to 1.
+    /// Like [`new`](Self::new), with progress: `on_progress` receives the completed fraction, from 0 to 1.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
@@ -138,7 +138,7 @@ impl EngineRig {
         solution: &Solution,
         picture: &Picture,
         options: Options,
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> Result<Self, ExportError> {
         options.check_handles(project)?;
         let mesh = SpriteMesh::new(solution, picture, options.vertices)?;
@@ -154,8 +154,8 @@ impl EngineRig {
         // Random handles may have no pose, such as bars that a rigid mode cannot follow.
         let random = |seed| solution.poser().pose(&random_handles(project, seed), blend).ok();
         poses.extend((1..=FITTED_POSES).filter_map(random));
-        tell(POSED);
-        let mut fitted = |part: f64| tell(POSED + (FITTED - POSED) * part);
+        on_progress(POSED);
+        let mut fitted = |part: f64| on_progress(POSED + (FITTED - POSED) * part);
         let skeleton = Skeleton::new(project, solution, &mesh, options, &poses, &mut fitted);
 
         let measured: Vec<Pose> = (MEASURED_SEED..MEASURED_SEED + MEASURED_POSES).filter_map(random).collect();
@@ -181,7 +181,7 @@ impl EngineRig {
         let mut baked = 0.0;
         let clips = clips.iter_mut().map(|clip| {
             let Clip { name, duration, looping, .. } = clip.clip;
-            tell(FITTED + (1.0 - FITTED) * baked / all);
+            on_progress(FITTED + (1.0 - FITTED) * baked / all);
             baked += duration;
             let poses = clip.all(blend)?;
             let frames = poses.iter().map(|pose| skeleton.maps(&mesh, pose)).collect();
@@ -224,13 +224,13 @@ impl EngineRig {
         (self.vertices.len(), self.triangles.len())
     }
 
-    /// The greatest number of bones that move a vertex.
+    /// The maximum number of bones that move a vertex.
     #[must_use]
     pub fn influences(&self) -> usize {
         self.weights.offsets().windows(2).map(|row| row[1] - row[0]).max().unwrap_or(0) as usize
     }
 
-    /// The greatest distance between the outline and that of the visible pixels, in pixels.
+    /// The maximum distance between the outline and that of the visible pixels, in pixels.
     #[must_use]
     pub fn outline_tolerance(&self) -> f64 {
         self.outline
@@ -369,7 +369,7 @@ impl Skeleton {
         mesh: &SpriteMesh,
         options: Options,
         poses: &[Pose],
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> Self {
         let all = solution.sites().len();
         let site_maps: Vec<Vec<DAffine2>> =
@@ -385,7 +385,7 @@ impl Skeleton {
         if !is_exact {
             let targets: Vec<Vec<DVec2>> = poses.iter().map(|pose| mesh.posed_vertices(pose)).collect();
             for round in 0..ROUNDS {
-                tell(round as f64 / ROUNDS as f64);
+                on_progress(round as f64 / ROUNDS as f64);
                 let maps: Vec<Vec<DAffine2>> = poses.iter().map(|pose| skeleton.maps(mesh, pose)).collect();
                 let fit = WeightFit { vertices: mesh.displaced_vertices(), targets: &targets, maps: &maps };
                 skeleton.weights = fit.fitted(&skeleton.weights, options.influences);

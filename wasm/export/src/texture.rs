@@ -18,7 +18,7 @@ const OPAQUE: u32 = 255;
 pub fn texture(picture: &Picture) -> Vec<u8> {
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let mut rgba = picture.rgba().to_vec();
-    // How much a pixel's colour counts: nothing as long as it has none.
+    // The weight of a pixel's colour: 0 while it has no colour.
     let mut weights: Vec<u32> = rgba.chunks_exact(4).map(|pixel| u32::from(pixel[3])).collect();
     let around = |at: usize| {
         let (x, y) = (at % width, at / width);

@@ -48,7 +48,7 @@ impl Film {
         if rgba.len() == self.frame_bytes() {
             Ok(())
         } else {
-            Err(io::Error::new(io::ErrorKind::InvalidInput, "the frame has another size than the film"))
+            Err(io::Error::new(io::ErrorKind::InvalidInput, "the size of the frame differs from that of the film"))
         }
     }
 }

@@ -11,7 +11,7 @@ use ::gif::{DisposalMethod, Encoder as GifEncoder, EncodingError, Frame, Repeat}
 
 use crate::{Encoder, Film, GifColours, Plays};
 
-/// Greatest frame rate: viewers treat delays below two hundredths of a second as ten hundredths.
+/// Maximum frame rate: viewers treat delays below two hundredths of a second as ten hundredths.
 pub const MOST_GIF_RATE: f64 = 50.0;
 
 /// Units of delays in a second.

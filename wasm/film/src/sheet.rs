@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 use crate::png_error::png_error;
 use crate::{Encoder, Film};
 
-/// Greatest number of pixels of a side, the limit of graphics cards.
+/// Maximum number of pixels of a side, the limit of graphics cards.
 pub const MOST_SHEET_SIDE: u32 = 16_384;
 
 const MILLISECONDS: u32 = 1000;

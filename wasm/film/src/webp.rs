@@ -10,7 +10,7 @@ use image_webp::{ColorType, EncodingError, WebPEncoder};
 use crate::{Encoder, Film, Plays};
 
 const MILLISECONDS: u32 = 1000;
-/// Greatest number of pixels of a side.
+/// Maximum number of pixels of a side.
 const MOST_SIDE: u32 = 1 << 14;
 
 /// Bits of the header VP8X.

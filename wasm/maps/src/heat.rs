@@ -25,7 +25,7 @@ pub const HEAT_RAMP: [RampColour; 6] = [
     [244.0, 240.0, 78.0, 0.78],
 ];
 
-/// The bytes of a PNG with the picture under the colours of the weights. `tell` receives the completed fraction.
+/// The bytes of a PNG with the picture under the colours of the weights. `on_progress` receives the completed fraction.
 ///
 /// # Errors
 /// [`MapError`] if the file cannot be encoded.
@@ -36,13 +36,13 @@ pub fn heat_map(
     solution: &Solution,
     weights: &Weights<'_>,
     picture: Picture<'_>,
-    tell: &mut dyn FnMut(f64),
+    on_progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<u8>, MapError> {
     let at_vertices = weights.at_vertices();
     let about = "Heat map by c2warp: the weight of a handle over the picture at rest, from blue near 0 to yellow at 1.";
     let (width, height) = (picture.width(), picture.height());
     png_file::write([width, height], BitDepth::Eight, about, |rows| {
-        tell(f64::from(rows.start) / f64::from(height));
+        on_progress(f64::from(rows.start) / f64::from(height));
         let centre = |x: u32, y: u32| DVec2::new(f64::from(x), f64::from(y)) + 0.5;
         let first = rows.start as usize * width as usize * 4;
         let centres: Vec<DVec2> = rows.flat_map(|y| (0..width).map(move |x| centre(x, y))).collect();

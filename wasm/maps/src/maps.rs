@@ -68,22 +68,24 @@ pub struct Maps<'a> {
 }
 
 impl Maps<'_> {
-    /// The bytes of a map's file. `tell` receives the completed fraction.
+    /// The bytes of a map's file. `on_progress` receives the completed fraction.
     ///
     /// # Errors
     /// [`MapError`] if the file cannot be encoded.
     ///
     /// # Panics
     /// If the parts do not belong together.
-    pub fn file(&self, map: Map, format: MapFormat, tell: &mut dyn FnMut(f64)) -> Result<Vec<u8>, MapError> {
+    pub fn file(&self, map: Map, format: MapFormat, on_progress: &mut dyn FnMut(f64)) -> Result<Vec<u8>, MapError> {
         let size = self.size(map);
         let about = about(self, map, format);
         let [_, height] = size;
         let at_rest = (map == Map::Disocclusion).then(|| self.at_rest());
         match format {
-            MapFormat::Exr => float_file::encode(size, &about, |rows| self.rows(map, at_rest.as_ref(), rows), tell),
+            MapFormat::Exr => {
+                float_file::encode(size, &about, |rows| self.rows(map, at_rest.as_ref(), rows), on_progress)
+            }
             MapFormat::Png => png_file::encode(size, &about, |rows| {
-                tell(f64::from(rows.start) / f64::from(height));
+                on_progress(f64::from(rows.start) / f64::from(height));
                 let values = self.rows(map, at_rest.as_ref(), rows);
                 values.into_iter().map(|value| levels(map, value)).collect()
             }),

@@ -16,7 +16,7 @@ use crate::{WeightsError, npy, number::decimal, places::Places};
 /// Bytes of a number in a table.
 const NUMBER_BYTES: u64 = 8;
 /// Points between two reports of progress.
-const TOLD: usize = 4096;
+const POINTS_PER_REPORT: usize = 4096;
 
 /// The weights of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,7 +106,7 @@ impl<'a> Weights<'a> {
         if bytes > most { Err(WeightsError::TooLarge { shape, bytes, advice }) } else { Ok(()) }
     }
 
-    /// Writes a table. `tell` receives the completed fraction.
+    /// Writes a table. `on_progress` receives the completed fraction.
     ///
     /// # Errors
     /// The errors of the output.
@@ -115,25 +115,25 @@ impl<'a> Weights<'a> {
         places: &Places,
         format: TableFormat,
         to: &mut dyn Write,
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> io::Result<()> {
-        let mut told = |point: usize| {
-            if point.is_multiple_of(TOLD) {
-                tell(point as f64 / places.count() as f64);
+        let mut on_point = |point: usize| {
+            if point.is_multiple_of(POINTS_PER_REPORT) {
+                on_progress(point as f64 / places.count() as f64);
             }
         };
         match format {
-            TableFormat::Csv => self.write_csv(places, to, &mut told),
-            TableFormat::Npy => self.write_npy(places, to, &mut told),
+            TableFormat::Csv => self.write_csv(places, to, &mut on_point),
+            TableFormat::Npy => self.write_npy(places, to, &mut on_point),
         }
     }
 
     /// Writes an array. Points outside the domain have zeros.
-    fn write_npy(&self, places: &Places, to: &mut dyn Write, told: &mut dyn FnMut(usize)) -> io::Result<()> {
+    fn write_npy(&self, places: &Places, to: &mut dyn Write, on_point: &mut dyn FnMut(usize)) -> io::Result<()> {
         to.write_all(&npy::header(&self.shape(places)))?;
         let mut row = vec![0.0; self.solution.sites().len()];
         for point in 0..places.count() {
-            told(point);
+            on_point(point);
             let p = places.at(point);
             match self.columns {
                 Columns::Handle { .. } => to.write_all(&self.handle_at(p).to_le_bytes())?,
@@ -151,7 +151,7 @@ impl<'a> Weights<'a> {
         Ok(())
     }
 
-    fn write_csv(&self, places: &Places, to: &mut dyn Write, told: &mut dyn FnMut(usize)) -> io::Result<()> {
+    fn write_csv(&self, places: &Places, to: &mut dyn Write, on_point: &mut dyn FnMut(usize)) -> io::Result<()> {
         let mut table = csv::Writer::from_writer(to);
         match self.columns {
             Columns::Sites => {
@@ -162,7 +162,7 @@ impl<'a> Weights<'a> {
             Columns::Handle { .. } => table.write_record(["point", "x", "y", "handle", "weight"]).map_err(io_error)?,
         }
         for point in 0..places.count() {
-            told(point);
+            on_point(point);
             let p = places.at(point);
             let number = point.to_string();
             match &self.columns {

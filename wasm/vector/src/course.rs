@@ -9,7 +9,7 @@ use kurbo::{CubicBez, CurveFitSample, ParamCurve, ParamCurveArclen, ParamCurveFi
 
 /// Initial distance of samples, in pixels: shorter than any bend of a smooth warp.
 const FIRST_STEP: f64 = 8.0;
-/// Greatest number of initial samples, for segments that extend far outside the picture.
+/// Maximum number of initial samples, for segments that extend far outside the picture.
 const MOST_FIRST: f64 = 512.0;
 const LEAST_STEP: f64 = 0.25;
 const SPLINE_ERROR: f64 = 0.002;

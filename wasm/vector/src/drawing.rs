@@ -15,11 +15,11 @@ use crate::{error::VectorError, remark::Remark};
 
 /// Largest file, in bytes.
 pub const MAX_BYTES: usize = 64 << 20;
-/// Greatest number of elements and texts, counting a copy for each use.
+/// Maximum number of elements and texts, counting a copy for each use.
 const MAX_ELEMENTS: u32 = 250_000;
 /// Greatest nesting depth, including uses, because usvg recurses.
 const MAX_DEPTH: usize = 200;
-/// Greatest number of characters of a text in a remark.
+/// Maximum number of characters of a text in a remark.
 const TEXT_CHARACTERS: usize = 40;
 
 /// A drawing whose shapes are paths.

@@ -12,12 +12,12 @@ use kurbo::{BezPath, CubicBez, Line, ParamCurve, ParamCurveNearest, Point};
 
 use crate::course::Course;
 
-/// Greatest distance between a bent path and the map of the path, in pixels.
+/// Maximum distance between a bent path and the map of the path, in pixels.
 pub const TOLERANCE: f64 = 0.1;
 /// Greatest measured distance of a Bézier from its course. The rest of [`TOLERANCE`] is reserved for the spline of the
 /// course, for the parts between the measured points, and for rounding in the file.
 const FITTED: f64 = 0.09;
-/// Greatest distance of a bent line that remains a line.
+/// Maximum distance of a bent line that remains a line.
 const STRAIGHT: f64 = 0.02;
 /// Number of points of a Bézier at which its distance is measured.
 const MEASURED: u32 = 32;

@@ -138,7 +138,7 @@ fn settings(schema: &Value) -> String {
     })
 }
 
-/// The least and the greatest value of each number.
+/// The least and the largest value of each number.
 fn ranges(schema: &Value) -> String {
     let numbers = [
         ("samples", &schema["properties"]["samples"]),
@@ -150,18 +150,16 @@ fn ranges(schema: &Value) -> String {
         format!("  {name}: [{}, {}],\n", literal(&number["minimum"]), literal(&number["maximum"]))
     };
     let lines = numbers.map(range).concat();
-    format!(
-        "\n/** The least and the greatest value of each number. */\nexport const RANGES = {{\n{lines}}} as const;\n"
-    )
+    format!("\n/** The least and the largest value of each number. */\nexport const RANGES = {{\n{lines}}} as const;\n")
 }
 
-/// The greatest number of cells of a mask along either side.
+/// The maximum number of cells of a mask along either side.
 fn stiffness_cells(schema: &Value) -> String {
     let most = literal(&schema["$defs"]["Stiffness"]["properties"]["width"]["maximum"]);
     format!("\n/** The most cells of a mask of stiffness, each way. */\nexport const STIFFNESS_CELLS = {most};\n")
 }
 
-/// The least and the greatest number of control points of a displacement along either side.
+/// The minimum and maximum numbers of control points of a displacement along either side.
 fn displacement_points(schema: &Value) -> String {
     let side = &schema["$defs"]["Displacement"]["properties"]["width"];
     let [least, most] = ["minimum", "maximum"].map(|end| literal(&side[end]));

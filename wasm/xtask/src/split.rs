@@ -107,7 +107,7 @@ fn import_from_first(later: &mut Module, of_first: &HashMap<usize, FunctionId>) 
 /// Exports everything that the later part imports.
 fn export_to_later(first: &mut Module, later: &Module, of_first: &HashMap<usize, FunctionId>) {
     for import in later.imports.iter().filter(|import| import.module == FIRST) {
-        let item = item_of_first(first, import, of_first).expect("the first part has all that is shared");
+        let item = item_of_first(first, import, of_first).expect("the first part has all shared items");
         first.exports.add(&import.name, item);
     }
 }

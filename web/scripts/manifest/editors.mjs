@@ -88,5 +88,5 @@ function partsByName(elements) {
   return parts;
 }
 
-/** Editors know no type of this package. @param {Type} type */
+/** Editors do not know the types of this package. @param {Type} type */
 const expanded = ({ text, words }) => (words ? words.map((word) => `'${word}'`).join(' | ') : text);

@@ -52,7 +52,7 @@ const ELEMENTS = /** @type {const} */ ([
   },
 ]);
 
-/** Called by the browser alone. */
+/** Called only by the browser. */
 const REACTIONS = /^(connected|disconnected|adopted|attributeChanged|form\w+)Callback$/;
 
 /** @returns {Element[]} @throws Error that names members without a comment. */

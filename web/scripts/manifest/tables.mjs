@@ -6,7 +6,7 @@
 const REGION = /(<!-- manifest: ([\w-]+) ([a-z ]+) -->\n)(.*?)(<!-- \/manifest -->)/gs;
 
 /**
- * A document with its tables made anew.
+ * A document with regenerated tables.
  * @param {string} markdown
  * @param {readonly Element[]} elements
  * @param {string} errors The source with the codes of errors.

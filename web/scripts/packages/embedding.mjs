@@ -14,7 +14,7 @@ import { forwardingServer, staticServer } from './counting_server.mjs';
  * @property {string} [build] A command.
  * @property {string} [serve] The folder of static files that the build writes.
  * @property {string} [start] A command that serves instead, at the port `{port}`.
- * @property {Record<string, string>} [with] Versions of packages in place of those in `package.json`.
+ * @property {Record<string, string>} [with] Versions of packages instead of those in `package.json`.
  */
 
 /**

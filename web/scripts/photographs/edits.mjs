@@ -2,7 +2,7 @@
  * The ten edits, as a user makes them: draw around a part, place handles, drag them. Coordinates are pixels of the
  * pictures in `tests/quality/photographs/pictures`.
  *
- * `choose` draws the lasso and the handles, and leaves the picture as it is. `edit` moves the handles.
+ * `choose` draws the lasso and the handles, and does not change the picture. `edit` moves the handles.
  */
 
 /** @typedef {import('./hand.mjs').Hand} Hand */

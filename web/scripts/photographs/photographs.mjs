@@ -40,7 +40,7 @@ export async function photographs(output) {
   await step('Fills', 'cargo', ['run', '--quiet', ...args], 'The fills failed. The reason is above.');
 }
 
-/** The strokes of the brush alone. */
+/** Only the strokes of the brush. */
 export async function brush() {
   await prepareChromium();
   heading('Brush');

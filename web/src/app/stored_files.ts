@@ -1,8 +1,8 @@
 /**
  * The files of one version, stored by path and content.
  *
- * Versions share the files that they have in common, so that an update loads changed files alone. A download that
- * is interrupted is resumed.
+ * Versions share the files that they have in common, so that an update loads only changed files. A download that is
+ * interrupted is resumed.
  */
 
 /** The hash of each file's content by its path, in the form of Subresource Integrity. The page has the path "". */
@@ -66,7 +66,7 @@ export async function removeOthers(cache: Cache, scope: string, hashes: FileHash
   for (const request of await cache.keys()) if (!kept.has(request.url)) await cache.delete(request);
 }
 
-/** The path of an address among the files; null if it is none of them. */
+/** The path of an address among the files; null if no file matches. */
 export function pathOf(scope: string, address: string, hashes: FileHashes): string | null {
   const { origin, pathname } = new URL(address);
   const folder = new URL(scope);
@@ -75,7 +75,7 @@ export function pathOf(scope: string, address: string, hashes: FileHashes): stri
   return Object.hasOwn(hashes, path) ? path : null;
 }
 
-/** A file as it was stored; undefined if the browser has removed it. */
+/** A stored file; undefined if the browser has removed it. */
 export const storedFile = (
   cache: Cache,
   scope: string,

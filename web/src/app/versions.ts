@@ -91,7 +91,7 @@ function serviceWorkers(): ServiceWorkerContainer | undefined {
 const isInstalled = (): boolean => matchMedia('(display-mode: standalone)').matches;
 
 /** A notice that passes would pass unseen in a hidden tab. */
-function whenSeen(tell: () => void): void {
-  if (!document.hidden) tell();
-  else document.addEventListener('visibilitychange', tell, { once: true });
+function whenSeen(notify: () => void): void {
+  if (!document.hidden) notify();
+  else document.addEventListener('visibilitychange', notify, { once: true });
 }

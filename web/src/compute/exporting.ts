@@ -12,7 +12,7 @@ import { compiled, whyOf } from './loading';
 import type { PixelSource } from './solution';
 import exporter from './worker/exporter?worker&url';
 
-/** By kinds of exports, for want of memory. */
+/** By kinds of exports, when memory runs out. */
 const TOO_LARGE = {
   'web-rig': 'rig',
   'engine-rig': 'rig',
@@ -68,6 +68,6 @@ export async function solvedExport<K extends keyof Exports>(
 const refused = (detail: string): C2WarpError =>
   new C2WarpError('export', detail, { wording: say('errors.exportRefused', detail) });
 
-/** The words of the command, as a sentence. */
+/** The command's message, as a sentence. */
 export const sentence = (words: string): string =>
   `${words.charAt(0).toUpperCase()}${words.slice(1)}${words.endsWith('.') ? '' : '.'}`;

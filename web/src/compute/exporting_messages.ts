@@ -54,7 +54,7 @@ export interface DrawingOrder {
 
 export interface BentDrawing {
   readonly svg: string;
-  /** Parts that are left out or do not bend, in words. */
+  /** Descriptions of parts that are left out or do not bend. */
   readonly remarks: readonly string[];
 }
 

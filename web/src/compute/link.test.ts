@@ -136,7 +136,7 @@ describe('Link', () => {
     expect(await cells).toBe(BORDERS);
   });
 
-  it('tells each request that the picture is gone, if its successor cannot have it', async () => {
+  it('rejects each request for a lost picture, if its successor cannot have it', async () => {
     const { link, worker, workers } = linked();
     void link.send('picture', PICTURE);
     worker(0).reply({ id: 1, kind: 'done', body: null });

@@ -8,7 +8,9 @@ export interface SolutionData {
   readonly positions: Float32Array<ArrayBuffer>;
   /** Triangles × 3: vertices, in drawing order while no handle has a depth. */
   readonly triangles: Uint32Array<ArrayBuffer>;
-  /** Vertices × 2 of what lies around a domain that the project draws by rings: it stays, behind the rest. */
+  /**
+   * Vertices × 2 of the picture around a domain that the project draws by rings: it stays in place, behind the rest.
+   */
   readonly backgroundPositions: Float32Array<ArrayBuffer>;
   /** Its triangles × 3; empty for any other domain. */
   readonly backgroundTriangles: Uint32Array<ArrayBuffer>;

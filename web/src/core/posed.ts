@@ -45,7 +45,7 @@ export class PosedSolution {
    * of the picture cover others, the part in front.
    *
    * @param points Points × 2, in pixels of the warped picture at scale 1.
-   * @throws as {@link map}.
+   * @throws the errors of {@link map}.
    */
   async inverse(points: Float64Array, { signal }: Cancellable = {}): Promise<RestPoints> {
     const rest = new Float64Array(points.length);
@@ -57,7 +57,7 @@ export class PosedSolution {
     return { rest };
   }
 
-  /** The posed mesh, for your own renderer. @throws as {@link map}. */
+  /** The posed mesh, for your own renderer. @throws the errors of {@link map}. */
   mesh({ signal }: Cancellable = {}): Promise<PosedMesh> {
     return this.#solver.ask('posed-mesh', { project: this.#project, moment: this.#moment }, signal);
   }
@@ -66,7 +66,7 @@ export class PosedSolution {
    * Draws the warped picture at full quality, as in `c2warp warp`.
    *
    * @throws C2WarpError with the code `scale` or `canvas` for a result without pixels or with too many.
-   * @throws as {@link map}.
+   * @throws the errors of {@link map}.
    */
   async warp(options: WarpOptions = {}): Promise<WarpedPicture> {
     const { scale = 1, area = 'picture', pixelated = false, signal, onProgress } = options;

@@ -75,7 +75,7 @@ export class Solution {
    * The vertices of the shortest path inside the domain, including both ends: points × 2, in image pixels. Empty if no
    * path connects the points.
    *
-   * @throws as {@link distances}.
+   * @throws the errors of {@link distances}.
    */
   path(from: Point, to: Point, { signal }: Cancellable = {}): Promise<Float64Array<ArrayBuffer>> {
     return this.#solver.ask('path', { project: problemText(this.project), from, to }, signal);

@@ -90,7 +90,7 @@ export interface SolveOptions extends Cancellable {
   readonly onProgress?: (stage: Stage) => void;
 }
 
-/** The pose of a handle. Missing values are those of the project. */
+/** The pose of a handle. Missing values are taken from the project. */
 export interface HandlePose {
   /** The posed point, or one for each corner of a bar or polygon, in image pixels. */
   readonly posed?: Point | readonly Point[];

@@ -15,11 +15,11 @@ const NONE: readonly Clip[] = [];
 export const clipNamed = (project: Project, name: string): Clip | undefined =>
   clipsOf(project).find((clip) => clip.name === name);
 
-/** Without clips there is no list either, as in a file that was opened. */
+/** Without clips there is no list either, as in opened files. */
 const withClips = ({ clips: _, ...project }: Project, clips: readonly Clip[]): Project =>
   clips.length > 0 ? { ...project, clips } : project;
 
-/** Adds a clip after those that are there. */
+/** Adds a clip after the existing ones. */
 export const addClip = (project: Project, clip: Clip): Project =>
   withClips(project, [...clipsOf(project), clip]);
 

@@ -81,7 +81,7 @@ export function pastePose(document: Document, copied: readonly Handle[]): Pasted
 const changeLine = (document: Document, id: string, change: (handle: LineHandle) => LineHandle): Document =>
   changeHandles(document, [id], (handle) => (isLine(handle) ? change(handle) : handle));
 
-/** Adds a handle at the end and selects it alone. */
+/** Adds a handle at the end and selects only it. */
 export const addHandle = (document: Document, handle: Handle): Document => ({
   ...withHandles(document, [...document.project.handles, handle]),
   selection: [handle.id],

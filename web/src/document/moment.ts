@@ -51,7 +51,7 @@ export function atMoment(
   };
 }
 
-/** Whether the clip of the document's moment poses all handles: none is held, or on its way. */
+/** Whether the clip of the document's moment poses all handles: none is held or returning. */
 export function isAlong(document: Document, posesAt: PosesAt): boolean {
   const { moment, project } = document;
   if (!moment) return false;

@@ -13,7 +13,7 @@ const circle = (centre: Vec, radius: number, count = 90): readonly Vec[] =>
     return [centre[0] + radius * Math.cos(turn), centre[1] + radius * Math.sin(turn)];
   });
 
-/** The polygon in place of these lassos. */
+/** The polygon that replaces these lassos. */
 const polygonOf = (...rings: readonly (readonly Vec[])[]) => {
   const project = rings.reduce(
     (before, ring) => withLasso(before, ring, false)?.project ?? before,

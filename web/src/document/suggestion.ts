@@ -26,7 +26,7 @@ export function withSuggested(
 ): Document {
   let { project } = document;
   for (const { id, rest } of handles) {
-    // A handle may have been renamed since the suggestion was asked for.
+    // A handle may have been renamed since the suggestion was requested.
     const free = nameFault(project, '', id) === null ? id : freeId(project);
     project = { ...project, handles: [...project.handles, { ...handleAt(project, rest), id: free }] };
   }

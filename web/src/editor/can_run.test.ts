@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { canRun, reasonAgainst } from './can_run';
 import type { CommandName } from './commands';
+import { inEnglish } from './english';
 import { FakeRuntime, PAGE } from './fake_runtime';
-import { inEnglish } from './told';
 
 describe('why a command cannot run', () => {
   const runtime = new FakeRuntime();

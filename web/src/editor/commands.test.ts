@@ -19,7 +19,7 @@ describe('commandOfKey', () => {
     expect(commandOfKey(press('+', { shiftKey: true }))).toBe('zoom-in');
   });
 
-  it('tells undo from redo, with Ctrl and with Cmd', () => {
+  it('distinguishes undo from redo, with Ctrl and with Cmd', () => {
     expect(commandOfKey(press('z', { ctrlKey: true }))).toBe('undo');
     expect(commandOfKey(press('Z', { metaKey: true, shiftKey: true }))).toBe('redo');
     expect(commandOfKey(press('y', { ctrlKey: true }))).toBe('redo');
@@ -29,7 +29,7 @@ describe('commandOfKey', () => {
     expect(commandOfKey(press('я', { code: 'KeyZ', ctrlKey: true }))).toBe('undo');
     expect(commandOfKey(press('Φ', { code: 'KeyV', shiftKey: true }))).toBe('select');
     expect(commandOfKey(press('é', { code: 'Digit2' }))).toBeNull();
-    // Of Latin letters what they say counts: on a French keyboard A is where others have Q.
+    // Latin letters count as typed: on a French keyboard A is where others have Q.
     expect(commandOfKey(press('a', { code: 'KeyQ', ctrlKey: true }))).toBe('select-all');
   });
 

@@ -2,7 +2,7 @@
  * Limbs that cross: what is dragged comes to the front of the parts that it crosses.
  *
  * That is decided once per drag, and dropped where the drag ends without a crossing. A drag that starts behind another
- * part stays there, since a person or a file has put it there.
+ * part stays there, since a person or a file placed it there.
  */
 import type { Document } from '../document/document';
 import { changeHandles } from '../document/edits';

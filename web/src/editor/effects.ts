@@ -88,7 +88,7 @@ export type EditorEffect =
   /** Another event that follows at once. `update` reduces it; the runtime never sees it. */
   | { readonly type: 'follow-up'; readonly event: EditorEvent }
   | { readonly type: 'notify-page'; readonly notification: PageNotification }
-  /** Sets the solver's picture; null when none is open. */
+  /** Sets the solver's picture; null if no picture is open. */
   | { readonly type: 'use-picture'; readonly picture: Picture | null }
   /** Answered by `luminance-read`. */
   | { readonly type: 'read-luminance'; readonly picture: Picture }
@@ -212,7 +212,7 @@ export type EditorEffect =
       /** Whether the work has changed by more than a selection. Otherwise another tab's newer work stays. */
       readonly changed: boolean;
     }
-  | { readonly type: 'tell-tabs' }
+  | { readonly type: 'notify-tabs' }
   | { readonly type: 'focus'; readonly target: FocusTarget }
   /** Focuses a control by its `data-control`, once it is rendered. Selects the text of a field. */
   | { readonly type: 'focus-control'; readonly control: ControlName }
@@ -225,7 +225,7 @@ export type EditorEffect =
   | { readonly type: 'set-theme'; readonly theme: 'light' | 'dark' }
   /** Answered by `input-released`, once the page shows the state. */
   | { readonly type: 'release-input' }
-  /** Frames of the screen pass, each told by `clock-ticked`; or no more. */
+  /** Frames of the screen pass, each reported by `clock-ticked`; or no more. */
   | { readonly type: 'run-clock'; readonly on: boolean }
   | { readonly type: 'start-timer'; readonly timer: Timer; readonly ms: number }
   | { readonly type: 'stop-timer'; readonly timer: Timer };

@@ -115,7 +115,7 @@ type ControlEvent =
   | { readonly type: 'edges-switched'; readonly on: boolean }
   | { readonly type: 'fill-switched'; readonly on: boolean }
   | { readonly type: 'feather-set'; readonly change: NumberChange }
-  /** The control of the least opacity has the focus, or has lost it. */
+  /** The control of the minimum opacity has the focus, or has lost it. */
   | { readonly type: 'outline-shown'; readonly on: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }
   | { readonly type: 'crease-zoomed' }
@@ -307,7 +307,7 @@ type FileEvent =
   /** The browser's codecs for films of the last asked size. */
   | { readonly type: 'codecs-found'; readonly codecs: VideoCodecs }
   | { readonly type: 'engine-choice-made'; readonly choice: Partial<EngineChoices> }
-  /** A rig for an engine was made of these, with a loss. It is still to be saved. */
+  /** A rig for an engine was made from these, with a loss. It is still to be saved. */
   | {
       readonly type: 'engine-rig-measured';
       readonly project: Project;
@@ -317,7 +317,7 @@ type FileEvent =
   | { readonly type: 'map-choice-made'; readonly choice: Partial<MapChoices> }
   /** Whether readers of the exported rig may pose the handles. */
   | { readonly type: 'posable-chosen'; readonly posable: boolean }
-  /** The code that shows the exported rig is asked for. */
+  /** The code that shows the exported rig is requested. */
   | { readonly type: 'code-asked' }
   /** `copied`: whether the browser took it to the clipboard. */
   | { readonly type: 'code-copied'; readonly copied: boolean };

@@ -15,7 +15,7 @@ export interface FoldGuard {
   readonly allowed: number | null;
   /** Whether the last change was limited. */
   readonly holding: boolean;
-  /** The project that was asked for when a change was last limited. Stays after a drag, so that its mark fades. */
+  /** The project that was requested when a change was last limited. Stays after a drag, so that its mark fades. */
   readonly asked: Project | null;
   /** How far a group transform of this drag has gone. */
   readonly reached: GroupTransform | null;

@@ -98,7 +98,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       restoring: false,
       unread: false,
       step: '',
-      untold: false,
+      unannounced: false,
       overwritten: false,
       storing: false,
       failing: false,

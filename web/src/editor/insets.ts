@@ -27,7 +27,7 @@ export interface Cards {
   readonly coarse: boolean;
   /** The panel, if the layout shows it as a sheet. */
   readonly sheet: Sheet;
-  /** The study card is open, in place of the panel. */
+  /** The study card is open instead of the panel. */
   readonly study?: StudyPage | null;
   /** The timeline is open, below the stage. */
   readonly timeline?: boolean;

@@ -3,12 +3,12 @@ import { newProject } from '../document/document';
 import type { Lens } from '../document/generated/lens';
 import type { Round, SiteStudy, Study } from '../document/generated/study';
 import type { PointHandle } from '../document/project';
+import { inEnglish } from './english';
 import { FakeRuntime, solutionOf } from './fake_runtime';
 import { lensModel } from './lens_model';
 import { lensWords, percent } from './lens_words';
 import { roundModel } from './rounds_model';
 import { NO_STUDY } from './study_state';
-import { inEnglish } from './told';
 
 const hand: PointHandle = { id: 'left hand', kind: 'point', rest: [2, 2], posed: [2, 2], rotation: 0 };
 const project = { ...newProject({ src: 'a.png', width: 8, height: 8 }, null), handles: [hand] };

@@ -5,7 +5,7 @@ import type { Task } from './task';
 
 export interface Notice {
   readonly kind: 'error' | 'info';
-  /** A string is the words of the page. */
+  /** A string is a text of the page. */
   readonly text: Words;
   readonly action?: NoticeAction;
   /** A second action. */
@@ -30,7 +30,7 @@ export interface NoticesState {
   readonly passing: Notice | null;
   /** The picture cannot be drawn. Shown after an error and before an offer, until the graphics card is back. */
   readonly graphics: Notice | null;
-  /** The last words for screen readers, and whether they were said just before too. */
+  /** The last text for screen readers, and whether they were said just before too. */
   readonly announcement: { readonly words: Wording; readonly again: boolean } | null;
   /** The newest last. */
   readonly tasks: readonly Task[];

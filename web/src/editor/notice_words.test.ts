@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { en } from '../texts/en';
+import { inEnglish } from './english';
 import { notOpenedWords } from './notice_words';
-import { inEnglish } from './told';
 
 const { outsidePicture, outsideLasso, noOtherSide, noCounterpart } = en.notices;
 const notOpened = (files: readonly string[]) => inEnglish(notOpenedWords(files));

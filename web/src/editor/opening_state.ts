@@ -150,7 +150,7 @@ export const initialOpening = ({ work: _, ...carried }: Carried): OpeningState =
   overtaken: false,
 });
 
-/** The name of what is being read in place of the open picture; null if nothing is. */
+/** The name of what is being read to replace the open picture; null if nothing is. */
 export const readingName = ({ reading, readingProjects, restoring }: OpeningState): string | null =>
   reading?.name ??
   readingProjects.at(-1)?.name ??

@@ -134,7 +134,7 @@ const STEPS: readonly Step[] = [
   (runtime) => runtime.refuse(new C2WarpError('engine', 'failed'), true),
 ];
 
-/** Ends what is in progress, so that undo takes back a whole step. */
+/** Ends the open step, so that undo takes back a whole step. */
 export function settle(runtime: FakeRuntime): void {
   runtime.dispatch({ type: 'page-changed', page: PAGE });
   runtime.dispatch({ type: 'press-cancelled' });

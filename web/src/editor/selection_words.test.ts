@@ -4,9 +4,9 @@ import { addHandle, changeHandles, selectHandles } from '../document/edits';
 import { transformGroup } from '../document/group';
 import { DEPTHS, scaledTo } from '../document/handle';
 import { C2WarpError } from '../error';
+import { inEnglish } from './english';
 import { errorWords } from './error_words';
 import { cornerWords, depthWords, draftWords, placeWords, selectionName } from './selection_words';
-import { inEnglish } from './told';
 
 const empty = openDocument(newProject({ src: '', width: 8, height: 8 }, null));
 const withPoint = (id: string, document: Document, depth = 0): Document =>

@@ -9,7 +9,7 @@ export const LOWEST = 316;
 /** The element is no lower than this, unless the page says so. */
 export const LEAST_HEIGHT = 240;
 
-/** Height of the editor if the page sets none: a picture has room between the bars. */
+/** Default height of the editor: enough for a picture between the bars. */
 export const OWN_HEIGHT = 480;
 
 /** Width of the element if the page sizes it by content, as in a flex row. */

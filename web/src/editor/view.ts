@@ -21,7 +21,7 @@ import { PHONE } from './sizes';
 import { type EditorState, projectOf, selectionOf } from './state';
 import type { Sheet, ViewState } from './view_state';
 
-/** Image pixels beyond the frame that rounding alone may cause. */
+/** Image pixels beyond the frame that may be due to rounding. */
 const SLACK = 0.5;
 
 /** Half of the least side of a box that the view zooms to, image pixels. */
@@ -85,7 +85,7 @@ const withCamera = (state: EditorState, camera: Camera): EditorState => ({
   view: { ...state.view, camera, fitted: false },
 });
 
-/** Bounding box of what is drawn: the posed picture and, unless its outline bounds it, the picture around it. */
+/** Bounding box of everything drawn: the posed picture and, unless its outline bounds it, the picture around it. */
 function drawnBounds(state: EditorState): Box {
   const posed = posedBounds(state);
   if (posed && projectOf(state).domain?.kind === 'alpha') return posed;

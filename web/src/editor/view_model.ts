@@ -96,7 +96,7 @@ export interface EditorModel {
   readonly grips: Grips;
   /** A press on the stage is in progress. */
   readonly pressing: boolean;
-  /** The word for a short press: fingers tap. */
+  /** The verb for a short press: fingers tap. */
   readonly press: 'click' | 'tap';
   /** Labels of the next undo and redo steps, or null. */
   readonly undo: string | null;
@@ -159,7 +159,7 @@ export interface EditorModel {
   readonly box: Box | null;
   /** Where the keyboard would place a handle, image pixels. */
   readonly crosshair: Vec | null;
-  /** Whether handles snap to guides, and the guides that what is moved or placed lies on. */
+  /** Whether handles snap to guides, and the guides through the item that is moved or placed. */
   readonly snapping: boolean;
   readonly guides: readonly Guide[];
   /** Whether the lasso snaps to edges of the picture. */
@@ -253,7 +253,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
   const draft = draftOf(tools);
   const overlays = overlaysOf(state);
   const notice = shownNotice(state);
-  const told = (words: Wording | null) => words && worded(texts, words);
+  const inWords = (words: Wording | null) => words && worded(texts, words);
   return {
     texts,
     document: documentOf(state),
@@ -282,8 +282,8 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     grips: gripsOf(state),
     pressing: isPressing(tools),
     press: state.pointer.coarse ? 'tap' : 'click',
-    undo: told(draft ? SET_CORNER : undoLabel(history)),
-    redo: told(hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history)),
+    undo: inWords(draft ? SET_CORNER : undoLabel(history)),
+    redo: inWords(hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history)),
     solved: shown?.report ?? null,
     task: shownTask(currentTask(state) ?? openingTask(state), texts),
     notice: notice && { ...notice, text: worded(texts, notice.text) },
@@ -363,7 +363,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),
     offers: (command) => offers(state, command),
-    reasonAgainst: (command) => told(reasonAgainst(state, command)),
+    reasonAgainst: (command) => inWords(reasonAgainst(state, command)),
     worded: (words) => worded(texts, words),
   };
 }
@@ -453,7 +453,7 @@ function ringedOf(state: EditorState): string | null {
   return ringedHandle({ document: documentOf(state), grips: gripsOf(state) }, hovered)?.id ?? null;
 }
 
-/** The index of the focused corner, if its bar or polygon alone is selected. */
+/** The index of the focused corner, if only its bar or polygon is selected. */
 function cornerInHand(state: EditorState): number | null {
   const { corner } = state.focus;
   const [only, ...others] = selectedHandles(documentOf(state));

@@ -66,7 +66,7 @@ export const toolToCome = ({ waiting, tools }: EditorState): ToolName =>
 export const waitingPlaces = ({ waiting }: EditorState): readonly Vec[] =>
   waiting.flatMap((event) => (event.type === 'press-began' ? [event.pointer.stage] : []));
 
-/** Input that is not about what the previous picture shows. */
+/** Input that does not refer to the previous picture. */
 const isNew = (event: EditorEvent): boolean =>
   event.type === 'press-began' ||
   event.type === 'place-pressed' ||

@@ -31,7 +31,7 @@ export interface WorkSnapshot extends Work {
   readonly thumbnail: string;
   /** Whether the guard against folds was on. */
   readonly guarded: boolean;
-  /** Whether handles snap to guides. Without it, the switch stays as it is. */
+  /** Whether handles snap to guides. Without it, the switch does not change. */
   readonly snapping?: boolean;
   /** Whether the lasso snaps to edges. Without it, the picture decides. */
   readonly edgeSnapping?: boolean;

@@ -62,7 +62,7 @@ export class FormPictures {
       // The form makes its data before this returns.
       if (this.#form.isConnected) this.#form.requestSubmit(submitter);
     } catch {
-      // Told already. Nothing is submitted.
+      // Already reported. Nothing is submitted.
     } finally {
       this.#drawn = null;
       this.#isDrawing = false;

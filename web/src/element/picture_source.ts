@@ -7,7 +7,11 @@ import type { PictureSource } from './api';
 /** The name of a picture without a file. */
 const NAME = 'picture.png';
 
-/** Encoding pixels as a file takes time. @throws as {@link pngOf}; TypeError for anything that is not a picture. */
+/**
+ * Encoding pixels as a file takes time.
+ *
+ * @throws the errors of {@link pngOf}; TypeError for anything that is not a picture.
+ */
 export function namedSource(source: PictureSource): string | NamedFile | Promise<NamedFile> {
   if (typeof source === 'string') return source;
   if (source instanceof URL) return source.href;

@@ -19,7 +19,7 @@ export interface SnappedPlace {
   readonly guides: readonly Guide[];
 }
 
-/** The least distance between lines of the grid, CSS pixels. Most places lie between them, and move freely. */
+/** The minimum distance between lines of the grid, CSS pixels. Most places lie between them, and move freely. */
 const GRID_CSS_PX = 64;
 
 /** Returns the distance between lines of the grid: 1, 2 or 5 times a power of ten. @param scale CSS px per image px. */

@@ -2,10 +2,10 @@
 import { addressInList, pictureInHtml } from '../editor/address';
 import type { NamedFile } from '../editor/picture';
 
-/** Receives what is dropped. */
+/** Receives dropped data. */
 export interface DropReceiver {
   files(files: readonly NamedFile[]): void;
-  /** An address; null if there is none in what was dropped. */
+  /** An address; null if the dropped data has none. */
   address(address: string | null): void;
 }
 

@@ -21,7 +21,7 @@ export function textChunk(keyword: string, text: string): PngChunk {
   return { type: 'iTXt', data: new TextEncoder().encode(`${keyword}\0\0\0\0\0${text}`) };
 }
 
-/** The text of a keyword in any file, of which a PNG alone is read as a whole. @throws as {@link textIn}. */
+/** The text of a keyword in any file, of which only a PNG is read as a whole. @throws the errors of {@link textIn}. */
 export async function textOfFile(file: Blob, keyword: string): Promise<string | null> {
   const start = new DataView(await readBytes(file.slice(0, SIGNATURE.length)));
   return isPng(start) ? textIn(await readBytes(file), keyword) : null;

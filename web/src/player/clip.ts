@@ -147,7 +147,7 @@ function readOrders(from: Bytes, lastFrame: number, triangles: number): Order[] 
   return Array.from({ length: count }, (_, index) => {
     const step = from.varint();
     frame += step;
-    from.check(step > 0 === index > 0 && frame <= lastFrame, 'has drawing orders out of order');
+    from.check(step > 0 === index > 0 && frame <= lastFrame, 'has unsorted drawing orders');
     const flags = from.byte();
     // The order of the mesh, its own one, or the one before.
     from.check(flags < 4 || (flags < 6 && index > 0), 'has an unknown kind of drawing order');

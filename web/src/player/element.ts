@@ -170,7 +170,8 @@ export class C2WarpPlayer extends PlayerAttributes {
    * with changes. If the poses of a rig need the solver, the first pose loads it, and is then shown.
    *
    * @param handles Positions in pixels of the picture, degrees, and scale factors.
-   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. Then nothing moves.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. On an error,
+   *   no handle moves.
    * @throws C2WarpError if the rig is not loaded yet, or cannot be posed.
    */
   pose(handles: readonly HandlePose[]): void {
@@ -253,7 +254,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#stop();
   }
 
-  /** The handles as they are shown. */
+  /** The handles with their shown poses. */
   #handles(): readonly Handle[] {
     const { shares, solved, rest } = this.#source.loaded?.rig ?? {};
     const sources = shares ?? solved;

@@ -4,7 +4,7 @@ import type { Handle, Place } from './shares';
 
 export interface Grips {
   readonly element: HTMLElement;
-  /** Shows the grips of these handles; null shows none. */
+  /** Shows the grips of these handles; null hides all. */
   show(handles: readonly Handle[] | null, view: View | null): void;
 }
 

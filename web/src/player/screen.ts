@@ -15,7 +15,7 @@ export interface Screen {
   unwatch(): void;
   /** Shows the canvas in the shape of a picture of this size. Null shows the poster or the slotted content instead. */
   showPicture(size: Size | null): void;
-  /** The address of an image to show until the picture is ready; empty to show none. */
+  /** The address of an image to show until the picture is ready; empty for no image. */
   setPoster(address: string): void;
   /** The size that the page sets; by default, the size of the picture, or else of the poster. */
   setSize(size: Size | null): void;

@@ -92,7 +92,7 @@ function created(): Stage {
       writeMotions(clip, rig.rest, at, own);
       figure.pose(own);
       const { width, height } = view;
-      // It only grows: each change of its size clears it, and costs memory anew.
+      // It only grows: each change of its size clears it and allocates memory again.
       if (canvas.width < width) canvas.width = width;
       if (canvas.height < height) canvas.height = height;
       painter.draw(rig, figure, order, view);

@@ -59,7 +59,7 @@ export class Painter {
   readonly #pictureProgram: Program;
   readonly #lineProgram: Program;
   #picture: PictureTexture | undefined;
-  /** The picture with its fill, drawn whole behind the mesh in place of the static background. */
+  /** The picture with its fill, drawn whole behind the mesh instead of the static background. */
   #filled: PictureTexture | undefined;
   #loaded: LoadedMesh | undefined;
   /** The static background behind the mesh, if any. */
@@ -179,7 +179,7 @@ export class Painter {
    * Sets the motions, sites × 12; null draws the mesh at rest.
    *
    * @param triangles The mesh's triangles in the drawing order of the pose; null keeps the order of the mesh.
-   * @param crossed The box around all crossings, whose edges are drawn; null draws none.
+   * @param crossed The box around all crossings, whose edges are drawn; null for no edges.
    */
   setMotions(
     motions: Float32Array | null,
@@ -196,7 +196,7 @@ export class Painter {
     this.#reorder(loaded, triangles ?? loaded.mesh.triangles);
   }
 
-  /** Sets the heat map over the picture; null draws the picture alone. */
+  /** Sets the heat map over the picture; null draws only the picture. */
   setHeat(heat: HeatMap | null): void {
     if (!heat) {
       this.#heat?.clear();

@@ -91,7 +91,7 @@ export class SolutionDeformation implements Deformation {
     try {
       this.#pose = this.#poseOf(project);
     } catch {
-      // The picture stays as it was until the pose can be computed again.
+      // The picture does not change until the pose can be computed again.
     }
     return this.#pose;
   }

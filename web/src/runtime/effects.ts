@@ -106,7 +106,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'use-storage': (effect, { storage }) => storage.use(effect.key),
   'read-storage': (_, { storage }) => storage.read(),
   store: (effect, { storage }) => storage.store(effect.work, effect.recent, effect.changed),
-  'tell-tabs': (_, { storage }) => storage.tellTabs(),
+  'notify-tabs': (_, { storage }) => storage.notifyTabs(),
   focus: (effect, { focus }) => focus.move(effect.target),
   'focus-control': (effect, { focus }) => focus.moveToControl(effect.control),
   'leave-field': (_, { focus }) => focus.leaveField(),

@@ -28,7 +28,7 @@ export class FocusKeeper {
       capture: true,
     });
     host.ownerDocument.addEventListener('pointerdown', elsewhere, { signal, capture: true });
-    // At the document, an event's path omits what is inside a closed shadow root.
+    // At the document, an event's path omits the nodes inside a closed shadow root.
     host.addEventListener('pointerdown', () => this.#enter(true), { signal, capture: true });
   }
 

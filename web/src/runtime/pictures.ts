@@ -22,7 +22,7 @@ export class Pictures {
   }
 
   /**
-   * Reads a picture. It stays open until the reader hands it over or drops it.
+   * Reads a picture. It stays open until the reader passes it on or drops it.
    *
    * @throws C2WarpError whose message begins with the file's name; AbortError if the signal is aborted.
    */
@@ -115,7 +115,7 @@ async function openedFile(
   }
 }
 
-/** An error with the file's name before its message. An AbortError stays as it is. */
+/** An error with the file's name before its message. An AbortError is passed on unchanged. */
 export function withFileName(name: string, error: unknown): unknown {
   if (!(error instanceof Error) || error instanceof DOMException) return error;
   const wording = say('errors.inFile', name, errorWords(error));

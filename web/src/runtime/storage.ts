@@ -32,7 +32,7 @@ export class Storage {
     this.#work?.write(work, recent, changed);
   }
 
-  tellTabs(): void {
+  notifyTabs(): void {
     this.#tabs?.postMessage(null);
   }
 

@@ -130,7 +130,7 @@ export class StoredWork {
     }
   }
 
-  /** Writes the changes alone, since other tabs may have added to the list. */
+  /** Writes only the changes, since other tabs may have added to the list. */
   #putRecent(values: StoredValues, recent: readonly WorkSnapshot[]): void {
     const now = byId(recent);
     for (const id of this.#recent.keys()) if (!now.has(id)) values.delete(this.#nameOf(id));

@@ -160,7 +160,7 @@ describe('drawing a bar', () => {
     expect(machine.takenBack).toBe(false);
     expect(machine.draft?.corners.at(-1)).toEqual([260, 260]);
     bench.apply(machine.back());
-    // A press that is given up sets none.
+    // A cancelled press does not set a line.
     bench.down([200, 260]);
     bench.apply(machine.cancel());
     expect(machine.takenBack).toBe(true);

@@ -18,7 +18,7 @@ export const STEP_DEGREES = 45;
 const SPACING = 1;
 const TOLERANCE = 0.5;
 const SNAP_SPACING = 12;
-/** An edge farther from a drag than this is not the one that is meant. */
+/** Edges farther than this from a drag are ignored. */
 const SNAP_REACH = 4;
 
 /** The longest whisker. */

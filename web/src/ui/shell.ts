@@ -63,7 +63,7 @@ export function shell(
   ${model.disabled ? disabledStage(model) : nothing}`;
 }
 
-/** The height of the element if the page sets none: that of the picture, or enough for the editor. */
+/** The default height of the element: that of the picture, or enough for the editor. */
 function room({ posable, picture }: EditorModel): TemplateResult {
   if (!posable) return html`<div .style=${`height: ${OWN_HEIGHT}px`}></div>`;
   const size = picture

@@ -61,7 +61,7 @@ fn figure() -> SceneFolder {
     })
 }
 
-/// Bars, which stretch along their lines alone.
+/// Bars, which stretch only along their lines.
 fn bars() -> SceneFolder {
     SceneFolder::new("tower")
 }

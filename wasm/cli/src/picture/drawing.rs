@@ -25,7 +25,7 @@ pub(super) fn rendered(bytes: Vec<u8>, path: &Path, size: Option<(u32, u32)>) ->
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     let drawing = read(text).map_err(refused)?;
     for remark in drawing.remarks() {
-        error::tell(format_args!("{}: {remark}", path.display()));
+        error::print(format_args!("{}: {remark}", path.display()));
     }
     let [own_width, own_height] = drawing.size();
     let (width, height) = size_in_pixels(drawing.size(), size);

@@ -2,7 +2,7 @@
 
 use c2warp_vector::fontdb::{Database, Family, Query};
 
-/// Families in place of generic ones that the system lacks.
+/// Replacements for generic families that the system lacks.
 const SERIF: &[&str] = &["DejaVu Serif", "Liberation Serif", "Noto Serif"];
 const SANS: &[&str] = &["DejaVu Sans", "Liberation Sans", "Noto Sans"];
 const MONOSPACE: &[&str] = &["DejaVu Sans Mono", "Liberation Mono", "Noto Sans Mono"];

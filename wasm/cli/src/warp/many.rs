@@ -30,7 +30,7 @@ use crate::workers;
 /// One result.
 struct Job {
     project: PathBuf,
-    /// A picture in place of the project's own.
+    /// A picture that replaces the project's own.
     image: Option<PathBuf>,
     /// The name of the result, without its folder.
     name: OsString,
@@ -75,8 +75,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
         batch.project(&projects[0])?;
     }
     let failed = AtomicBool::new(false);
-    let tell = |reason: CliError| {
-        error::tell(reason);
+    let report = |reason: CliError| {
+        error::print(reason);
         failed.store(true, Ordering::Relaxed);
     };
     projects.iter().chain(&images).for_each(|path| files::note_input(path));
@@ -85,13 +85,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let origins = Mutex::new(vec![None; jobs.len()]);
     workers::each(threads, &jobs, |index, job| match batch.work(job) {
         Ok(origin) => origins.lock().unwrap_or_else(PoisonError::into_inner)[index] = Some(origin),
-        Err(reason) => tell(reason),
+        Err(reason) => report(reason),
     });
     if arguments.drawing.grow {
         let origins = origins.into_inner().unwrap_or_else(PoisonError::into_inner);
         print_origins(&jobs, &origins).map_err(CliError::Print)?;
     }
-    if failed.into_inner() { Err(CliError::Told) } else { Ok(()) }
+    if failed.into_inner() { Err(CliError::Reported) } else { Ok(()) }
 }
 
 /// The pictures; a folder stands for its files, sorted by name. Hidden files and subfolders are left out.

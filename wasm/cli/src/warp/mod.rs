@@ -72,7 +72,7 @@ impl Arguments {
         self.jobs.unwrap_or_else(workers::cores)
     }
 
-    /// The pictures in place of the project's own, with their folders.
+    /// The pictures that replace the project's own, with their folders.
     fn images(&self) -> &[PathBuf] {
         if self.project.is_some() { &self.inputs } else { &self.images }
     }

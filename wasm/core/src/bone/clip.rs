@@ -25,7 +25,7 @@ const AT_END: f64 = 8.0;
 /// A part that ends this near to the end of its span, in pixels, stays connected to the joint there. So a bar remains
 /// one body if its corner sticks out invisibly. Two separate bodies would cost hundreds of sites.
 const CONNECTED: f64 = 0.5;
-/// Greatest number of steps along a segment: enough for the diagonal of the largest picture at a held outline's
+/// Maximum number of steps along a segment: enough for the diagonal of the largest picture at a held outline's
 /// clearance.
 const MAX_STEPS: f64 = std::f64::consts::SQRT_2 * MAX_SIDE as f64 / HELD_CLEARANCE;
 /// Number of bisections that find the crossing of the outline to the last digits.

@@ -30,7 +30,7 @@ pub use polyline::OutsidePart;
 pub(crate) use polyline::Polyline;
 pub(crate) use skeleton::Skeleton;
 
-/// Points this close to a bone, in pixels, lie on it. Rounding errors are far smaller, and the least distance between
+/// Points this close to a bone, in pixels, lie on it. Rounding errors are far smaller, and the minimum distance between
 /// handles is far greater.
 const ON_BONE: f64 = 1e-6;
 

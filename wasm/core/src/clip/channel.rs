@@ -225,7 +225,7 @@ mod tests {
         #[test]
         fn smooth_values_have_a_continuous_rate(knots in knots(), repeats: bool) {
             let smooth: Vec<_> = knots.iter().map(|&(time, value, _)| (time, value, Ease::Smooth)).collect();
-            // A jump at the seam is what such knots ask for.
+            // Such knots require a jump at the seam.
             prop_assume!(!(repeats && smooth.len() > 1 && smooth[0].0 == 0.0 && smooth[smooth.len() - 1].0 == PERIOD));
             let channel = channel(&smooth, repeats.then_some(PERIOD));
             let at = |time: f64| value(&channel, if repeats { time.rem_euclid(PERIOD) } else { time });

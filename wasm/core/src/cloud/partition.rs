@@ -132,7 +132,7 @@ impl<'a> CloudPartition<'a> {
     }
 }
 
-/// The greatest number and its index; of ties, the first.
+/// The largest number and its index; of ties, the first.
 fn greatest(ranks: impl Iterator<Item = f64>) -> (f64, usize) {
     ranks.enumerate().fold((f64::NEG_INFINITY, 0), |best, (at, rank)| if rank > best.0 { (rank, at) } else { best })
 }

@@ -163,7 +163,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether two triangles have a common area, by the separating axis theorem. Degenerate triangles have none.
+/// Whether two triangles have a common area, by the separating axis theorem. Degenerate triangles do not have one.
 fn overlap([a, b]: [Corners; 2]) -> bool {
     let ([low_a, high_a], [low_b, high_b]) = (bounds(a), bounds(b));
     if (high_a.cmple(low_b) | high_b.cmple(low_a)).any() {

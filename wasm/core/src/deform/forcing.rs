@@ -22,7 +22,7 @@ const CANDIDATES: usize = 6;
 const LEAST_INFLUENCE: f64 = 0.1;
 /// Influences with a smaller relative difference are tied.
 const TIE: f64 = 1e-9;
-/// Greatest number of released handles, those of the largest creases first.
+/// Maximum number of released handles, those of the largest creases first.
 pub(super) const MOST_RELEASED: usize = 10;
 /// A handle relieves a crease if its release unfolds at least this share of the crease's area.
 const LEAST_RELIEF: f64 = 0.25;

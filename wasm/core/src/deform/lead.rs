@@ -16,7 +16,7 @@ const SAME_DEPTH: f64 = 1e-4;
 pub enum Lead {
     /// Behind at least one of them.
     Behind,
-    /// Equally deep as at least one of them, and behind none.
+    /// As deep as at least one of them, and not behind any.
     Level,
     /// In front of all of them, also if it crosses nothing.
     Front,

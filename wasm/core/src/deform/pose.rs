@@ -1,5 +1,5 @@
 //! The posed position of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual). Where a
-//! brush has displaced the picture, sites take p + d(p) in place of p: p′ = Σ w_i(p) T_i(p + d(p)).
+//! brush has displaced the picture, sites take p + d(p) instead of p: p′ = Σ w_i(p) T_i(p + d(p)).
 //!
 //! `web/src/render/warp.vert.glsl` is the only other implementation. Cost: a few floating-point operations for each
 //! site that moves the point.

@@ -123,7 +123,7 @@ impl DistanceField {
         before.reduce(|best, path| if path.distance < best.distance { path } else { best })
     }
 
-    /// The least distance to a point of the segment from `a` to `b` in one triangle. It is infinite beyond the bound,
+    /// The minimum distance to a point of the segment from `a` to `b` in one triangle. It is infinite beyond the bound,
     /// and if no path exists.
     pub(crate) fn distance_to_segment(&self, triangle: NavTriangle, a: DVec2, b: DVec2) -> f64 {
         let mut best = f64::INFINITY;

@@ -6,7 +6,7 @@
 //! point.
 //!
 //! [`Distances`] finds the pseudo-sources exactly. It propagates visibility windows through [`Navigation`], a
-//! triangulation of the outline alone. No samples are involved, so the result does not depend on sampling. The paper
+//! triangulation of the outline only. No samples are involved, so the result does not depend on sampling. The paper
 //! approximates distances by Dijkstra's algorithm on a [graph] over the samples. This method is kept as the reference,
 //! and [point clouds](crate::cloud) use it.
 //!

@@ -74,7 +74,7 @@ struct Penumbra {
     offset: f64,
     /// sin(w / 2).
     width: f64,
-    /// Greatest length of paths that are lengthened.
+    /// Maximum length of paths that are lengthened.
     reach: f64,
 }
 

@@ -1,6 +1,6 @@
 //! Computes the windows of a distance field: continuous Dijkstra over the navigation mesh.
 //!
-//! Windows and corners are processed in the order of their least distance. A window crosses its triangle, assigns a
+//! Windows and corners are processed in the order of their minimum distance. A window crosses its triangle, assigns a
 //! distance to the opposite corner, and continues through the far edges that it sees. A reflex corner becomes a
 //! pseudo-source for directions that are only visible from paths around it.
 //!
@@ -124,7 +124,7 @@ impl Propagation {
         &self.bends
     }
 
-    /// Sorts the windows by triangle, and within each by least distance.
+    /// Sorts the windows by triangle, and within each by minimum distance.
     fn collect(&mut self, source: DVec2, bound: f64) -> DistanceField {
         // Sort the indices first: a window is long to move, and most triangles have one or two.
         self.order.clear();

@@ -17,7 +17,7 @@ use crate::segment::nearest_on_segment;
 const OVERLAP: f64 = 1e-7;
 
 impl DistanceField {
-    /// The least distance of a point with two shortest paths. It is infinite if no such point lies within the bound.
+    /// The minimum distance of a point with two shortest paths. It is infinite if no such point lies within the bound.
     pub(crate) fn unique_radius(&self, navigation: &Navigation) -> f64 {
         let mut least = f64::INFINITY;
         for at in 0..self.triangles.len() {
@@ -37,7 +37,7 @@ impl DistanceField {
     }
 }
 
-/// The least distance at which both windows reach a common point of a triangle; infinite if they see no common point.
+/// The minimum distance at which both windows reach a common point of a triangle; infinite if they see no common point.
 fn least_common_distance(one: &Window, other: &Window, corners: [DVec2; 3]) -> f64 {
     let mut seen: Vec<DVec2> = corners.to_vec();
     for window in [one, other] {

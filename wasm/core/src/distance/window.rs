@@ -19,7 +19,7 @@ pub(crate) struct Window {
     pub(crate) first: DVec2,
     /// Unit direction of the cone's last ray.
     pub(crate) last: DVec2,
-    /// Least distance of any point in the window. It orders the windows of a triangle.
+    /// Minimum distance of any point in the window. It orders the windows of a triangle.
     pub(crate) nearest: f64,
 }
 

@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::ring::Ring;
 
-/// Least distance of a crossing from the nodes of its edge, as a fraction of the edge.
+/// Minimum distance of a crossing from the nodes of its edge, as a fraction of the edge.
 ///
 /// It keeps the crossings of a contour distinct, even if a pixel's alpha equals the threshold.
 const NODE_CLEARANCE: f64 = 1.0 / 64.0;

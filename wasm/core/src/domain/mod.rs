@@ -52,8 +52,7 @@ impl Domain {
         Self::bounded(spec, picture, false)
     }
 
-    /// The domain of a project that specifies none: the opaque part of a picture with transparency, or the whole of
-    /// other pictures.
+    /// The default domain of a project: the opaque part of a picture with transparency, or the whole of other pictures.
     #[must_use]
     pub fn default_spec(picture: &Picture<'_>) -> DomainSpec {
         let threshold = DomainSpec::THRESHOLD;
@@ -197,7 +196,7 @@ impl Domain {
         self.detail
     }
 
-    /// Greatest width of a gap that the domain includes to reduce the corners of its outline, in pixels.
+    /// Maximum width of a gap that the domain includes to reduce the corners of its outline, in pixels.
     #[must_use]
     pub fn bridged_gap(&self) -> f64 {
         self.gap

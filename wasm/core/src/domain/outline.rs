@@ -42,7 +42,7 @@ pub enum OutlineDetail {
 /// How many corners an outline may have, and how far it may be from the contour.
 pub(super) struct Bounds {
     most_corners: usize,
-    /// Greatest distance of the contour from the simplified outline, in pixels, for each attempt.
+    /// Maximum distance of the contour from the simplified outline, in pixels, for each attempt.
     tolerances: &'static [(f64, OutlineDetail)],
 }
 

@@ -224,7 +224,7 @@ pub enum Error {
         id: String,
         /// Distance of the handle from the domain, in pixels.
         distance: f64,
-        /// Greatest distance that a handle is moved, in pixels.
+        /// Maximum distance that a handle is moved, in pixels.
         most: f64,
     },
     /// Two handles coincide.
@@ -285,7 +285,7 @@ pub enum Error {
         count: usize,
         /// The distance that counts as close, in pixels.
         within: f64,
-        /// Greatest number of such handles.
+        /// Maximum number of such handles.
         max: usize,
         /// Id of the first of them.
         id: String,
@@ -298,7 +298,7 @@ pub enum Error {
     OutlineTooLong {
         /// Its length, in pixels.
         length: f64,
-        /// Greatest length, in pixels.
+        /// Maximum length, in pixels.
         max: f64,
     },
     /// Bars and polygons have too many segments.

@@ -35,7 +35,7 @@ pub(super) struct Level {
     pub(super) is_source: Vec<bool>,
     /// The centres of all patches without a hole.
     pub(super) sources: Vec<u32>,
-    /// Greatest distance of a texel of the hole from its rim, in steps along rows and columns.
+    /// Maximum distance of a texel of the hole from its rim, in steps along rows and columns.
     pub(super) depth: usize,
     /// For each texel, its distance from the rim, 1 at the rim and 0 outside the hole.
     pub(super) depths: Vec<u16>,

@@ -6,7 +6,7 @@ use super::level::{Level, Texel};
 use crate::domain::Mask;
 use crate::picture::Picture;
 
-/// Greatest number of texels to work on. Matching them takes most of the time of a fill.
+/// Maximum number of texels to work on. Matching them takes most of the time of a fill.
 const MOST_TEXELS: u64 = 250_000;
 /// Surroundings on each side, as a fraction of the longer side of the hole, and a minimum in pixels.
 const SURROUNDINGS: f64 = 0.75;

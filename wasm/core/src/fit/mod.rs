@@ -29,7 +29,7 @@ use crate::{
     solve_input::check_picture,
 };
 
-/// The greatest distance that a handle is moved into a new outline, as a fraction of the diagonal of the outline's box.
+/// The maximum distance that a handle is moved into a new outline, as a fraction of the diagonal of the outline's box.
 pub const REACH: f64 = 0.05;
 
 /// Fits a project to other pictures.

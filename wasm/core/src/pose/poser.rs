@@ -298,7 +298,7 @@ impl Poser {
         extent(&self.rest)
     }
 
-    /// The greatest distance between the same site in two poses, and the same handle, in pixels.
+    /// The maximum distance between the same site in two poses, and the same handle, in pixels.
     ///
     /// A turn is weighted by half the mean distance of neighbouring sites. Turns that handles leave free do not count
     /// for handles.

@@ -22,7 +22,7 @@ pub enum DomainSpec {
     Image,
     /// The part of the picture with enough opacity.
     Alpha {
-        /// Least opacity of the domain, above 0 and up to 1.
+        /// Minimum opacity of the domain, above 0 and up to 1.
         #[cfg_attr(feature = "schema", schemars(default = "default_threshold", extend("exclusiveMinimum" = 0), range(max = 1)))]
         threshold: f64,
     },

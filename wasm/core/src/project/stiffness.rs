@@ -55,7 +55,7 @@ impl Stiffness {
     /// The stiffness at a point given as fractions of the picture's width and height: from 0 to 1, bilinear.
     ///
     /// # Panics
-    /// If there is not one value per cell.
+    /// If the number of values differs from the number of cells.
     #[must_use]
     pub fn at(&self, place: DVec2) -> f64 {
         bilinear([self.width, self.height], &self.values, place)
@@ -127,7 +127,7 @@ mod tests {
         let mask = Stiffness::new(4, 2, vec![0, 0, 255, 255, 0, 0, 51, 0]);
         let [from, to] = [DVec2::new(40.0, 20.0), DVec2::new(80.0, 60.0)];
         assert_eq!(mask.mapped(&DAffine2::from_scale(to / from), from, to), Some(mask.clone()));
-        // A picture with ten more pixels on the left, and none of the right half.
+        // A picture with ten more pixels on the left, and without the right half.
         let map = DAffine2::from_translation(DVec2::new(10.0, 0.0));
         assert_eq!(mask.mapped(&map, from, DVec2::new(30.0, 20.0)), None);
         let wider = mask.mapped(&map, from, DVec2::new(50.0, 20.0));

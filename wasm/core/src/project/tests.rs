@@ -99,10 +99,7 @@ fn errors_in_clips_name_the_key() {
             track("head", r#"[{ "time": 0.5 }, { "time": 0.5 }]"#),
             "clips[0].tracks[0].keys[1].time: expected a time after 0.5, that of the previous key, found 0.5",
         ),
-        (
-            key(r#""time": 0, "posed": [1]"#),
-            "clips[0].tracks[0].keys[0].posed: expected a point [x, y], found 1 values",
-        ),
+        (key(r#""time": 0, "posed": [1]"#), "clips[0].tracks[0].keys[0].posed: expected a point [x, y], found 1 value"),
         (
             key(r#""time": 0, "posed": [[1, 2], [3, 4]]"#),
             "clips[0].tracks[0].keys[0].posed: expected a point [x, y], found 2 points",
@@ -176,8 +173,8 @@ fn errors_name_the_key() {
         (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
         (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),
         ("[128, 40.5]", r#"["x", 40.5]"#, r#"handles[0].rest[0]: expected a number, found "x""#),
-        ("[128, 40.5]", "[128]", "handles[0].rest: expected a point [x, y], found 1 values"),
-        ("[128, 40.5]", "[[1, 2]]", "handles[0].rest: expected a point [x, y], found 1 values"),
+        ("[128, 40.5]", "[128]", "handles[0].rest: expected a point [x, y], found 1 value"),
+        ("[128, 40.5]", "[[1, 2]]", "handles[0].rest: expected a point [x, y], found 1 value"),
         ("15", r#""automatic""#, r#"handles[0].rotation: expected a number of degrees or "auto", found "automatic""#),
         (r#""scale": 1"#, r#""scale": 0"#, "handles[0].scale: expected a number above 0, found 0"),
         (r#""scale": 1"#, r#""scale": -2"#, "handles[0].scale: expected a number above 0, found -2"),

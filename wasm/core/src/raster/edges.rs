@@ -41,7 +41,7 @@ const STRETCH: f32 = 3.0;
 /// Number of rows that are darkened together.
 const LAYER_ROWS: usize = 128;
 
-/// The points of the picture at a pixel; NaN for none.
+/// The points of the picture at a pixel; NaN if it has fewer.
 #[derive(Clone, Copy)]
 struct Layers {
     top: Vec2,

@@ -25,7 +25,7 @@ use crate::{
     weight::SparseWeights,
 };
 
-/// Greatest distance of a vertex from its exact position, in pixels.
+/// Maximum distance of a vertex from its exact position, in pixels.
 pub(super) const TOLERANCE: f64 = 0.1;
 /// Fractions of this error: for the steps of rest positions, then for positions and weights together, then for motions
 /// as well. The rest is for linear interpolation between frames.
@@ -60,9 +60,9 @@ pub(super) fn bake(
     solution: &Solution,
     picture: RigPicture,
     posable: Posable,
-    tell: &mut dyn FnMut(f64),
+    on_progress: &mut dyn FnMut(f64),
 ) -> Result<Rig, BakeError> {
-    let progress = &mut Progress::new(MotionSequence::count_frames(project, solution)?, tell);
+    let progress = &mut Progress::new(MotionSequence::count_frames(project, solution)?, on_progress);
     let blend = project.pose.blend;
     let sequences = MotionSequence::all(project, solution, progress)?;
     let poses = Poses::of(project, solution, posable)?;
@@ -151,7 +151,7 @@ impl<'a> Poses<'a> {
         }
     }
 
-    /// The greatest distance of a vertex from its exact position in any probe. Stops at the first probe above `most`.
+    /// The maximum distance of a vertex from its exact position in any probe. Stops at the first probe above `most`.
     fn error(
         &self,
         [exact, stored]: [&Skin; 2],

@@ -13,7 +13,7 @@ use crate::{
 
 /// The finest steps of any number.
 const MOST_BITS: u8 = 24;
-/// Greatest number of frames of a clip, so that no reader runs out of memory.
+/// Maximum number of frames of a clip, so that no reader runs out of memory.
 const MOST_FRAMES: u32 = 1 << 16;
 /// Numbers of a motion: angle, three of the strain, and two of the translation.
 const NUMBERS: usize = 6;
@@ -178,7 +178,7 @@ impl RigClip {
             let step = from.varint()?;
             let is_next = orders.last().map_or(step == 0, |_| step > 0);
             let frame = orders.last().map_or(0, |order| order.frame).saturating_add(step);
-            from.expect(is_next && frame <= last_frame, "has drawing orders out of order")?;
+            from.expect(is_next && frame <= last_frame, "has unsorted drawing orders")?;
             let order = Order::read(from, frame, orders.last(), triangles)?;
             orders.push(order);
         }

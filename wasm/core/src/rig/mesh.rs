@@ -188,7 +188,7 @@ impl Weights {
         }
         let mut before = 0..0;
         for row in rows() {
-            // The first weight is what the others leave.
+            // The first weight is 1 minus the others.
             for entry in row.clone().skip(1) {
                 to.signed(self.shares[entry] as i32 - self.share_in(&before, self.sites[entry]) as i32);
             }

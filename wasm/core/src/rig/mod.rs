@@ -139,9 +139,9 @@ impl Rig {
         solution: &Solution,
         picture: RigPicture,
         posable: Posable,
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> Result<Self, BakeError> {
-        bake::bake(project, solution, picture, posable, tell)
+        bake::bake(project, solution, picture, posable, on_progress)
     }
 
     /// The picture.
@@ -300,7 +300,7 @@ impl Rig {
             let posing = next(&mut sections, POSING, RigPart::Posing)?;
             let mut from = Reader::new(RigPart::Posing, &posing);
             rig.posing = Posing::read(&mut from, Some(&rig.handles), Some(rig.sites()))?;
-            // A later format is as good as none: clips play on.
+            // A later format is ignored: clips still play.
             if rig.posing.is_some() {
                 from.end()?;
             }
@@ -449,7 +449,7 @@ mod tests {
         assert_ne!(rig.vertices(), rig.displaced_vertices());
         let mut sections = Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap().1);
         assert_eq!(sections[4].tag, DISPLACEMENTS);
-        // The first version knows no such section.
+        // The first version does not know such a section.
         let plain = Rig::from_bytes(&packed(1, &sections).unwrap()).unwrap();
         assert_eq!(plain.displaced_vertices(), rig.vertices());
         for end in 0..sections[4].bytes.len() {

@@ -137,7 +137,7 @@ impl Posing {
         write_places(&nodes().map(|node| steps_of(node.at, bits.node)).collect::<Vec<_>>(), to);
         write_logs(nodes().map(|node| node.area), bits.log, to);
         write_rows(nodes().map(|node| node.influences.iter().map(|one| one.site as u32)), to);
-        // The first one has what the others leave.
+        // The first one is 1 minus the others.
         let others = || nodes().flat_map(|node| node.influences.iter().skip(1));
         others().for_each(|one| to.varint(steps(one.weight, bits.weight) as u32));
         others().for_each(|one| to.signed(steps(one.gradient.x, bits.gradient)));

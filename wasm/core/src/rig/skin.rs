@@ -21,7 +21,7 @@ impl Skin {
     }
 }
 
-/// The greatest distance between two positions of one vertex. It is infinite for non-finite positions.
+/// The maximum distance between two positions of one vertex. It is infinite for non-finite positions.
 pub(super) fn greatest_distance(a: &[DVec2], b: &[DVec2]) -> f64 {
     let distance = |(a, b): (&DVec2, &DVec2)| a.distance(*b);
     let greater = |most: f64, d: f64| if d.is_nan() { f64::INFINITY } else { most.max(d) };

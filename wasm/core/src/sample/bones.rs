@@ -12,7 +12,7 @@ use crate::{domain::Domain, grid::Grid, triangulation::OUTLINE_TOLERANCE};
 /// It is less than twice the distance that other samples keep from the bone. The circle over two neighbours is then
 /// empty, so the edge between them belongs to the Delaunay mesh.
 const BONE_SPACING: f64 = 1.9 * LATTICE_CLEARANCE;
-/// Least distance of a bone's samples from earlier ones, as a multiple of the lattice spacing.
+/// Minimum distance of a bone's samples from earlier ones, as a multiple of the lattice spacing.
 const MIN_DISTANCE: f64 = 0.3;
 
 /// Adds evenly spaced samples along each bone, including both ends.

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use crate::domain::Domain;
 
-/// Least distance of lattice points from the outline and from bones, as a multiple of the spacing.
+/// Minimum distance of lattice points from the outline and from bones, as a multiple of the spacing.
 ///
 /// Closer points make slivers. It is not one half, because rounding would then matter on outlines parallel to the
 /// lattice.
@@ -68,7 +68,7 @@ impl Lattice {
         row.abs_diff(self.rows / 2) % 2 == 1
     }
 
-    /// One more than the greatest number of steps from the top left corner to a triangle: half a spacing to the right,
+    /// One more than the maximum number of steps from the top left corner to a triangle: half a spacing to the right,
     /// or a row down.
     pub(super) fn steps(&self) -> usize {
         self.rows + 2 * self.columns + 1

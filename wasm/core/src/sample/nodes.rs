@@ -160,7 +160,7 @@ impl Nodes {
         &self.runs.lattice
     }
 
-    /// One more than the greatest number.
+    /// One more than the maximum number.
     pub(super) fn numbers(&self) -> usize {
         self.is_node.len()
     }

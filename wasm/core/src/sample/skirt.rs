@@ -15,7 +15,7 @@ use crate::domain::corners_between;
 
 /// Width of the skirt, in pixels. An antialiased edge fades within one pixel, a softly drawn edge within three.
 pub(super) const WIDTH: f64 = 3.0;
-/// Greatest distance of a corner's offset vertex, as a multiple of the width.
+/// Maximum distance of a corner's offset vertex, as a multiple of the width.
 const MAX_MITRE: f64 = 2.0;
 
 /// Vertices around the outline that move with its samples, and the triangles between both.

@@ -20,7 +20,7 @@ pub(crate) struct SpriteSamples {
 
 impl SpriteSamples {
     /// As many points as possible up to `most`, for meshes that may duplicate `again` points of the outline. `None` if
-    /// the corners alone are too many.
+    /// there are too many corners.
     pub(crate) fn new(domain: &Domain, most: usize, again: bool) -> Option<Self> {
         let count = |on_outline: usize, inside: usize| on_outline * (1 + usize::from(again)) + inside;
         let corners: usize = domain.rings().iter().map(Vec::len).sum();

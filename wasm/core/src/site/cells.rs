@@ -162,7 +162,7 @@ impl Cells {
         std::iter::successors(some(self.first[site]), move |&at| some(self.next[at]))
     }
 
-    /// The greatest distance of a cell's samples, 0 if the cell has none: a lower bound of the cell radius.
+    /// The maximum distance of a cell's samples, 0 if the cell has none: a lower bound of the cell radius.
     pub(super) fn sampled_radius(&self, site: usize) -> f64 {
         let farthest = self.farthest[site];
         if farthest == NONE { 0.0 } else { self.distance[farthest as usize] }

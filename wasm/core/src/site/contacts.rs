@@ -50,7 +50,7 @@ struct Border {
 }
 
 impl Contacts {
-    /// The open contacts whose sites are farthest apart, with all ties. Empty if none is open.
+    /// The open contacts whose sites are farthest apart, with all ties. Empty if all are closed.
     pub(super) fn widest(&mut self, inserter: &SiteInserter) -> Vec<FarPoint> {
         let voronoi = &inserter.voronoi;
         self.close(voronoi);

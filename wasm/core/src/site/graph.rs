@@ -12,9 +12,9 @@
 use super::{Site, SiteField};
 use crate::bone::Skeleton;
 
-/// Greatest distance of linked sites, over the distance at which their cells can touch. In a regular packing,
-/// neighbours are at 0.87 of that distance and second neighbours at 1.5; in a corridor, at 1 and 2. Second neighbours
-/// are not linked.
+/// Maximum distance of linked sites, over the distance at which their cells can touch. In a regular packing, neighbours
+/// are at 0.87 of that distance and second neighbours at 1.5; in a corridor, at 1 and 2. Second neighbours are not
+/// linked.
 const LINK_REACH: f64 = 1.3;
 
 /// Weighted links between sites.

@@ -20,8 +20,8 @@ use crate::{
     sample::CoarseSamples,
 };
 
-/// Bound of the fields of real sites, relative to the greatest distance in their cells. If there are bones, the bound
-/// of all fields. Nearly all supports end within it, so the fields find their obstacles.
+/// Bound of the fields of real sites, relative to the maximum distance in their cells. If there are bones, the bound of
+/// all fields. Nearly all supports end within it, so the fields find their obstacles.
 const FIELD_REACH: f64 = 1.75;
 
 /// The domain, partitioned into the cells of its sites.

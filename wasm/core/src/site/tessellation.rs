@@ -1,7 +1,7 @@
 //! Sites along bones and along a held outline (section V-D). The spacing is locally adapted, which the paper's
 //! conclusion leaves to future work.
 //!
-//! The paper divides all bars into pieces as long as the least distance between any two handles. Here, a gap between
+//! The paper divides all bars into pieces as long as the minimum distance between any two handles. Here, a gap between
 //! sites depends on the reach of the sites at its ends, so a close pair only costs sites near it. If a gap is too large
 //! for their reach, a site is inserted at its midpoint. Supports then overlap enough for the weight of a bar to be
 //! constant along it within a few per cent. Gaps are checked again after each round of Algorithm 1.
@@ -28,7 +28,7 @@ use crate::{
 
 /// Only rounding errors require a site closer to another than this, in pixels. Insertion would then not terminate.
 const MIN_SPACING_PX: f64 = 1e-9;
-/// Least distance of a virtual site from a bone or held outline, relative to its distance from the nearest site.
+/// Minimum distance of a virtual site from a bone or held outline, relative to its distance from the nearest site.
 const LINE_CLEARANCE: f64 = 0.9;
 /// A chain needs no new site if it has one this close to the encroached point, relative to the distance of that point.
 const NEAR_ENOUGH: f64 = 0.05;

@@ -40,7 +40,7 @@ const MARGIN: f64 = 0.05;
 const CROWDED: f64 = 0.5;
 
 /// Weight of a contact relative to a cell in the choice of the next site: compares `CONTACT · √distance` with
-/// [`size_rank`]. With 1.5 instead of 2, narrow gaps between bars get no sites; with 3, sites are missing elsewhere.
+/// [`size_rank`]. With 1.5 instead of 2, narrow gaps between bars have no sites; with 3, sites are missing elsewhere.
 const CONTACT: f64 = 2.0;
 
 /// Cells with a smaller radius than this fraction of the mean spacing of `density` sites are divided last. Without it,

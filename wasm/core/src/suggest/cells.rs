@@ -19,7 +19,7 @@ pub(super) const UNITS: u32 = 5;
 pub(super) const FAR: u32 = u32::MAX;
 /// Approximate number of cells that cover a domain.
 const CELLS: f64 = 120_000.0;
-/// Greatest number of cells that cover its bounding box.
+/// Maximum number of cells that cover its bounding box.
 const BOX_CELLS: f64 = 6e5;
 /// Smallest useful cell of a picture, in pixels.
 const LEAST_SIDE: f64 = 0.25;
@@ -132,7 +132,7 @@ impl Cells {
         both as f64 / cells().count().max(1) as f64
     }
 
-    /// The nearby cell in the middle of a wide part: climbs from a cell to the greatest distance from the outline.
+    /// The nearby cell in the middle of a wide part: climbs from a cell to the maximum distance from the outline.
     pub(super) fn widest_near(&self, clearance: &[u32], cell: usize) -> usize {
         let mut at = cell;
         loop {

@@ -8,13 +8,13 @@ use super::{
 /// A head is a wide part before a neck. Its middle is at most this many times farther from the tip than from the
 /// outline. So ears, toes and tongues belong to it.
 const HEAD: f64 = 2.6;
-/// Greatest width of a limb after a head, as a share of the head.
+/// Maximum width of a limb after a head, as a share of the head.
 const AFTER_HEAD: f64 = 0.93;
 /// In a round end, cells are about as far from the outline as from the tip.
 const ROUND: f64 = 0.85;
 /// A line along the axis of symmetry is at most this many cells away from it.
 const NEAR_AXIS: usize = 2;
-/// The least distance of an end handle from the tip, as a share of the limb.
+/// The minimum distance of an end handle from the tip, as a share of the limb.
 const INSET: f64 = 0.07;
 /// A neck is this many times narrower than both of its sides.
 const NECK: f64 = 1.35;

@@ -87,7 +87,7 @@ struct Placing<'a> {
     clearance: &'a [u32],
     /// Whether handles come in pairs, on both sides of the vertical axis.
     symmetric: bool,
-    /// The least distance of a pair.
+    /// The minimum distance of a pair.
     pair_room: u32,
     most: usize,
     /// For each cell, the way to the nearest chosen one.

@@ -20,7 +20,7 @@ const COVER_TENTHS: u32 = 12;
 const LEAST_LIMB: f64 = 0.06;
 /// A hair or whisker has an outer third this many times thinner than the widest point of the part.
 const HAIR: u64 = 14;
-/// Greatest number of limbs, the longest first, because a rough outline has many ends.
+/// Maximum number of limbs, the longest first, because a rough outline has many ends.
 const MOST_LIMBS: usize = 24;
 /// Number of ends from which the middle is measured.
 const MOST_EXTREMES: usize = 8;

@@ -11,7 +11,7 @@ use crate::{
 
 /// Rows of handles, and handles in a row, if no number is given.
 const ROWS: f64 = 3.0;
-/// The least distance of handles in that case, in pixels.
+/// The minimum distance of handles in that case, in pixels.
 const ROOM: f64 = 8.0;
 /// Distance of the outer handles from the sides, as a share of the side.
 const INSET: f64 = 0.12;

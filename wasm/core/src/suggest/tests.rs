@@ -201,7 +201,7 @@ fn existing_handles_keep_their_positions() {
     assert!(ways.iter().all(|&way| way > 40.0), "{suggested:?}");
     assert_eq!(of_role(&suggested, SuggestedRole::End).len(), 4);
     assert!(suggested.iter().all(|handle| handle.id != "middle" && handle.id != "hand"));
-    // All of them are there already.
+    // All of them exist already.
     let full: Vec<Handle> = all.iter().map(|handle| Handle::point(handle.id.clone(), handle.rest)).collect();
     assert_eq!(suggest_beside(&star, &full), []);
 }

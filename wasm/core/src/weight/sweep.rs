@@ -125,7 +125,7 @@ impl Default for Column {
 }
 
 impl Column {
-    /// Evaluates the distances of a site and φ at a batch. Returns false if its support covers none of it.
+    /// Evaluates the distances of a site and φ at a batch. Returns false if its support does not overlap it.
     fn fill(&mut self, reaching: &ReachingSite, batch: &Batch, basis: &Basis) -> bool {
         let Self { distance, phi, .. } = self;
         let &ReachingSite { site, support_radius: radius, precedence_radius, windows, ref penumbrae } = reaching;

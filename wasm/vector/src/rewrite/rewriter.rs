@@ -17,7 +17,7 @@ use crate::{
     xml::{Xml, number},
 };
 
-/// Greatest number of segments of all paths.
+/// Maximum number of segments of all paths.
 const MAX_NODES: usize = 300_000;
 /// Number of points along each side of a rectangle, and of a picture, at which the warp is evaluated.
 const SIDE_POINTS: u32 = 8;

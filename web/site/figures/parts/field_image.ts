@@ -12,7 +12,7 @@ export interface Isolines {
   readonly field: Float64Array;
   /** The first level, and the distance to each next one. */
   readonly step: number;
-  /** The last level, where lines end before the greatest value. */
+  /** The last level, where lines end before the largest value. */
   readonly most?: number;
   readonly colour: Rgb;
   /** Device pixels. */

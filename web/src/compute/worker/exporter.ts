@@ -12,18 +12,18 @@ self.onmessage = async ({ data: request }: MessageEvent<ExportRequest>) => {
   try {
     await init({ module_or_path: request.module });
     const rgba = await received(request.pixels);
-    const tell = (part: number) => post({ part });
+    const onProgress = (part: number) => post({ part });
     const { order } = request;
     if (order.kind === 'web-rig') {
-      const rig = webRig(request, order, rgba, tell);
+      const rig = webRig(request, order, rgba, onProgress);
       post({ made: rig }, [rig.buffer]);
     } else if (order.kind === 'map') {
-      const file = mapFile(request, order, rgba, tell);
+      const file = mapFile(request, order, rgba, onProgress);
       post({ made: file }, [file.buffer]);
     } else if (order.kind === 'drawing') {
-      post({ made: bentDrawing(request, order, rgba, tell) });
+      post({ made: bentDrawing(request, order, rgba, onProgress) });
     } else {
-      const rig = engineRig(request, order, rgba, tell);
+      const rig = engineRig(request, order, rgba, onProgress);
       post(
         { made: rig },
         rig.files.map(({ bytes }) => bytes.buffer),

@@ -13,7 +13,7 @@ function project(...rest: [number, number][]): string {
   });
 }
 
-/** The number of handles of what was solved last. */
+/** The number of handles of the last solve. */
 function handles(session: Session): number {
   const solution = session.solution();
   const report = JSON.parse(solution.report) as { point_handles: number };

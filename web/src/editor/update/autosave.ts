@@ -62,12 +62,12 @@ export function saveWork(state: EditorState, emit: Emit): EditorState {
   const { unread, step, key } = state.autosave;
   if (!work || (unread && !isWorkedOn(work))) return state;
   const now = stepKey(work);
-  const untold = state.autosave.untold || now !== step;
-  if (key !== null) emit({ type: 'store', work, recent: state.opening.recent, changed: untold });
-  return withAutosave(state, { unread: false, step: now, untold, storing: key !== null });
+  const unannounced = state.autosave.unannounced || now !== step;
+  if (key !== null) emit({ type: 'store', work, recent: state.opening.recent, changed: unannounced });
+  return withAutosave(state, { unread: false, step: now, unannounced, storing: key !== null });
 }
 
-/** Stores the recent work alone. */
+/** Stores only the recent work. */
 export function saveRecent(state: EditorState, emit: Emit): EditorState {
   const { recent } = state.opening;
   if (state.autosave.key !== null) emit({ type: 'store', work: null, recent, changed: false });
@@ -94,9 +94,12 @@ export const autosaveHandlers: Handlers<
   'work-stored': (before, { stored, newest }, emit) => {
     const state = newest ? withAutosave(before, { storing: false }) : before;
     if (stored === true) {
-      const tells = newest && state.autosave.untold;
-      if (tells) emit({ type: 'tell-tabs' });
-      return withAutosave(state, { failing: false, ...(tells && { untold: false, overwritten: false }) });
+      const announces = newest && state.autosave.unannounced;
+      if (announces) emit({ type: 'notify-tabs' });
+      return withAutosave(state, {
+        failing: false,
+        ...(announces && { unannounced: false, overwritten: false }),
+      });
     }
     const work = snapshotOf(state);
     // A picture that was opened and not touched is no loss.

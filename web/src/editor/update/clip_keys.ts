@@ -4,8 +4,8 @@ import { restingRotation } from '../../document/bending';
 import {
   allowedMove,
   easeKeys,
-  isSameKey,
   isKeyed,
+  isSameKey,
   KEYED_VALUES,
   type KeyedValue,
   type KeyRef,

@@ -57,7 +57,7 @@ function momentOf(state: EditorState): { readonly clip: string; readonly time: n
   return played && { clip: played.name, time: state.playback.time };
 }
 
-/** Opens the first clip in place of one that is no longer there, and keeps the playhead within the clip. */
+/** Opens the first clip if the open one no longer exists, and keeps the playhead within the clip. */
 function withKnownClip(state: EditorState): EditorState {
   if (!state.timeline.open) return state;
   const project = filedProject(state);

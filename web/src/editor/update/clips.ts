@@ -73,7 +73,7 @@ function add(before: EditorState, preset: ClipPreset | null, emit: Emit): Editor
     clip.name,
     emit,
   );
-  // It was asked for: a preset shows at once how it moves.
+  // A person chose it: a preset plays at once.
   return preset ? play(added, true, emit) : added;
 }
 

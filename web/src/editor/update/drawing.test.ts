@@ -5,9 +5,9 @@ import type { Vec } from '../../geometry/vec';
 import { draftOf, drawingOf, type ToolName } from '../../tools/machine';
 import type { Draft } from '../../tools/state';
 import type { CommandName } from '../commands';
+import { englishNotice } from '../english';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf, selectionOf } from '../state';
-import { toldNotice } from '../told';
 import { snapshotOf } from './autosave';
 
 const PLACES = [
@@ -53,14 +53,14 @@ describe.each(KINDS)('a %s that is being drawn', (kind) => {
     run('hand');
     expect(drawing()).toBeNull();
     expect(snapshotOf(runtime.state)?.drawings).toEqual([]);
-    expect(toldNotice(runtime.state)).toMatchObject({
+    expect(englishNotice(runtime.state)).toMatchObject({
       text: 'The drawing has ended.',
       action: { label: 'Continue drawing' },
     });
     runtime.dispatch({ type: 'notice-answered' });
     expect(runtime.state.tools.tool).toBe(kind);
     expect(drawing()?.corners).toEqual(corners);
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 
   it.each(['select', 'point', 'bar', 'polygon', 'lasso', 'brush', 'hand', 'lens'] as const)(
@@ -92,7 +92,7 @@ describe.each(KINDS)('a %s that is being drawn', (kind) => {
     draw(kind);
     run('bail');
     expect(drawing()).toBeNull();
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     draw(kind);
     for (const _ of PLACES) run('undo');
     expect(drawing()).toBeNull();
@@ -131,7 +131,7 @@ it('a single corner ends with its tool without a notice', () => {
   draw('polygon', [[100, 100]]);
   run('select');
   expect(drawing()).toBeNull();
-  expect(toldNotice(runtime.state)).toBeNull();
+  expect(englishNotice(runtime.state)).toBeNull();
 });
 
 describe('a bar that the solver refuses', () => {
@@ -145,7 +145,7 @@ describe('a bar that the solver refuses', () => {
   it('leaves a clean stage, and the next bar has corners of its own', () => {
     expect(projectOf(runtime.state).handles).toEqual([]);
     expect(drawingOf(runtime.state.tools)).toBeNull();
-    expect(toldNotice(runtime.state)?.kind).toBe('error');
+    expect(englishNotice(runtime.state)?.kind).toBe('error');
     drag([100, 100], [200, 100]);
     expect(projectOf(runtime.state).handles).toMatchObject([
       {

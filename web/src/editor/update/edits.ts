@@ -219,7 +219,7 @@ export function turn(state: EditorState, degrees: number, scale: number, emit: E
   );
 }
 
-/** Makes the rotation of the selected points automatic, or pins it as it is now. */
+/** Makes the rotation of the selected points automatic, or pins its present value. */
 export function setAutomatic(state: EditorState, on: boolean, emit: Emit): EditorState {
   const document = documentOf(state);
   const turns = turnsOf(state);
@@ -311,7 +311,7 @@ function guardedStep(
   return said === null ? next : announce(next, said);
 }
 
-/** What brings the selected handles in front of what they have come to lie behind. */
+/** The depths that bring the selected handles in front of the parts that now cover them. */
 function crossingOf(state: EditorState, moved: Document): Crossing {
   const present = documentOf(state);
   const deformation = state.solution.shown?.deformation ?? null;

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { undoLabel } from '../../document/history';
+import { inEnglish } from '../english';
 import { FakeRuntime } from '../fake_runtime';
 import { projectOf } from '../state';
-import { inEnglish } from '../told';
 
 /** A picture that Enter and arrows have pushed, and that they still hold. */
 let runtime: FakeRuntime;

@@ -3,11 +3,11 @@ import type { KeyRef } from '../../document/clip_keys';
 import { toStage } from '../../geometry/camera';
 import type { Vec } from '../../geometry/vec';
 import { type CommandName, commandOfKey, commandsFor } from '../commands';
+import { englishNotice, spokenText } from '../english';
 import type { EditorEvent } from '../events';
 import { FakeRuntime } from '../fake_runtime';
 import { keysInHand } from '../keys_in_hand';
 import { filedProject, projectOf, selectionOf } from '../state';
-import { spokenText, toldNotice } from '../told';
 import { copiedText } from './clipboard';
 import { repeats } from './command';
 
@@ -222,15 +222,15 @@ describe('the clipboard', () => {
     const keys = copiedText(runtime.state);
     send({ type: 'handle-removed', id: 'a' });
     paste(keys);
-    expect(toldNotice(runtime.state)?.text).toContain('2 keys were left out');
+    expect(englishNotice(runtime.state)?.text).toContain('2 keys were left out');
     send({ type: 'timeline-opened', open: false });
     paste(keys);
-    expect(toldNotice(runtime.state)?.text).toBe('No clip is open.');
+    expect(englishNotice(runtime.state)?.text).toBe('No clip is open.');
   });
 
   it('says what is wrong with keys', () => {
     paste('{"format": "c2warp-keys/1", "keys": [{"handle": "a", "time": 0, "posed": ["x", 1]}]}');
-    expect(toldNotice(runtime.state)?.text).toBe(
+    expect(englishNotice(runtime.state)?.text).toBe(
       'These keys cannot be pasted: handle "a", posed: expected a point [x, y].',
     );
   });

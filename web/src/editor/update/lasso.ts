@@ -1,4 +1,4 @@
-/** The lasso: which part of the picture bends, and what a press beside that part says. */
+/** The lasso: which part of the picture bends, and the hint after a press outside it. */
 
 import {
   featherOf,
@@ -25,12 +25,15 @@ import { inform, informOfStep, notify } from './notices';
 import { step } from './steps';
 import { choose } from './tool_choice';
 
-/** Lets only the inside of a ring bend, or cuts a hole there. Says which handles are gone, or what the lasso lacks. */
+/**
+ * Lets only the inside of a ring bend, or cuts a hole there. Shows which handles were removed, or why the lasso is
+ * incomplete.
+ */
 function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Emit): EditorState {
   const found = withLasso(projectOf(state), ring, hole);
   if (!found) return informOfStep(state, say('notices.lassoEmpty'), emit);
   const { cut } = found;
-  // A part of an opaque picture moves over a filled background. A picture that is cut out has none.
+  // A part of an opaque picture moves over a filled background. A cut-out picture has no lasso.
   const isFirst = ringsOf(projectOf(state)).length === 0 && isOpaque(state.picture);
   const project = isFirst ? { ...withFill(found.project, true), fix_boundary: false } : found.project;
   const removed = projectOf(state).handles.length - project.handles.length;

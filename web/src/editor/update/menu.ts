@@ -1,4 +1,4 @@
-/** Opening the context menu, of what lies under a place, and running its commands. */
+/** Opening the context menu for a place, and running its commands. */
 
 import { handleById } from '../../document/document';
 import { anchor, isLine } from '../../document/handle';

@@ -64,7 +64,7 @@ export const informOfStep = (state: EditorState, text: Wording, emit: Emit): Edi
   notify(state, { kind: 'info', text, ofStep: true }, emit);
 
 /**
- * Shows an error in the words of the editor, and passes it to the page as it is. A failure of the solver itself can be
+ * Shows an error with the editor's text, and passes it to the page unchanged. A failure of the solver itself can be
  * retried. Ignores AbortErrors: superseded work is no error.
  *
  * @param reverted the step that caused the error was taken back.
@@ -129,7 +129,7 @@ export const notifyOfGraphics = (state: EditorState, text: Wording): EditorState
 export const withoutGraphicsNotice = (state: EditorState): EditorState =>
   state.notices.graphics ? withNotices(state, { graphics: null }) : state;
 
-/** Shows a task, in place of one of the same name. */
+/** Shows a task, replacing one of the same name. */
 export const beginTask = (state: EditorState, task: Task, emit: Emit): EditorState =>
   withTasks(state, [...state.notices.tasks.filter(({ name }) => name !== task.name), task], emit);
 

@@ -23,7 +23,7 @@ import { poseForPage, redo, selectForPage, step, undo } from './steps';
 import { showStudy } from './study';
 import { choose } from './tool_choice';
 
-/** Takes the attributes. Setting `readonly` or `disabled`, or changing `posable`, ends what is in progress. */
+/** Takes the attributes. Setting `readonly` or `disabled`, or changing `posable`, ends the present action. */
 function changePage(before: EditorState, page: PageAttributes, emit: Emit): EditorState {
   const { readonly, disabled, posable } = before.page;
   const rearranges = posable !== page.posable || (page.posable && readonly !== page.readonly);
@@ -45,7 +45,7 @@ function stop(before: EditorState, emit: Emit): EditorState {
   return holdPreview(withDocument(ended, { drawn: null }), null, emit);
 }
 
-/** Adapts to `posable`: the select tool alone poses handles, and the picture fits another stage. */
+/** Adapts to `posable`: only the select tool poses handles, and the picture fits another stage. */
 function rearrange(state: EditorState, emit: Emit): EditorState {
   const selecting = { ...state, page: { ...state.page, posable: false, readonly: false } };
   const chosen = state.page.posable ? choose(selecting, 'select', emit) : state;

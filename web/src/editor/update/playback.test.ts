@@ -33,7 +33,7 @@ const send = (runtime: FakeRuntime, ...events: readonly EditorEvent[]) => {
 };
 const tick = (seconds: number): EditorEvent => ({ type: 'clock-ticked', seconds });
 const x = (runtime: FakeRuntime) => projectOf(runtime.state).handles.map((handle) => anchor(handle)[0])[0];
-const told = (runtime: FakeRuntime) =>
+const emitted = (runtime: FakeRuntime) =>
   runtime.notified.filter((type) => ['play', 'pause', 'timeupdate', 'ended'].includes(type));
 
 const pointer = (runtime: FakeRuntime, [x, y]: Vec) => {
@@ -58,7 +58,7 @@ describe('a clip that the page plays', () => {
       false,
       true,
     ]);
-    expect(told(runtime)).toEqual(['play', 'timeupdate', 'timeupdate', 'timeupdate', 'pause', 'ended']);
+    expect(emitted(runtime)).toEqual(['play', 'timeupdate', 'timeupdate', 'timeupdate', 'pause', 'ended']);
     send(runtime, { type: 'play-asked' }, tick(0.1));
     expect(runtime.state.playback.time).toBeCloseTo(0.1, 12);
   });
@@ -92,7 +92,7 @@ describe('a clip that the page plays', () => {
       send(runtime, { type: 'rate-asked', rate }, { type: 'seek-asked', time: at });
       const isAtEnd = at === length && rate >= 0;
       // A time at the end has ended, also without playing.
-      expect([hasPlayed(runtime.state), told(runtime)]).toEqual([
+      expect([hasPlayed(runtime.state), emitted(runtime)]).toEqual([
         isAtEnd,
         isAtEnd ? ['timeupdate', 'ended'] : ['timeupdate'],
       ]);
@@ -109,7 +109,7 @@ describe('a clip that the page plays', () => {
         rate > 0,
       ]);
       const events = rate > 0 ? forwards : rate < 0 && at > 0 ? ['play', 'timeupdate'] : ['play'];
-      expect([...new Set(told(runtime))]).toEqual(events);
+      expect([...new Set(emitted(runtime))]).toEqual(events);
       send(runtime, { type: 'rate-asked', rate: 1 }, { type: 'play-asked' }, tick(0.25));
       expect(runtime.state.playback.time).toBe(rate > 0 ? 0.25 : time + 0.25);
     }
@@ -123,7 +123,7 @@ describe('a clip that the page plays', () => {
       const next = at + rate / 2;
       const time = rate === 0 ? at : (next + 2) % 2;
       expect([runtime.state.playback.time, hasPlayed(runtime.state)]).toEqual([time, false]);
-      expect(told(runtime)).not.toContain('ended');
+      expect(emitted(runtime)).not.toContain('ended');
     }
   });
 

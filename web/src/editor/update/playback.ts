@@ -21,8 +21,8 @@ const withPlayback = (state: EditorState, change: Partial<PlaybackState>): Edito
   playback: { ...state.playback, ...change },
 });
 
-type Told = 'play' | 'pause' | 'timeupdate' | 'ended';
-const tell = (emit: Emit, ...types: readonly Told[]): void => {
+type MediaEventType = 'play' | 'pause' | 'timeupdate' | 'ended';
+const emitEvents = (emit: Emit, ...types: readonly MediaEventType[]): void => {
   for (const type of types) emit({ type: 'notify-page', notification: { type } });
 };
 
@@ -37,14 +37,14 @@ export function followPlayback(before: EditorState, after: EditorState, emit: Em
 export function playForPage(state: EditorState, emit: Emit): EditorState {
   const clip = playedClip(state);
   if (!clip || state.playback.playing) return state;
-  tell(emit, 'play');
+  emitEvents(emit, 'play');
   const time = hasEnded(mediaTime(state, clip)) ? 0 : state.playback.time;
   return withPlayback(state, { active: true, playing: true, time });
 }
 
 export function pauseForPage(state: EditorState, emit: Emit): EditorState {
   if (!state.playback.playing) return state;
-  tell(emit, 'timeupdate', 'pause');
+  emitEvents(emit, 'timeupdate', 'pause');
   return withPlayback(state, { playing: false, easing: null });
 }
 
@@ -57,14 +57,14 @@ export function seekForPage(state: EditorState, time: number, emit: Emit): Edito
     time: Math.min(Math.max(time, 0), playedDuration(clip)),
   });
   if (hasEnded(mediaTime(sought, clip))) return endedForPage(sought, emit);
-  tell(emit, 'timeupdate');
+  emitEvents(emit, 'timeupdate');
   return sought;
 }
 
 function endedForPage(state: EditorState, emit: Emit): EditorState {
-  if (!state.playback.playing) tell(emit, 'timeupdate');
+  if (!state.playback.playing) emitEvents(emit, 'timeupdate');
   const paused = pauseForPage(state, emit);
-  tell(emit, 'ended');
+  emitEvents(emit, 'ended');
   return paused;
 }
 
@@ -85,7 +85,7 @@ export function tickPlayback(before: EditorState, seconds: number, emit: Emit): 
   const next = withPlayback(state, { time });
   if (hasEnded(mediaTime(next, clip))) return endedForPage(next, emit);
   const isDue = Math.floor(time / UPDATES) !== Math.floor(state.playback.time / UPDATES);
-  if (isDue || standsStill(mediaTime(next, clip))) tell(emit, 'timeupdate');
+  if (isDue || standsStill(mediaTime(next, clip))) emitEvents(emit, 'timeupdate');
   return next;
 }
 

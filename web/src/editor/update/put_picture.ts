@@ -1,4 +1,4 @@
-/** Putting a picture on the stage, with earlier work on it or none. */
+/** Putting a picture on the stage, with or without earlier work on it. */
 
 import { newProject, openDocument } from '../../document/document';
 import { say } from '../../texts/wording';

@@ -24,7 +24,7 @@ const withRenaming = (state: EditorState, renaming: Renaming | null): EditorStat
   display: { ...state.display, renaming },
 });
 
-/** Shows the field for the name of a handle, and selects that handle alone. */
+/** Shows the field for the name of a handle, and selects only that handle. */
 function beginRenaming(before: EditorState, id: string, emit: Emit): EditorState {
   if (!mayEdit(before) || !handleById(documentOf(before), id)) return before;
   emit({ type: 'focus-control', control: 'name' });

@@ -45,12 +45,12 @@ function endRequest(
       return failed(state, outcome, emit);
     case 'attributes': {
       if (outcome === 'opened') notifyLoad('page', emit);
-      const told = failed(withOpening(state, { openedRevision: purpose.revision }), outcome, emit);
+      const ended = failed(withOpening(state, { openedRevision: purpose.revision }), outcome, emit);
       if (outcome instanceof Error) emit({ type: 'source-failed', error: outcome });
-      const { startup, overtaken } = told.opening;
-      if (startup.phase !== 'attributes' || startup.id !== id) return told;
+      const { startup, overtaken } = ended.opening;
+      if (startup.phase !== 'attributes' || startup.id !== id) return ended;
       const back = outcome instanceof Error && !overtaken ? startup.orElse : null;
-      return back ? reopen(told, back, emit) : finishStartup(told, startup.unread, emit);
+      return back ? reopen(ended, back, emit) : finishStartup(ended, startup.unread, emit);
     }
   }
 }

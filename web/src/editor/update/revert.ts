@@ -1,4 +1,4 @@
-/** Reverting what the solver rejects or a person cancels: the change to blame goes, later changes stay. */
+/** Reverting a change that the solver rejects or a person cancels: that change is undone, and later ones stay. */
 import { type Document, isSameWork } from '../../document/document';
 import * as history from '../../document/history';
 import type { Project } from '../../document/project';
@@ -13,7 +13,7 @@ import { endPressKeepingChanges } from './press';
 
 /**
  * Takes back undo or redo, to the nearest state with the solution of this key. The states between stay in the history.
- * Returns `state` itself if the present was reached by an edit, or there is no such state.
+ * Returns `state` itself if an edit led to the present, or if no such state exists.
  */
 export function turnBack(state: EditorState, key: string, emit: Emit): EditorState {
   const { values, at } = history.timeline(state.document.history);

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { undoLabel } from '../../document/history';
 import { settingsOf } from '../../document/settings';
+import { inEnglish } from '../english';
 import { FakeRuntime, PAGE } from '../fake_runtime';
 import { projectOf } from '../state';
-import { inEnglish } from '../told';
 import { takesBail } from './command';
 
 function opened(page = PAGE): FakeRuntime {

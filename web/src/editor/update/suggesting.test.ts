@@ -2,9 +2,9 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { Handle, Project } from '../../document/project';
 import type { Suggestion } from '../../document/suggestion';
 import type { CommandName } from '../commands';
+import { englishNotice, englishTask, spokenText } from '../english';
 import { FakeRuntime, PAGE, testPicture } from '../fake_runtime';
 import { projectOf, selectionOf } from '../state';
-import { spokenText, toldNotice, toldTask } from '../told';
 
 const SUGGESTION: Suggestion = {
   handles: [
@@ -19,7 +19,7 @@ let runtime: FakeRuntime;
 
 const run = (command: CommandName) => runtime.dispatch({ type: 'command-run', command });
 
-/** The project that handles were last asked for. */
+/** The project of the last request for handles. */
 function asked(): Project {
   const effect = runtime.effects.findLast(({ type }) => type === 'suggest-handles');
   if (effect?.type !== 'suggest-handles') throw new Error('no handles were asked for');
@@ -29,7 +29,7 @@ function asked(): Project {
 const answer = (suggestion = SUGGESTION, project = asked()) =>
   runtime.dispatch({ type: 'handles-suggested', project, suggestion });
 const ids = () => projectOf(runtime.state).handles.map(({ id }) => id);
-const text = () => toldNotice(runtime.state)?.text;
+const text = () => englishNotice(runtime.state)?.text;
 
 beforeEach(() => {
   runtime = new FakeRuntime();
@@ -107,9 +107,9 @@ describe('suggested handles', () => {
     for (const end of ends) {
       run('suggest');
       runtime.dispatch({ type: 'timer-elapsed', timer: 'suggest-patience' });
-      expect(toldTask(runtime.state)?.name).toBe('suggest');
+      expect(englishTask(runtime.state)?.name).toBe('suggest');
       end();
-      expect([runtime.state.suggesting, toldTask(runtime.state)?.name]).not.toContain('suggest');
+      expect([runtime.state.suggesting, englishTask(runtime.state)?.name]).not.toContain('suggest');
       expect(runtime.state.suggesting).toBeNull();
       const before = ids();
       answer();
@@ -165,7 +165,7 @@ describe('suggested handles', () => {
   it('report a failure of the solver', () => {
     run('suggest');
     runtime.dispatch({ type: 'suggestion-failed', project: asked(), error: new Error('no memory') });
-    expect(toldNotice(runtime.state)).toMatchObject({ kind: 'error', text: 'no memory' });
+    expect(englishNotice(runtime.state)).toMatchObject({ kind: 'error', text: 'no memory' });
     expect(runtime.state.suggesting).toBeNull();
   });
 });

@@ -3,10 +3,10 @@ import { anchor, depthOf } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
 import { en } from '../../texts/en';
 import type { CommandName } from '../commands';
+import { englishNotice } from '../english';
 import type { EditorEvent } from '../events';
 import { FakeRuntime } from '../fake_runtime';
 import { documentOf, filedProject, isUnsaved, projectOf } from '../state';
-import { toldNotice } from '../told';
 import { viewModel } from '../view_model';
 import { projectForFile } from './exporting';
 
@@ -183,7 +183,7 @@ describe('the timeline', () => {
     expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.5]);
     send(runtime, move(1.2), run('paste-keys'));
     expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.2, 1.5]);
-    expect(toldNotice(runtime.state)?.text).toContain('1 key was left out');
+    expect(englishNotice(runtime.state)?.text).toContain('1 key was left out');
   });
 
   it('eases and removes the selected keys', () => {
@@ -223,7 +223,7 @@ describe('the timeline', () => {
     send(runtime, { type: 'clip-named', name: ' big  sway ' });
     expect(names()).toEqual(['clip', 'sway', 'big sway']);
     send(runtime, { type: 'clip-renaming-switched', on: true }, { type: 'clip-named', name: 'sway' });
-    expect(toldNotice(runtime.state)?.text).toContain('Another clip is already called “sway”');
+    expect(englishNotice(runtime.state)?.text).toContain('Another clip is already called “sway”');
     send(runtime, { type: 'clip-removed' });
     expect([names(), runtime.state.timeline.clip]).toEqual([['clip', 'sway'], 'clip']);
     send(runtime, { type: 'undo-asked' });

@@ -37,7 +37,7 @@ const MICROSECONDS = 1e6;
 /** For tiny films, whose blocks have few pixels. */
 const LEAST_BITS_A_SECOND = 200_000;
 
-/** The encoded colours of a frame, until its transparency is there. */
+/** The encoded colours of a frame, until its transparency arrives. */
 interface Coloured {
   readonly chunk: EncodedVideoChunk;
   readonly meta: EncodedVideoChunkMetadata | undefined;
@@ -122,7 +122,7 @@ export class VideoFilm implements FilmEncoder {
     if (this.#packer.state === 'started') this.#packer.cancel().catch(() => {});
   }
 
-  /** Frames whose colours are there, and whose transparency is not. */
+  /** Frames with colours that wait for their transparency. */
   get #lag(): number {
     return this.#coloured.length;
   }

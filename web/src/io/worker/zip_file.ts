@@ -1,4 +1,4 @@
-/** A zip archive, written file by file. Pictures are compressed already, so they are stored as they are. */
+/** A zip archive, written file by file. Pictures are compressed already, so they are stored uncompressed. */
 
 import { Zip, ZipPassThrough } from 'fflate';
 import { say } from '../../texts/wording';

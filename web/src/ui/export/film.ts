@@ -83,7 +83,7 @@ export function filmPage(film: FilmModel, model: EditorModel, dispatch: Dispatch
     </div>
     ${choice(texts.exporting.area, areas, choices.area, (area) => choose({ area }))} ${part(film, choose, model, dispatch)} ${background(film, texts, choose)}
     ${film.refusal ? html`<p class="film-refusal" role="status">${model.worded(film.refusal)}</p>` : nothing}
-    ${exportRow(told(film, model), texts.exporting.export(format ? formats[format] : ''), !format || film.refusal !== null, model, dispatch)}`;
+    ${exportRow(summary(film, model), texts.exporting.export(format ? formats[format] : ''), !format || film.refusal !== null, model, dispatch)}`;
 }
 
 const withoutClip = (
@@ -192,7 +192,7 @@ function background(
 }
 
 /** The frames and the pixels, and roughly the size of the file and the time that it takes. */
-function told(
+function summary(
   { clip, choices, size, frames, range, estimate }: FilmModel,
   { texts, worded }: EditorModel,
 ): TemplateResult {

@@ -1,4 +1,4 @@
-/** The study card: in place of the panel, or a sheet above the tools on phones. */
+/** The study card: it replaces the panel, or is a sheet above the tools on phones. */
 
 import { FROM_BOTTOM } from '../../editor/sizes';
 import { css } from '../style/css';

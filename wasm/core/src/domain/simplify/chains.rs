@@ -33,7 +33,7 @@ pub(super) struct Chains {
     /// Number of points that remain of each ring, indexed by the ring's first point.
     remaining: Vec<usize>,
     remoteness: Vec<Remoteness>,
-    /// Greatest distance of an original point from the outline, in pixels.
+    /// Maximum distance of an original point from the outline, in pixels.
     tolerance: f64,
     /// Number of original points from each point to the end of the exactly straight run that begins there: 1 or more.
     straight: Vec<usize>,

@@ -24,7 +24,7 @@ use super::ring::Ring;
 
 /// Simplifies rings. The rings must be simple and disjoint, and remain so.
 ///
-/// `tolerance` is the greatest distance of an original point from the simplified outline, in pixels.
+/// `tolerance` is the maximum distance of an original point from the simplified outline, in pixels.
 pub(super) fn simplified(rings: &[Ring], tolerance: f64) -> Vec<Ring> {
     let mut chains = Chains::new(rings, tolerance);
     let mut queue: BinaryHeap<Candidate> = (0..chains.len()).filter_map(|at| chains.candidate(at)).collect();

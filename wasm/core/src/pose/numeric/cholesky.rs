@@ -14,7 +14,7 @@ use glam::DVec2;
 
 use crate::rank::sort_by_rank;
 
-/// Greatest number of rows in a group.
+/// Maximum number of rows in a group.
 const MAX_WIDTH: usize = 3;
 
 /// A group of columns.

@@ -13,7 +13,7 @@ use super::super::{
     numeric::{Jet, Laplacian, Limits, Objective, descend},
 };
 
-/// Greatest number of iterations of the graph: twice as many as an unrolled spiral of 200 sites needs.
+/// Maximum number of iterations of the graph: twice as many as an unrolled spiral of 200 sites needs.
 const MAX_ITERATIONS: usize = 120;
 
 /// Line searches end where the slope is this fraction of the initial slope: nearly always at the step that the

@@ -81,7 +81,8 @@ impl<'a> Cursor<'a> {
             return self.expected("a point [x, y]");
         };
         if pair.len() != 2 {
-            return self.refuse(format_args!("expected a point [x, y], found {} values", pair.len()));
+            let plural = if pair.len() == 1 { "" } else { "s" };
+            return self.refuse(format_args!("expected a point [x, y], found {} value{plural}", pair.len()));
         }
         Ok(DVec2::new(self.item(0, &pair[0]).number()?, self.item(1, &pair[1]).number()?))
     }

@@ -30,7 +30,7 @@ impl Value {
     /// For text that is not JSON, a number outside the range of f64, and a duplicate key. The path ends where reading
     /// stopped.
     pub(super) fn parse(text: &str) -> Result<Self, ProjectError> {
-        // Editors on Windows write a byte order mark first. JSON has none.
+        // Editors on Windows write a byte order mark first. JSON has no such value.
         let mut json = serde_json::Deserializer::from_str(text.trim_start_matches('\u{feff}'));
         let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
             let path = path_text(Path::Top, error.path().iter());
@@ -41,7 +41,7 @@ impl Value {
     }
 }
 
-/// Writes the rest of a path, as far as it is known.
+/// Writes the known rest of a path.
 fn path_text(at: Path<'_>, mut rest: Segments<'_>) -> String {
     match rest.next() {
         Some(Segment::Seq { index }) => path_text(at.index(*index), rest),

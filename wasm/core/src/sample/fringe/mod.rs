@@ -25,13 +25,13 @@ use crate::{
     triangulation::{NONE, Triangulation},
 };
 
-/// Least distance of nodes from the outline and the border of the picture, as a multiple of the spacing. Closer ones
+/// Minimum distance of nodes from the outline and the border of the picture, as a multiple of the spacing. Closer ones
 /// make slivers.
 const CLEARANCE: f64 = 0.4;
 /// Tolerance for a longer way along one part of the outline, relative to the spacing of nodes. Without it, the choice
 /// would be arbitrary along some gaps.
 pub(super) const DETOUR_SLACK: f64 = 4.0;
-/// Least width of pieces of triangles, in pixels. Narrower pieces would flip when corners are rounded.
+/// Minimum width of pieces of triangles, in pixels. Narrower pieces would flip when corners are rounded.
 const NARROW: f64 = 1.0 / 32.0;
 /// The rasteriser rounds corners to a multiple of this, in pixels.
 const CORNER_STEP: f64 = 1.0 / 256.0;
@@ -46,7 +46,7 @@ impl Skirt {
         spacing: f64,
     ) -> Self {
         let parts = Parts::new(mesh, outline);
-        // All of them as they are drawn.
+        // All of them, in the order of drawing.
         let corners = |triangle: &[u32; 3]| triangle.map(|v| rounded(self.place(&mesh.vertices, v)));
         let all = mesh.triangles.iter().chain(&self.triangles).map(corners).collect();
         let (tiles, first) = (Tiles::new(all, opacity.size()), mesh.triangles.len());

@@ -5,9 +5,9 @@ use glam::DVec2;
 use super::{super::lattice::ROW_HEIGHT, CLEARANCE};
 use crate::opacity::Opacity;
 
-/// Approximate greatest number of nodes of the lattice.
+/// Approximate maximum number of nodes of the lattice.
 const MAX_NODES: f64 = 8000.0;
-/// Least distance of nodes from each other, in pixels.
+/// Minimum distance of nodes from each other, in pixels.
 const MIN_SPACING: f64 = 4.0;
 
 /// Distance between nodes over an area in square pixels.

@@ -46,7 +46,7 @@ pub(super) struct Cones {
 
 /// Initial capacity for cones; usually only a few meet.
 const CAPACITY: usize = 16;
-/// Greatest number of steps. Three intersecting cones take five; only cones that touch take more.
+/// Maximum number of steps. Three intersecting cones take five; only cones that touch take more.
 const MAX_STEPS: usize = 16;
 /// A step shorter than this, relative to the longest edge, ends the ascent.
 const CONVERGED: f64 = 1e-12;

@@ -48,7 +48,7 @@ enum SearchState {
     /// No point of the cell is farther than this.
     Within(f64),
     /// Every point farther than `sample` lies in one of `triangles`, sorted by descending upper bound. `sample` was the
-    /// greatest distance of a coarse sample of the cell.
+    /// maximum distance of a coarse sample of the cell.
     InTriangles { sample: f64, triangles: Vec<Candidate> },
     /// At least one point; all are equally far from the site.
     Known(Vec<FarPoint>),

@@ -7,8 +7,13 @@ export function bentDrawing(
   { project, width, height }: ExportRequest,
   { svg, grow, clip, time }: DrawingOrder,
   rgba: Uint8Array,
-  tell: (part: number) => void,
+  onProgress: (part: number) => void,
 ): BentDrawing {
-  const bent = new SolvedProject(project, width, height, rgba, tell).bent(svg, grow, clip ?? undefined, time);
+  const bent = new SolvedProject(project, width, height, rgba, onProgress).bent(
+    svg,
+    grow,
+    clip ?? undefined,
+    time,
+  );
   return { svg: bent.svg, remarks: bent.remarks };
 }

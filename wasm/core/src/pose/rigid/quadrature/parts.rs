@@ -16,7 +16,7 @@ const TIE: f64 = 1e-9;
 /// Number of dominant sites that identify a part. With two, folds between the nodes are missed. With four, or with the
 /// order of the weights, poses are hardly better.
 const DOMINANT_COUNT: usize = 3;
-/// Greatest number of tied sites that divide a sample. In the hub of a star, hundreds are tied, with millions of
+/// Maximum number of tied sites that divide a sample. In the hub of a star, hundreds are tied, with millions of
 /// triples. Symmetric scenes seldom tie more than eight.
 const MAX_TIED: usize = 12;
 

@@ -1,6 +1,6 @@
 //! Relaxation: finds motions that distort the picture itself as little as possible.
 //!
-//! The sites alone do not determine how a blend deforms the picture between them. But the blended map is linear in the
+//! The sites do not fully determine how a blend deforms the picture between them. But the blended map is linear in the
 //! positions and linear parts of the sites (eq. 1), and so is its Jacobian J at a node of the
 //! [quadrature](super::Quadrature), as in fast automatic skinning (Jacobson, Baran, Kavan, Popović and Sorkine 2012).
 //! Minimised is Σ area · [`distortion`](super::distortion)(J / s), where s is the scale requested at the node, over
@@ -52,8 +52,8 @@ const REGULARISATION: f64 = 0.2;
 /// rounding grows to pixels in twenty iterations.
 const FINE_REGULARISATION: f64 = 0.15;
 /// Stiffness of the springs that anchor motions at their initial values, as a fraction of the area around the site.
-/// They determine what the quadrature does not. A fifth of this stiffness distorts more of the picture between bars
-/// that turn against each other. Five times this stiffness bends everything stiffly.
+/// They determine the modes that the quadrature does not. A fifth of this stiffness distorts more of the picture
+/// between bars that turn against each other. Five times this stiffness bends everything stiffly.
 const ANCHOR_STIFFNESS: f64 = 0.1;
 /// The same for the fine nodes, which determine more. With three times as much, poses distort by 1 % more.
 const FINE_ANCHOR_STIFFNESS: f64 = 0.03;
@@ -68,7 +68,7 @@ const GAIN: f64 = 2e-3;
 /// its minimum. With twice as much, a twisted cross jumps by five times as much as its handles move; the samples of a
 /// line hardly cost more, as each is much closer than the last.
 const CURVATURE_CONDITION: f64 = 0.015;
-/// Greatest number of iterations at the coarse nodes. With six, a twisted cross of 200 sites remains folded in places.
+/// Maximum number of iterations at the coarse nodes. With six, a twisted cross of 200 sites remains folded in places.
 /// With 40, folds between handles that were moved past one another at random drop to a half or a fifth. But poses take
 /// twice as long, and drags jump half as often again.
 const COARSE_ITERATIONS: usize = 8;
@@ -82,7 +82,7 @@ const FINE_ITERATIONS: usize = 5;
 /// A pose is fully refined if det J is at least this at every coarse node, and not refined if the picture is inverted
 /// at one.
 const REFINED: f64 = 0.2;
-/// Greatest number of iterations from the minimum of a nearby pose, and the corresponding [`GAIN`]. If that minimum
+/// Maximum number of iterations from the minimum of a nearby pose, and the corresponding [`GAIN`]. If that minimum
 /// vanishes, the picture moves to the next one over several frames instead of jumping.
 const NEARBY_ITERATIONS: usize = 12;
 const NEARBY_GAIN: f64 = 1e-3;
