@@ -158,9 +158,9 @@ pub(crate) fn print(message: impl Display) {
 }
 
 /// Lets a panic, which is an error of the program, end it with one line and exit status 1.
-pub(crate) fn tell_panics() {
+pub(crate) fn print_panics() {
     panic::set_hook(Box::new(|panic| {
-        tell(format_args!("this is an error of c2warp itself, please report it with the input: {panic}"));
+        print(format_args!("this is an error of c2warp itself, please report it with the input: {panic}"));
         process::exit(1);
     }));
 }

@@ -80,7 +80,7 @@ fn definition() -> clap::Command {
 #[must_use]
 pub fn run() -> ExitCode {
     enter_folder();
-    error::tell_panics();
+    error::print_panics();
     signals::begin();
     let command = Arguments::parse().command;
     progress::begin();

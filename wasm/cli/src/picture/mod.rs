@@ -71,11 +71,7 @@ pub(crate) fn read_from(file: impl Read, path: &Path, size: Option<(u32, u32)>) 
             jpeg::End::Missing => return Err(truncated(path)),
         },
         ImageFormat::WebP => webp::mend(&mut bytes),
-        ImageFormat::Png => {
-            if bounds::remove_large_profiles(&mut bytes) {
-                tell_large_profile(path);
-            }
-        }
+        ImageFormat::Png if bounds::remove_large_profiles(&mut bytes) => warn_of_large_profile(path),
         _ => {}
     }
     decode(path, format, bytes)
@@ -130,7 +126,7 @@ fn pixels(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<Pixels, CliE
     let embedded = embedded.filter(|profile| {
         let is_small = profile.len() <= bounds::MAX_PROFILE_BYTES;
         if !is_small {
-            tell_large_profile(path);
+            warn_of_large_profile(path);
         }
         is_small
     });
@@ -158,9 +154,9 @@ fn read_bytes(mut file: impl Read, path: &Path) -> Result<Contents, CliError> {
     Ok(Contents::Pixels(format, bytes))
 }
 
-fn tell_large_profile(path: &Path) {
+fn warn_of_large_profile(path: &Path) {
     let most = bounds::MAX_PROFILE_BYTES >> 20;
-    error::tell(format_args!("{}: the colour profile has more than {most} MiB, and is left out", path.display()));
+    error::print(format_args!("{}: the colour profile has more than {most} MiB, and is left out", path.display()));
 }
 
 fn truncated(path: &Path) -> CliError {

@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
     };
     projects.iter().chain(&images).for_each(|path| files::note_input(path));
     batch.note_own_pictures(&images);
-    let jobs = batch.jobs(&images, tell);
+    let jobs = batch.jobs(&images, report);
     let origins = Mutex::new(vec![None; jobs.len()]);
     workers::each(threads, &jobs, |index, job| match batch.work(job) {
         Ok(origin) => origins.lock().unwrap_or_else(PoisonError::into_inner)[index] = Some(origin),
@@ -133,7 +133,7 @@ impl Batch<'_> {
     }
 
     /// A job for each input. Inputs whose result would replace another file are told of and left out.
-    fn jobs(&self, images: &[PathBuf], tell: impl Fn(CliError)) -> Vec<Job> {
+    fn jobs(&self, images: &[PathBuf], report: impl Fn(CliError)) -> Vec<Job> {
         let projects = self.arguments.projects();
         let inputs: Vec<(&PathBuf, Option<&PathBuf>)> = if self.has_many_images && !images.is_empty() {
             images.iter().map(|image| (&projects[0], Some(image))).collect()
@@ -159,9 +159,9 @@ impl Batch<'_> {
                     named.insert(output, input);
                 }
                 Err(CliError::OverOutput { other, .. }) if named.contains_key(&other) => {
-                    tell(CliError::SameResult { path: input.clone(), other: named[&other].clone() });
+                    report(CliError::SameResult { path: input.clone(), other: named[&other].clone() });
                 }
-                Err(reason) => tell(reason),
+                Err(reason) => report(reason),
             }
         }
         jobs
