@@ -63,7 +63,7 @@ import type { Properties } from './element/properties';
 import { ask } from './element/questions';
 import { ShownLanguage } from './element/shown_language';
 import type { Changes } from './element/updating_element';
-import { asC2WarpError, C2WarpError } from './error';
+import { asC2WarpError, C2WarpError, isAbort } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
@@ -681,7 +681,7 @@ export class C2Warp extends TypedElement {
    * each `load()`, has a promise of its own. Without either, it is the picture that a person opens first.
    *
    * @throws C2WarpError as an `error` event has it, if the picture cannot be opened.
-   * @throws DOMException AbortError if the page asks for another picture first; otherwise as `load()`.
+   * @throws DOMException AbortError if another picture is asked for first; otherwise as `load()`.
    */
   get loaded(): Promise<void> {
     return this.#loading.promise;
@@ -761,7 +761,8 @@ export class C2Warp extends TypedElement {
         if (notification.type === 'load') this.#loading.opened();
         emitNotification(this.#emit, notification);
       },
-      sourceFailed: (error: Error) => this.#loading.failed(asC2WarpError(error)),
+      sourceFailed: (reason: unknown) =>
+        this.#loading.failed(isAbort(reason) ? reason : asC2WarpError(reason)),
       ask: (question: PageQuestion) => ask(question, this.#emit),
       setTheme: (theme: 'light' | 'dark') => {
         this.theme = theme;
