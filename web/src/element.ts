@@ -105,11 +105,12 @@ export type { ToolName } from './tools/machine';
  * @cssprop {<color>} --c2-accent - The colour of the selection and the focus. Text on it is white, and nearly black on
  *   dark colours.
  * @cssprop {<color>} --c2-handle - The colour of handles, bars and polygons, on light and dark pictures alike.
- * @cssprop {<color>} --c2-ground - The first of two colours behind the picture. With `posable`, none unless set.
+ * @cssprop {<color>} --c2-ground - The first of two colours behind the picture: by default near the surface. With
+ *   `posable`, none unless set.
  * @cssprop {<color>} --c2-checker - The second of them, in the squares of the pattern.
- * @cssprop {<color>} --c2-surface - The colour of bars and cards.
- * @cssprop {<color>} --c2-text - The colour of the text on bars and cards.
- * @cssprop {<length>} --c2-radius - The corner radius of cards.
+ * @cssprop {<color>} --c2-surface - The colour of bars, cards and hints. Tooltips have it as the colour of their text.
+ * @cssprop {<color>} --c2-text - The colour of the text on them.
+ * @cssprop {<length>} --c2-radius - The corner radius of cards. Those of buttons, fields and hints follow it.
  * @cssprop --c2-font - The font family.
  */
 export class C2Warp extends TypedElement {
