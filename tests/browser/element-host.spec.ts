@@ -338,6 +338,19 @@ test('`loaded` belongs to the newest picture that the page has asked for', async
     // It is opened again after a move.
     document.body.append(warp);
     told.push(await ended(warp.loaded));
+    // A person is faster.
+    warp.src = '/samples/robot.png';
+    const before = warp.loaded;
+    await warp.updateComplete;
+    const cat = await (await fetch('/samples/cat.png')).blob();
+    const opened = new Promise((resolve) => warp.addEventListener('load', resolve, { once: true }));
+    warp.src = '/samples/snake.png';
+    const slow = warp.loaded;
+    await warp.updateComplete;
+    warp.openFiles([new File([cat], 'cat.png', { type: 'image/png' })]);
+    told.push(await ended(before), await ended(slow));
+    await opened;
+    told.push(await ended(warp.loaded));
     // Nobody waits for these.
     warp.src = 'data:text/plain,nothing';
     warp.src = '/samples/cat.png';
@@ -346,7 +359,19 @@ test('`loaded` belongs to the newest picture that the page has asked for', async
     return { told, unhandled };
   });
   expect(told).toEqual({
-    told: [1024, true, 760, ['AbortError', 'AbortError', 1024], 'picture', 1024, 'picture', 1024],
+    told: [
+      1024,
+      true,
+      760,
+      ['AbortError', 'AbortError', 1024],
+      'picture',
+      1024,
+      'picture',
+      1024,
+      'AbortError',
+      'AbortError',
+      760,
+    ],
     unhandled: [],
   });
 });

@@ -33,9 +33,9 @@ function reflections(
   if (words) return [...known, ['', invalid, '', ''], ['none of these', invalid, 'x', 'x'], absent];
   if (['src', 'project', 'poster'].includes(name))
     return [
-      ['/a/b.png', '/a/b.png', '/a/b.png', '/a/b.png'],
+      ['/favicon.svg', '/favicon.svg', '/favicon.svg', '/favicon.svg'],
       ['', '', '', ''],
-      ['http://[', 'http://[', 'x', 'x'],
+      ['http://[', 'http://[', '/favicon.svg', '/favicon.svg'],
       absent,
     ];
   return [['open', 'open', 'open', 'open'], ['', '', '', ''], [' A ', ' A ', 3, '3'], absent];
@@ -132,7 +132,7 @@ for (const element of ALL) {
       );
       const rows = reflections(type, name, first);
       const origin = new URL(page.url()).origin;
-      const values = rows.map(([, value]) => (value === '/a/b.png' ? `${origin}${value}` : value));
+      const values = rows.map(([, value]) => (value === '/favicon.svg' ? `${origin}${value}` : value));
       const texts = rows.map(([, , , text]) => text);
       for (const found of read)
         expect(found, name).toEqual({ values: [first, ...values], texts, removed: null });

@@ -63,7 +63,7 @@ import type { Properties } from './element/properties';
 import { ask } from './element/questions';
 import { ShownLanguage } from './element/shown_language';
 import type { Changes } from './element/updating_element';
-import { asC2WarpError, C2WarpError } from './error';
+import { asC2WarpError, C2WarpError, isAbort } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
@@ -102,14 +102,15 @@ export type { ToolName } from './tools/machine';
  * @csspart menu - The context menu, the list of keys, and the menu of a phone.
  * @csspart notice - A message of the editor, and the card that finishes a drawing.
  * @csspart hint - A hint over the picture, such as the purpose of a tool.
- * @cssprop {<color>} --c2-accent - The colour of the selection and the focus. Text on it is white, or nearly black in
- * the dark theme.
+ * @cssprop {<color>} --c2-accent - The colour of the selection and the focus. Text on it is white, or nearly black on
+ *   dark colours.
  * @cssprop {<color>} --c2-handle - The colour of handles, bars and polygons, on both light and dark pictures.
- * @cssprop {<color>} --c2-ground - The first of two colours behind the picture. With `posable`, transparent unless set.
+ * @cssprop {<color>} --c2-ground - The first of two colours behind the picture. By default, it is near that of the
+ *   surface. With `posable`, it is transparent unless set.
  * @cssprop {<color>} --c2-checker - The second colour, in the squares of the pattern.
- * @cssprop {<color>} --c2-surface - The colour of bars and cards.
- * @cssprop {<color>} --c2-text - The colour of the text on bars and cards.
- * @cssprop {<length>} --c2-radius - The corner radius of cards.
+ * @cssprop {<color>} --c2-surface - The colour of bars, cards and hints, and of the text of tooltips.
+ * @cssprop {<color>} --c2-text - The colour of the text on bars, cards and hints.
+ * @cssprop {<length>} --c2-radius - The corner radius of cards. Buttons, fields and hints have radii relative to it.
  * @cssprop --c2-font - The font family.
  */
 export class C2Warp extends TypedElement {
@@ -683,7 +684,7 @@ export class C2Warp extends TypedElement {
    * own promise. Without either, it waits for the first picture that a person opens.
    *
    * @throws C2WarpError the error of the `error` event, if the picture cannot be opened.
-   * @throws DOMException AbortError if the page requests another picture first, or if `load()` is aborted.
+   * @throws DOMException AbortError if another picture is requested first, or if `load()` is aborted.
    */
   get loaded(): Promise<void> {
     return this.#loading.promise;
@@ -763,7 +764,8 @@ export class C2Warp extends TypedElement {
         if (notification.type === 'load') this.#loading.opened();
         emitNotification(this.#emit, notification);
       },
-      sourceFailed: (error: Error) => this.#loading.failed(asC2WarpError(error)),
+      sourceFailed: (reason: unknown) =>
+        this.#loading.failed(isAbort(reason) ? reason : asC2WarpError(reason)),
       ask: (question: PageQuestion) => ask(question, this.#emit),
       setTheme: (theme: 'light' | 'dark') => {
         this.theme = theme;

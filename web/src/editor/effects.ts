@@ -117,8 +117,8 @@ export type EditorEffect =
       readonly inside: boolean;
     }
   | { readonly type: 'abandon-read'; readonly id: number }
-  /** The picture of the attributes cannot be opened. */
-  | { readonly type: 'source-failed'; readonly error: Error }
+  /** The picture of the attributes cannot be opened, or a person has opened another one first. */
+  | { readonly type: 'source-failed'; readonly error: Error | 'superseded' }
   /** Settles the promise of a `load()`; `error` null resolves it, 'superseded' rejects it with an AbortError. */
   | { readonly type: 'settle-load'; readonly reply: number; readonly error: Error | 'superseded' | null }
   /** Checks a project of the page and adopts it, then selects handles. */

@@ -10,7 +10,7 @@ import { atMoment } from '../document/moment';
 import { nameWords } from '../document/names';
 import type { Handle } from '../document/project';
 import type { Box } from '../geometry/box';
-import type { Camera, Size } from '../geometry/camera';
+import { type Camera, type Size, toStage } from '../geometry/camera';
 import type { Crease } from '../geometry/crease';
 import type { Guide } from '../geometry/guides';
 import { distance, type Vec } from '../geometry/vec';
@@ -29,6 +29,7 @@ import { snapsToEdges } from './edge_snapping';
 import { type EngineModel, engineModel } from './engine_model';
 import { choicesFor, type ExportChoices, type ExportKind } from './export_choices';
 import { type FilmModel, filmModel } from './film_model';
+import { type HintPlace, hintPlace } from './hint_place';
 import { brushOf, gripsOf, hiddenOf, hitAt, isBrushing, isLassoing, turnsOf } from './hit_areas';
 import { type MapModel, mapModel } from './map_model';
 import type { MenuState } from './menu_state';
@@ -57,7 +58,7 @@ import type { Task } from './task';
 import { neighbouringTimes, type TimelineModel, timelineModel } from './timeline_model';
 import { isKept } from './update/autosave';
 import { currentTask, shownNotice } from './update/notices';
-import { exportSize, isInView } from './view';
+import { exportSize, freeStage, isInView } from './view';
 import { awaitsPicture, toolToCome, waitingPlaces } from './waiting_input';
 import { type WebPageModel, webPageModel } from './web_page_model';
 import type { WorkSnapshot } from './work';
@@ -241,8 +242,7 @@ export interface ExportModel {
 export interface Hint {
   readonly text: string;
   readonly at: Vec;
-  /** Shown above the place, since there is no room to the right of it. */
-  readonly above: boolean;
+  readonly place: HintPlace;
 }
 
 export function viewModel(state: EditorState, texts: Texts): EditorModel {
@@ -477,9 +477,6 @@ const NONE: readonly Handle[] = [];
 const isSamePlace = (a: Handle, b: Handle | undefined): boolean =>
   b !== undefined && distance(anchor(a), anchor(b)) < 0.5;
 
-/** Room for the hint beside a handle, CSS pixels. */
-const HINT_CSS_PX = 170;
-
 /** A picture that is being read while another is open. */
 function openingTask({ picture, opening }: EditorState): Task | null {
   const name = picture && readingName(opening);
@@ -495,5 +492,8 @@ function hintOf(state: EditorState): Hint | null {
   if (!state.solution.shown || draftOf(state.tools)) return null;
   const at = anchor(handle);
   if (!isInView(state, at)) return null;
-  return { text: hint.text, at, above: !isInView(state, at, HINT_CSS_PX) };
+  const { camera } = state.view;
+  const middle = toStage(camera, [document.project.image.width / 2, document.project.image.height / 2]);
+  const place = hintPlace(hint.text, toStage(camera, at), freeStage(state), middle);
+  return place && { text: hint.text, at, place };
 }

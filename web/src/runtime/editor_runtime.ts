@@ -68,8 +68,8 @@ export interface EditorElement {
   notifyPage(notification: PageNotification): void;
   /** Whether the page lets the action continue. */
   ask(question: PageQuestion): boolean;
-  /** The picture of the attributes cannot be opened. */
-  sourceFailed(error: Error): void;
+  /** The picture of the attributes cannot be opened, or a person has opened another one first. */
+  sourceFailed(reason: unknown): void;
   setTheme(theme: 'light' | 'dark'): void;
   /** The system switched between light and dark colours. */
   schemeChanged(): void;
@@ -412,9 +412,7 @@ export class EditorRuntime {
     const load = this.#loads.get(reply);
     this.#loads.delete(reply);
     if (error === null) load?.resolve();
-    else if (error === 'superseded')
-      load?.reject(new DOMException('another picture was opened', 'AbortError'));
-    else load?.reject(error);
+    else load?.reject(asReason(error));
   }
 
   #adoptPageProject({ project, selection }: Extract<EditorEffect, { type: 'adopt-page-project' }>): void {
@@ -453,9 +451,12 @@ export class EditorRuntime {
       ask: (question) => element.ask(question),
       settleLoad: (reply, error) => this.#settleLoad(reply, error),
       adoptPageProject: (effect) => this.#adoptPageProject(effect),
-      sourceFailed: (error) => element.sourceFailed(error),
+      sourceFailed: (error) => element.sourceFailed(asReason(error)),
       setTheme: (theme) => element.setTheme(theme),
       releaseInput: () => element.rendered().then(() => this.dispatch({ type: 'input-released' })),
     };
   }
 }
+
+const asReason = (error: unknown): unknown =>
+  error === 'superseded' ? new DOMException('another picture was opened', 'AbortError') : error;

@@ -48,7 +48,7 @@ export interface Resources {
   ask(question: PageQuestion): boolean;
   settleLoad(reply: number, error: Error | 'superseded' | null): void;
   adoptPageProject(effect: Extract<EditorEffect, { type: 'adopt-page-project' }>): void;
-  sourceFailed(error: Error): void;
+  sourceFailed(error: Error | 'superseded'): void;
   setTheme(theme: 'light' | 'dark'): void;
   releaseInput(): void;
 }

@@ -46,7 +46,8 @@ function endRequest(
     case 'attributes': {
       if (outcome === 'opened') notifyLoad('page', emit);
       const ended = failed(withOpening(state, { openedRevision: purpose.revision }), outcome, emit);
-      if (outcome instanceof Error) emit({ type: 'source-failed', error: outcome });
+      const isNewest = purpose.revision === state.opening.revision;
+      if (outcome !== 'opened' && isNewest) emit({ type: 'source-failed', error: outcome });
       const { startup, overtaken } = ended.opening;
       if (startup.phase !== 'attributes' || startup.id !== id) return ended;
       const back = outcome instanceof Error && !overtaken ? startup.orElse : null;

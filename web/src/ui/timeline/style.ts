@@ -323,10 +323,10 @@ export const timelineStyle = css`
       height: var(--_finger);
     }
   }
-  /* The tools keep clear of it in two columns, or three. */
+  /* The tools keep clear of it in two columns, or four. */
   @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.low}px) {
     .middle:has(~ .timeline) {
-      --_start: ${TOOLS.low}px;
+      --_start: ${TOOLS.low.fine}px;
     }
     .middle:has(~ .timeline) .tools {
       display: grid;
@@ -335,10 +335,22 @@ export const timelineStyle = css`
   }
   @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.lowest}px) {
     .middle:has(~ .timeline) {
-      --_start: ${TOOLS.lowest}px;
+      --_start: ${TOOLS.lowest.fine}px;
     }
     .middle:has(~ .timeline) .tools {
-      grid-template-columns: auto auto auto;
+      grid-template-columns: repeat(4, auto);
+      /* The least elements have room for one row. */
+      overflow: hidden auto;
+    }
+    .middle:has(~ .timeline) .tools [data-tip]::after {
+      content: none;
+    }
+  }
+  @media (pointer: coarse) {
+    @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.lowest}px) {
+      .middle:has(~ .timeline) {
+        --_start: ${TOOLS.lowest.coarse}px;
+      }
     }
   }
   @container ${phone} {
