@@ -240,7 +240,7 @@ mod tests {
     #[test]
     fn few_colours_are_kept_exactly() {
         let colours = [[255, 0, 0], [0, 128, 7], [3, 3, 3], [250, 251, 252]];
-        let mut dithering = Dithering::new(colours.into_iter().cycle().take(400));
+        let mut dithering = Dithering::new(colours.into_iter().cycle().take(400).map(Some));
         let palette = dithering.palette().to_vec();
         for colour in colours {
             for place in [[0, 0], [1, 2], [3, 3]] {
@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn mixtures_have_the_mean_of_their_colour() {
         let cube = (0..32_768_u32).map(|i| [i >> 10, i >> 5, i].map(|channel| ((channel % 32) * 8) as u8));
-        let mut dithering = Dithering::new(cube);
+        let mut dithering = Dithering::new(cube.map(Some));
         let palette = dithering.palette().to_vec();
         for wanted in [[100, 100, 100], [200, 60, 90], [60, 180, 150]] {
             let places = (0..16).map(|at| [at % 4, at / 4]);
