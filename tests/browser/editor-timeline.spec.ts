@@ -146,6 +146,53 @@ test('a wave made by pointer survives a reload, plays, and is the same by comman
   await expectSameByCommand(editor, Number(stopped), info);
 });
 
+test('a walk made by dragging alone has whole depths, in the keys of the drags that cross', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await open(editor);
+  await timeline(editor).getByRole('button', { name: 'New clip' }).click();
+  const scale = await editor.scale();
+  const depths = async (handle: string) => {
+    const track = (await clips(editor))[0]?.tracks.find((track) => track.handle === handle);
+    return (track?.keys ?? []).map(({ time, depth }) => [time, depth ?? null] as const);
+  };
+  await goTo(editor, 1);
+  await editor.dragHandle('right hand', { x: (600 - 900) * scale, y: (800 - 516) * scale });
+  await expect
+    .poll(() => depths('right-hand'))
+    .toEqual([
+      [0, 1],
+      [1, 1],
+    ]);
+  // The panel says so.
+  await expect(page.getByRole('spinbutton', { name: 'Depth (Auto)' })).toHaveValue('1');
+  await goTo(editor, 0.5);
+  await editor.dragHandle('right hand', { x: 6, y: -20 });
+  await goTo(editor, 1.5);
+  await editor.dragHandle('right hand', { x: 60, y: -40 });
+  await expect
+    .poll(() => depths('right-hand'))
+    .toEqual([
+      [0, 1],
+      [0.5, null],
+      [1, 1],
+      [1.5, null],
+    ]);
+  // What a person sets is not automatic, and in its key alone.
+  await page.keyboard.press('[');
+  await expect(editor.field('depth')).toHaveValue('0');
+  await expect(page.getByRole('spinbutton', { name: 'Depth (Auto)' })).toHaveCount(0);
+  await goTo(editor, 1.2);
+  await expect(editor.field('depth')).toHaveValue('1');
+  expect(await depths('right-hand')).toEqual([
+    [0, 1],
+    [0.5, null],
+    [1, 1],
+    [1.5, 0],
+  ]);
+});
+
 test('a motion is made, moved and eased by keyboard alone', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('t');

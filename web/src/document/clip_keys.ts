@@ -103,6 +103,15 @@ export const easeKeys = (clip: Clip, refs: readonly KeyRef[], ease: Ease): Clip 
 export const keyCorners = (posed: Posed): readonly Vec[] =>
   Array.isArray(posed[0]) ? (posed as readonly Vec[]) : [posed as Vec];
 
+/**
+ * Whether a new key at a time holds a value, as other keys of its track do. A depth goes on until another key changes
+ * it, so that only a key that has one keeps it.
+ */
+export const isKeyed = (track: Track | undefined, time: number, value: KeyedValue): boolean =>
+  track?.keys.some(
+    (key) => key[value] !== undefined && (value !== 'depth' || isSameTime(key.time, roundedTime(time))),
+  ) ?? false;
+
 /** A key that holds the posed corners of a handle, and these of its other values. */
 export const keyOf = (handle: Handle, time: number, values: readonly KeyedValue[]): Key => ({
   time: roundedTime(time),

@@ -77,6 +77,36 @@ describe('a document at a moment', () => {
     ]);
   });
 
+  it('writes no depth that a drag has not changed, and keeps one that a key has', () => {
+    const between: PosesAt = (clip, handles, time) =>
+      lastKey(clip, handles, time).map((pose, k) => (k === 0 ? { ...pose, depth: 0.74 } : pose));
+    const shown = atMoment(dragged, 'wave', 0.25, between);
+    expect(keysOf(drag(shown, 'a', 1), 'a')?.map(({ depth }) => depth)).toEqual([
+      undefined,
+      undefined,
+      undefined,
+    ]);
+    const raised = absorbed(
+      dragged,
+      changeHandles(dragged, ['a'], (handle) => ({ ...handle, depth: 2 })),
+    );
+    expect(keysOf(drag(at(raised, 0.5), 'a', 1), 'a')?.map(({ depth }) => depth)).toEqual([0, 2]);
+  });
+
+  it('gives the key before a risen depth where the handle is free, at any frame', () => {
+    const third = drag(at(dragged, 2 / 3), 'a', 1);
+    const raise = (depth: number, free: number) =>
+      absorbed(
+        third,
+        changeHandles(third, ['a'], (handle) => ({ ...handle, depth })),
+        (_, time) => time === free,
+      );
+    const depths = (document: Document) => keysOf(document, 'a')?.map(({ depth }) => depth);
+    expect(depths(raise(1, 0.5))).toEqual([0, 1, 1]);
+    expect(depths(raise(1, 0))).toEqual([0, undefined, 1]);
+    expect(depths(raise(-1, 0.5))).toEqual([0, undefined, -1]);
+  });
+
   it('adds, renames and removes handles in the file too', () => {
     const added = absorbed(dragged, addHandle(dragged, point('c', 5)));
     expect(fileProject(added).handles.map(({ id }) => id)).toEqual(['a', 'b', 'c']);

@@ -33,6 +33,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       saved: emptyDocument.project,
       posedByPage: [],
       crossing: NO_CROSSING,
+      automaticDepths: new Map(),
       touched: false,
       reported: { selection: [], undo: null, redo: null, title: null, tool: 'select' },
     },

@@ -95,6 +95,8 @@ export interface DocumentState {
   readonly posedByPage: readonly string[];
   /** Whether the current drag brings its handles to the front. */
   readonly crossing: Crossing;
+  /** The depths by id that crossings have decided. A person may have given a handle another one since. */
+  readonly automaticDepths: ReadonlyMap<string, number>;
   /** Whether the document was ever changed: the page's hint ends then. */
   readonly touched: boolean;
   /** What the page was last told of the selection, the history, the title and the tool. */

@@ -67,6 +67,8 @@ export interface EditorModel {
   readonly texts: Texts;
   readonly document: Document;
   readonly turns: Turns;
+  /** Depths by id that are automatic, as long as handles have them. */
+  readonly automaticDepths: ReadonlyMap<string, number>;
   /** The corners of handles that lie behind another part of the picture. */
   readonly hidden: HiddenCorners;
   readonly picture: Picture | null;
@@ -264,6 +266,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     get hidden() {
       return hiddenOf(state);
     },
+    automaticDepths: state.document.automaticDepths,
     picture,
     unsaved: isUnsaved(state),
     kept: state.autosave.key === null ? null : isKept(state),

@@ -40,7 +40,7 @@ impl Channel {
 
     /// Returns the value at a time within the period. Outer `None`: there are no knots.
     pub(super) fn at(&self, time: f64) -> Option<Option<f64>> {
-        let following = self.knots.partition_point(|knot| knot.time <= time) as isize;
+        let following = self.following(time);
         let Some(before) = self.knot(following - 1) else {
             return self.knots.first().map(|knot| knot.value);
         };
@@ -56,6 +56,21 @@ impl Channel {
                 monotone::cubic(fraction, length, [start, end], slopes)
             }
         }))
+    }
+
+    /// The value at a time, as [`at`](Self::at), but from one whole number to another by a jump at the next knot.
+    pub(super) fn stepped_at(&self, time: f64) -> Option<Option<f64>> {
+        let following = self.following(time);
+        let whole = |number| self.knot(number).and_then(|knot| knot.value).filter(|value| value.fract() == 0.0);
+        match (whole(following - 1), whole(following)) {
+            (Some(before), Some(_)) => Some(Some(before)),
+            _ => self.at(time),
+        }
+    }
+
+    /// The number of the first knot after a time.
+    fn following(&self, time: f64) -> isize {
+        self.knots.partition_point(|knot| knot.time <= time) as isize
     }
 
     /// A knot by its number. In a period, numbers go on before the first knot and after the last one.
@@ -165,6 +180,26 @@ mod tests {
         assert_eq!([0.5, 1.5].map(|time| channel.at(time).unwrap()), [Some(5.0), None]);
         let between = channel.at(3.0).unwrap().unwrap();
         assert_eq!(between, 6.0, "from the last knot to the first");
+    }
+
+    #[test]
+    fn whole_numbers_step_at_the_next_knot() {
+        let knots = [(1.0, 0.0), (2.0, 2.0), (3.0, -1.0)];
+        for ease in [Ease::Smooth, Ease::Linear, Ease::Hold] {
+            let channel = channel(&knots.map(|(time, value)| (time, value, ease)), Some(PERIOD));
+            let at = |time: f64| channel.stepped_at(time).unwrap().unwrap();
+            assert_eq!([0.0, 1.0, 1.9, 2.0, 2.9, 3.0, 3.9].map(at), [-1.0, 0.0, 0.0, 2.0, 2.0, -1.0, -1.0]);
+        }
+    }
+
+    #[test]
+    fn fractions_do_not_step() {
+        let fractions = channel(&[(0.0, 0.5, Ease::Linear), (1.0, 2.0, Ease::Linear)], None);
+        assert_eq!(
+            [0.0, 0.5, 1.0].map(|time| fractions.stepped_at(time).flatten()),
+            [Some(0.5), Some(1.25), Some(2.0)]
+        );
+        assert_eq!(channel(&[], None).stepped_at(0.5), None);
     }
 
     proptest! {

@@ -221,7 +221,7 @@ export interface Key {
   readonly rotation?: Rotation;
   /** The scale, above 0. */
   readonly scale?: number;
-  /** The depth. */
+  /** The depth. A whole number holds until another key. */
   readonly depth?: number;
   /** How values go on to the next key. Left out: "smooth". */
   readonly ease?: Ease;

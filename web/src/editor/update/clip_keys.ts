@@ -4,6 +4,7 @@ import { restingRotation } from '../../document/bending';
 import {
   allowedMove,
   easeKeys,
+  isKeyed,
   KEYED_VALUES,
   type KeyedValue,
   type KeyRef,
@@ -75,7 +76,7 @@ export function setKeys(before: EditorState, emit: Emit): EditorState {
   const { time } = state.timeline;
   const placed = selectionOf(state).flatMap((id): readonly PlacedKey[] => {
     const handle = handleById(document, id);
-    return handle ? [{ handle: id, key: keyOf(handle, time, keyedValues(clip, handle)) }] : [];
+    return handle ? [{ handle: id, key: keyOf(handle, time, keyedValues(clip, handle, time)) }] : [];
   });
   const label = say('steps.setKeys', placed.length);
   const next = editClip(state, label, (clip) => putKeys(clip, placed), emit);
@@ -92,10 +93,10 @@ function withClip(state: EditorState, emit: Emit): EditorState {
   );
 }
 
-function keyedValues(clip: Clip, handle: Handle): readonly KeyedValue[] {
-  const keys = trackOf(clip, handle.id)?.keys ?? [];
+function keyedValues(clip: Clip, handle: Handle, time: number): readonly KeyedValue[] {
+  const track = trackOf(clip, handle.id);
   return KEYED_VALUES.filter(
-    (value) => keys.some((key) => key[value] !== undefined) || (value === 'rotation' && hasOwnTurn(handle)),
+    (value) => isKeyed(track, time, value) || (value === 'rotation' && hasOwnTurn(handle)),
   );
 }
 

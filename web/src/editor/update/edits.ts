@@ -36,13 +36,14 @@ import type { Blend } from '../../geometry/skin';
 import { add, type Vec } from '../../geometry/vec';
 import { say, type Wording } from '../../texts/wording';
 import type { Corner } from '../corner';
-import { beginCrossing, crossed, withDepths } from '../crossing';
+import { beginCrossing, type Crossing, crossed, withDepths } from '../crossing';
 import type { Emit } from '../effects';
 import type { Field, NumberChange } from '../events';
 import { guarded } from '../fold_guard';
 import { turnsOf } from '../hit_areas';
 import { cornerWords, depthWords, handleWords, placeWords, selectionName } from '../selection_words';
 import { documentOf, type EditorState, projectOf } from '../state';
+import { forgetDepths, noteDepths } from './document_slice';
 import { announce, announceAt, informOfStep, notify } from './notices';
 import { select } from './selection';
 import { commitStep, modeReturn, step } from './steps';
@@ -175,7 +176,8 @@ export function raise(state: EditorState, by: number, emit: Emit): EditorState {
   if (selection.length === 0) return state;
   const label = say(by > 0 ? 'steps.bringForward' : 'steps.sendBack', selectionName(document));
   const raised = raiseHandles(document, selection, by);
-  return announceDepth(commitStep(state, label, raised, emit, `raise ${selection.join(' ')}`));
+  const next = commitStep(state, label, raised, emit, `raise ${selection.join(' ')}`);
+  return announceDepth(forgetDepths(next, selection));
 }
 
 export const setBlend = (state: EditorState, blend: Blend, emit: Emit): EditorState =>
@@ -277,7 +279,10 @@ export function setField(state: EditorState, field: Field, change: NumberChange,
   const label = say(`steps.set.${field}`, selectionName(document));
   const key = `${field} ${selection.join(' ')}`;
   if (field === 'stiffness') return announce(commitStep(state, label, wanted.document, emit, key), label);
-  if (field === 'depth') return announceDepth(commitStep(state, label, wanted.document, emit, key));
+  if (field === 'depth') {
+    const next = commitStep(state, label, wanted.document, emit, key);
+    return announceDepth(forgetDepths(next, selection));
+  }
   return guardedStep(state, label, wanted, key, emit);
 }
 
@@ -299,17 +304,18 @@ function guardedStep(
   );
   const limited = { ...state, guard };
   if (document === present && guard.holding) return announce(limited, say('spoken.stoppedAtFold'));
-  const next = commitStep(limited, label, inFront(state, document), emit, key);
+  const crossing = crossingOf(state, document);
+  const stepped = commitStep(limited, label, withDepths(document, crossing), emit, key);
+  const next = noteDepths(stepped, crossing);
   const said = words(next);
   return said === null ? next : announce(next, said);
 }
 
-/** A moved document, with the selected handles in front of what they have come to lie behind. */
-function inFront(state: EditorState, moved: Document): Document {
+/** What brings the selected handles in front of what they have come to lie behind. */
+function crossingOf(state: EditorState, moved: Document): Crossing {
   const present = documentOf(state);
   const deformation = state.solution.shown?.deformation ?? null;
-  const crossing = crossed(beginCrossing(deformation, present), deformation, present, moved);
-  return withDepths(moved, crossing);
+  return crossed(beginCrossing(deformation, present), deformation, present, moved);
 }
 
 function announceDepth(state: EditorState): EditorState {

@@ -24,6 +24,7 @@ export function openWork(state: EditorState, { record, drawings, saved }: Work, 
   const opened = withDocument(guardEnded(rested), {
     drawn: null,
     travelled: null,
+    automaticDepths: new Map(),
     history: history.historyOf(record),
     saved: saved ?? (record.past[0]?.value ?? record.present).project,
   });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { anchor } from '../../document/handle';
+import { anchor, depthOf } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
 import { en } from '../../texts/en';
 import type { EditorEvent } from '../events';
@@ -226,5 +226,89 @@ describe('the timeline', () => {
     expect([names(), runtime.state.timeline.clip]).toEqual([['clip', 'sway'], 'clip']);
     send(runtime, { type: 'undo-asked' });
     expect(names()).toEqual(['clip', 'sway', 'big sway']);
+  });
+});
+
+describe('depths in the timeline', () => {
+  /** The times of the keys of a handle that have a depth, and that depth. */
+  const depths = (runtime: FakeRuntime, handle: string) =>
+    clip(runtime)
+      ?.tracks.find((track) => track.handle === handle)
+      ?.keys.flatMap(({ time, depth }) => (depth === undefined ? [] : [[time, depth]])) ?? [];
+  const shown = (runtime: FakeRuntime) => projectOf(runtime.state).handles.map(depthOf);
+  const automatic = (runtime: FakeRuntime) => [...viewModel(runtime.state, en).automaticDepths];
+
+  it('rise in the keys of the drag alone, from the key before on where nothing crosses', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [300, 150]);
+    expect(depths(runtime, 'a')).toEqual([
+      [0, 1],
+      [1, 1],
+    ]);
+    expect(depths(runtime, 'b')).toEqual([]);
+    expect(automatic(runtime)).toEqual([['a', 1]]);
+    // Other drags of the same handle, at its keys and between them.
+    for (const time of [0.5, 1, 1.5]) {
+      send(runtime, move(time));
+      const at = x(runtime, 'a') ?? 0;
+      drag(runtime, [at, 150], [at, 190]);
+    }
+    expect(keys(runtime, 'a')).toHaveLength(4);
+    expect(depths(runtime, 'a')).toEqual([
+      [0, 1],
+      [1, 1],
+    ]);
+  });
+
+  it('change no order at other keys, where parts cross too', () => {
+    const runtime = opened();
+    drag(runtime, [100, 150], [300, 150]);
+    expect([depths(runtime, 'a'), shown(runtime)]).toEqual([[[0, 1]], [1, 0]]);
+    send(runtime, move(1), { type: 'handles-selected', ids: ['b'] });
+    send(runtime, { type: 'arrow-pressed', by: [50, 0] }, { type: 'arrow-pressed', by: [-50, 0] });
+    expect(depths(runtime, 'b')).toEqual([
+      [0, 0],
+      [1, 2],
+    ]);
+    send(runtime, move(0.9));
+    expect(shown(runtime)).toEqual([1, 0]);
+    send(runtime, move(1.9));
+    expect(shown(runtime)).toEqual([1, 2]);
+    expect(automatic(runtime)).toEqual([
+      ['a', 1],
+      ['b', 2],
+    ]);
+  });
+
+  it('that a person sets are not automatic, and change no other key that has one', () => {
+    const runtime = opened();
+    drag(runtime, [100, 150], [300, 150]);
+    send(runtime, move(1), { type: 'command-run', command: 'forward' });
+    const set = [
+      [0, 1],
+      [1, 2],
+    ];
+    expect(depths(runtime, 'a')).toEqual(set);
+    expect(automatic(runtime)).toEqual([]);
+    // Keys that are set leave depths as they are.
+    for (const time of [1, 1.5]) send(runtime, move(time), { type: 'command-run', command: 'set-key' });
+    expect(depths(runtime, 'a')).toEqual(set);
+    expect(keys(runtime, 'a')).toHaveLength(3);
+  });
+
+  it('of a recorded drag hold from its beginning', () => {
+    const runtime = opened();
+    const to = (place: Vec): EditorEvent => ({
+      type: 'press-moved',
+      pointer: pointer(staged(runtime, place)),
+    });
+    const tick = { type: 'clock-ticked', seconds: 0.1 } as const;
+    send(runtime, { type: 'record-held', held: true });
+    send(runtime, { type: 'press-began', pointer: pointer(staged(runtime, [100, 150])), pans: false });
+    for (let at = 100; at <= 300; at += 20) send(runtime, tick, to([at, 150]));
+    send(runtime, { type: 'press-ended', pointer: pointer(staged(runtime, [300, 150])) });
+    expect(keys(runtime, 'a')?.length).toBeGreaterThan(1);
+    expect(depths(runtime, 'a')).toEqual([[0, 1]]);
   });
 });

@@ -20,6 +20,7 @@ export const panel: Texts['panel'] = {
   scale: 'Skalierung',
   depth: 'Tiefe',
   depthTip: (least, most) => `Zeichenreihenfolge, von ${least} ganz hinten bis ${most} ganz vorn`,
+  automaticDepth: 'Automatisch: vor den Teilen, über die der Griff bewegt wurde',
   stiffness: 'Steifigkeit',
   stiffnessTip: 'Wie steif das Bild innerhalb des Polygons ist, von 0 bis 1',
   auto: 'Auto',

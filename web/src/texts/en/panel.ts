@@ -19,6 +19,7 @@ export const panel = {
   scale: 'Scale',
   depth: 'Depth',
   depthTip: (least: number, most: number) => `Drawing order, from ${least} at the back to ${most} in front`,
+  automaticDepth: 'Automatic: in front of the parts that it was moved across',
   stiffness: 'Stiffness',
   stiffnessTip: 'How stiff the picture inside the polygon is, from 0 to 1',
   auto: 'Auto',

@@ -21,6 +21,7 @@ export const panel: Texts['panel'] = {
   scale: 'Escala',
   depth: 'Orden',
   depthTip: (least, most) => `Orden de dibujo, de ${least} al fondo a ${most} delante`,
+  automaticDepth: 'Automática: delante de las partes sobre las que se ha movido',
   stiffness: 'Rigidez',
   stiffnessTip: 'Rigidez de la imagen dentro del polígono, de 0 a 1',
   auto: 'Auto',

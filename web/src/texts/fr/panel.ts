@@ -21,6 +21,7 @@ export const panel: Texts['panel'] = {
   scale: 'Échelle',
   depth: 'Plan',
   depthTip: (least, most) => `Ordre de dessin, de ${least} à l’arrière à ${most} à l’avant`,
+  automaticDepth: 'Automatique : devant les parties sur lesquelles la poignée a été déplacée',
   stiffness: 'Rigidité',
   stiffnessTip: 'Rigidité de l’image à l’intérieur du polygone, de 0 à 1',
   auto: 'Auto',

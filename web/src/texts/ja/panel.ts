@@ -18,6 +18,7 @@ export const panel: Texts['panel'] = {
   scale: '倍率',
   depth: '重なり順',
   depthTip: (least, most) => `描画の順序。${least}が最背面、${most}が最前面`,
+  automaticDepth: '自動：動かして重なった部分より手前',
   stiffness: '硬さ',
   stiffnessTip: '多角形の内側の画像の硬さ。0から1まで',
   auto: '自動',

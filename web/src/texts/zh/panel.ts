@@ -18,6 +18,7 @@ export const panel: Texts['panel'] = {
   scale: '缩放',
   depth: '深度',
   depthTip: (least, most) => `绘制顺序，从最后面的 ${least} 到最前面的 ${most}`,
+  automaticDepth: '自动：位于移动时与之交叠的部分之前',
   stiffness: '刚度',
   stiffnessTip: '多边形内的图片有多硬，从 0 到 1',
   auto: '自动',

@@ -36,7 +36,7 @@ pub struct Key {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "schema", schemars(default, with = "f64", extend("exclusiveMinimum" = 0)))]
     pub scale: Option<f64>,
-    /// The depth.
+    /// The depth. A whole number holds until another key.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "schema", schemars(default, with = "f64"))]
     pub depth: Option<f64>,
