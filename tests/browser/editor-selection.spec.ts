@@ -132,7 +132,7 @@ test('clicks around a disc select it along its edge, within two pixels', async (
   expect(away(corners)).toBeLessThan(2);
 });
 
-test('clicks up the other side of a thin rocket keep to that side, and each corner stays', async ({
+test('clicks up the far side of a thin rocket keep to that side, and their corners', async ({
   page,
 }) => {
   const editor = await Editor.open(page);

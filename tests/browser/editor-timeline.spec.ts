@@ -146,7 +146,7 @@ test('a wave made by pointer survives a reload, plays, and is the same by comman
   await expectSameByCommand(editor, Number(stopped), info);
 });
 
-test('a walk made by dragging alone has whole depths, in the keys of the drags that cross', async ({
+test('a walk made by dragging has whole depths, in the keys of drags that cross', async ({
   page,
 }) => {
   const editor = await Editor.open(page);
