@@ -132,9 +132,7 @@ test('clicks around a disc select it along its edge, within two pixels', async (
   expect(away(corners)).toBeLessThan(2);
 });
 
-test('clicks up the far side of a thin rocket keep to that side, and their corners', async ({
-  page,
-}) => {
+test('clicks up the far side of a thin rocket keep to that side, and their corners', async ({ page }) => {
   const editor = await Editor.open(page);
   // From a tip at (200, 20) down to a foot at y = 280, 12 px wide. The ground to its right is nearly as light.
   const rocket = (x: number, y: number): number => {

@@ -146,9 +146,7 @@ test('a wave made by pointer survives a reload, plays, and is the same by comman
   await expectSameByCommand(editor, Number(stopped), info);
 });
 
-test('a walk made by dragging has whole depths, in the keys of drags that cross', async ({
-  page,
-}) => {
+test('a walk made by dragging has whole depths, in the keys of drags that cross', async ({ page }) => {
   const editor = await Editor.open(page);
   await open(editor);
   await timeline(editor).getByRole('button', { name: 'New clip' }).click();
@@ -179,7 +177,7 @@ test('a walk made by dragging has whole depths, in the keys of drags that cross'
       [1, 1],
       [1.5, null],
     ]);
-  // What a person sets is not automatic, and in its key alone.
+  // A depth that a person sets is not automatic, and in its key alone.
   await page.keyboard.press('[');
   await expect(editor.field('depth')).toHaveValue('0');
   await expect(page.getByRole('spinbutton', { name: 'Depth (Auto)' })).toHaveCount(0);

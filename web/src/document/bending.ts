@@ -42,7 +42,7 @@ export interface ModeReturn {
  * Returns the project in another mode. Turns keep their meaning: numbers stay, and automatic points stay automatic. On
  * the way to rigid, unturned points become automatic, as those placed in that mode are.
  *
- * @param back undoes what the way from that mode changed. Later changes stay.
+ * @param back undoes the changes of the way from that mode. Later changes stay.
  */
 export function withMode(project: Project, mode: PoseMode, back: ModeReturn | null = null): Project {
   if (back && JSON.stringify(back.after) === JSON.stringify(project)) return back.before;

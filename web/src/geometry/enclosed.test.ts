@@ -53,14 +53,14 @@ function expectAllOf(line: Ring, rings: readonly Ring[]): void {
   expect(wrong).toEqual([]);
 }
 
-describe('what a line encloses', () => {
+describe('the rings that a line encloses', () => {
   const eight = (count: number, lobes = 2): Ring =>
     Array.from({ length: count }, (_, k) => {
       const turn = (2 * Math.PI * (k + 0.4)) / count;
       return [200 + 150 * Math.cos(turn), 150 + 90 * Math.sin(lobes * turn)];
     });
 
-  it('has a ring for each lobe of a figure eight', () => {
+  it('are one for each lobe of a figure eight', () => {
     for (const count of [7, 16, 41]) {
       const rings = enclosedBy([eight(count)]);
       expect(rings).toHaveLength(2);
@@ -72,7 +72,7 @@ describe('what a line encloses', () => {
     const square8: Ring = [...square(0, 0, 20), [0, 0], [-20, 0], [-20, -20], [0, -20]];
     expect(enclosedBy([square8]).map(areaOf).map(Math.round)).toEqual([398, 398]);
   });
-  it('is all of a line that goes around twice, or has loops at its turns', () => {
+  it('have all of a line that goes around twice, or has loops at its turns', () => {
     const twice: Ring = Array.from({ length: 60 }, (_, k) => {
       const [turn, radius] = [(2 * Math.PI * k) / 30.5, 80 + k / 3];
       return [100 + radius * Math.cos(turn), 100 + radius * Math.sin(turn)];
@@ -91,7 +91,7 @@ describe('what a line encloses', () => {
     ];
     expectAllOf(looped, enclosedBy([looped]));
   });
-  it('has a hole where a line leaves out its middle', () => {
+  it('have a hole where a line leaves out its middle', () => {
     // A band, nearly closed, whose ends overlap.
     const band: Ring = [
       ...square(0, 0, 100),
@@ -107,7 +107,7 @@ describe('what a line encloses', () => {
     expectAllOf(band, rings);
     expect(isInsideOf(rings, [50, 50])).toBe(false);
   });
-  it('is whole for lines that cross themselves many times', () => {
+  it('are whole for lines that cross themselves many times', () => {
     let seed = 7;
     const random = () => {
       seed = (Math.imul(seed, 1103515245) + 12345) & 0x7fffffff;
@@ -129,7 +129,7 @@ describe('what a line encloses', () => {
         expectAllOf(line, enclosedBy([line]));
       }
   });
-  it('leaves out small rings, but not the largest one', () => {
+  it('are of a least size, apart from the largest one', () => {
     expect(enclosedBy([eight(41)], 1e9)).toHaveLength(1);
     const small: Ring = [...square(0, 0, 50), [0, 0], [-3, 0], [-3, -3], [0, -3]];
     expect(enclosedBy([small], 16).map(areaOf)).toEqual([2500]);

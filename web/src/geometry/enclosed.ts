@@ -1,8 +1,8 @@
 /**
- * What closed lines go around, as rings that touch neither themselves nor one another.
+ * The inside of closed lines, as rings that touch neither themselves nor one another.
  *
  * A place is inside if the lines wind around it, any number of times. So a figure eight has two rings, and a line that
- * goes around twice, or makes a small loop at a turn, loses nothing. What lines leave out in their middle is a hole.
+ * goes around twice, or makes a small loop at a turn, loses nothing. A middle that lines leave out is a hole.
  *
  * Lines are cut where they cross or touch, and edges that go to and fro cancel. An edge is a border if the lines wind
  * around one of its sides alone. Rings that would share a corner there are moved apart.
@@ -26,7 +26,7 @@ export function enclosedBy(lines: readonly Ring[], least = 0): readonly Ring[] {
   const all = ringsOf(lines);
   const most = Math.max(...all.map(areaOf));
   const kept = movedApart(all.filter((ring) => areaOf(ring) >= Math.min(least, most)));
-  // Moved corners may close what is narrower than that.
+  // Moved corners may close narrower places.
   return kept.map((ring) => (isSimple(ring) ? ring : largestOf(ringsOf([ring])))).filter(isSimple);
 }
 
@@ -39,7 +39,7 @@ function ringsOf(lines: readonly Ring[]): readonly Ring[] {
 const largestOf = (rings: readonly Ring[]): Ring =>
   rings.reduce((best, ring) => (areaOf(ring) > areaOf(best) ? ring : best), []);
 
-/** The largest part of what a ring goes around; the ring itself if it does not touch itself. */
+/** The largest part inside a ring that touches itself; otherwise the ring itself. */
 export const simpleRing = (drawn: Ring): Ring =>
   isSimple(drawn) ? drawn : (enclosedBy([drawn], Number.POSITIVE_INFINITY)[0] ?? []);
 

@@ -69,8 +69,8 @@ export interface ToolContext {
   /**
    * The way of a lasso from the last of its corners to a place, along edges of the picture. It ends at the edge near
    * the place, or at the first corner itself, and lacks the last corner. Without corners, it is the end alone. No edge
-   * along the outline so far is used again. Null while the lasso does not snap to edges. A way that is set, and not only
-   * shown under the pointer, is precise.
+   * along the outline so far is used again. Null while the lasso does not snap to edges. A way that is set, and not
+   * only shown under the pointer, is precise.
    */
   readonly trace: ((corners: readonly Vec[], to: Vec, precise?: boolean) => readonly Vec[]) | null;
   /** Snaps a place to guides, except to those of the moving handles. */

@@ -311,7 +311,7 @@ function guardedStep(
   return said === null ? next : announce(next, said);
 }
 
-/** What brings the selected handles in front of what they have come to lie behind. */
+/** Brings the selected handles in front of the parts that they have come to lie behind. */
 function crossingOf(state: EditorState, moved: Document): Crossing {
   const present = documentOf(state);
   const deformation = state.solution.shown?.deformation ?? null;
