@@ -1,9 +1,11 @@
 //! A palette of 255 colours for a picture, and mixtures of its colours.
 //!
-//! The palette: the colours of flat areas as they are, and for the rest median cut (Heckbert 1982) on a histogram, then
-//! some rounds of k-means. Mixtures: for each colour, the palette's colours whose mean is nearest to it, ordered by
-//! brightness and chosen by a fixed pattern (Knoll's pattern dithering, US 6,606,166, expired). Colours that are in the
-//! palette, or close to it, are not mixed: a pattern would be visible in flat areas.
+//! The palette contains the exact colours of flat areas. The rest come from median cut (Heckbert 1982) on a
+//! histogram, then some rounds of k-means.
+//!
+//! A mixture consists of the palette's colours whose mean is nearest to a colour, ordered by brightness. A fixed pattern
+//! chooses from it (Knoll's pattern dithering, US 6,606,166, expired). Colours that are in the palette, or close to it,
+//! are not mixed: a pattern would be visible in flat areas.
 
 use std::{cmp::Reverse, collections::BTreeMap};
 
@@ -17,27 +19,21 @@ const FLAT_RUN: usize = 4;
 const FLAT_PART: usize = 4096;
 /// A colour is not mixed if the nearest one of the palette differs by no more in any channel. Nobody sees such a step.
 const NEAR: f32 = 1.5;
-/// Bits of a channel in the histogram, and among the colours that are mixed: steps of two are not seen in gradients.
-const HISTOGRAM_BITS: u32 = 6;
-const MIXED_BITS: u32 = 7;
+/// Bits of a channel in the histogram and among the colours that are mixed.
+const BITS: u32 = 6;
 /// Rounds of k-means. Later ones change colours by less than the rounding of the histogram.
 const ROUNDS: usize = 4;
 /// Colours in a mixture: the cells of the pattern.
 const MIX: usize = 16;
-/// Fraction of the error of a mixture that its next colour compensates. With 1, flat colours get grainy.
+/// How much of the error of a mixture its next colour makes good. With all of it, flat colours get grainy.
 const STRENGTH: f32 = 0.7;
-
-/// Colours that may be in a mixture: the nearest ones. Farther ones would be seen as specks.
-const NEAREST: usize = 24;
-/// How much a colour in a mixture counts for its distance from the wanted one.
-const GRAIN: f32 = 0.5;
 
 /// The order in which 4 × 4 pixels take the colours of a mixture (Bayer 1973).
 const PATTERN: [[usize; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
 type Colour = [f32; 3];
 
-/// A palette, and a cache of mixtures.
+/// A palette, and the mixtures that were asked for.
 #[derive(Debug)]
 pub(crate) struct Dithering {
     /// The first colours of the palette: those of flat areas, ascending.
@@ -45,9 +41,8 @@ pub(crate) struct Dithering {
     /// 256 × 3 bytes.
     bytes: Vec<u8>,
     colours: Vec<Colour>,
-    mixtures: Vec<[u8; MIX]>,
-    /// By the bits of a colour: one more than the index of its mixture, or 0.
-    mixture_of: Vec<u32>,
+    /// By the bits of a colour.
+    mixtures: Vec<Option<Box<[u8; MIX]>>>,
 }
 
 /// A bin of the histogram.
@@ -70,7 +65,7 @@ impl Dithering {
         let mut bytes: Vec<u8> = colours.iter().flatten().map(|&channel| channel.round() as u8).collect();
         bytes.resize(3 * (COLOURS + 1), 0);
         let colours = bytes.as_chunks::<3>().0[..colours.len()].iter().map(|rgb| rgb.map(f32::from)).collect();
-        Self { flat, bytes, colours, mixtures: Vec::new(), mixture_of: vec![0; 1 << (3 * MIXED_BITS)] }
+        Self { flat, bytes, colours, mixtures: vec![None; 1 << (3 * BITS)] }
     }
 
     /// The palette: red, green and blue of 256 colours.
@@ -78,26 +73,22 @@ impl Dithering {
         &self.bytes
     }
 
-    /// The index of the colour for a pixel at a position.
+    /// The index of the colour for a pixel at a place.
     pub(crate) fn index(&mut self, colour: [u8; 3], [x, y]: [usize; 2]) -> u8 {
-        let Self { flat, colours, mixtures, mixture_of, .. } = self;
+        let Self { flat, colours, mixtures, .. } = self;
         if colours.is_empty() {
             return 0;
         }
         if let Ok(index) = flat.binary_search(&colour) {
             return index as u8;
         }
-        let at = &mut mixture_of[bin_of(colour, MIXED_BITS)];
-        if *at == 0 {
-            mixtures.push(mixture(colours, colour));
-            *at = mixtures.len() as u32;
-        }
-        mixtures[*at as usize - 1][PATTERN[y % 4][x % 4]]
+        let mixture = mixtures[bin_of(colour)].get_or_insert_with(|| Box::new(mixture(colours, colour)));
+        mixture[PATTERN[y % 4][x % 4]]
     }
 }
 
-fn bin_of(colour: [u8; 3], bits: u32) -> usize {
-    colour.into_iter().fold(0, |bin, channel| (bin << bits) | usize::from(channel >> (8 - bits)))
+fn bin_of(colour: [u8; 3]) -> usize {
+    colour.into_iter().fold(0, |bin, channel| (bin << BITS) | usize::from(channel >> (8 - BITS)))
 }
 
 /// The colours of the largest flat areas, ascending.
@@ -127,9 +118,9 @@ fn flat_colours(pixels: impl Iterator<Item = Option<[u8; 3]>>) -> Vec<[u8; 3]> {
 
 /// The bins that have pixels, with their mean colours.
 fn histogram(pixels: impl Iterator<Item = [u8; 3]>) -> Vec<Bin> {
-    let mut sums = vec![([0_u64; 3], 0_u64); 1 << (3 * HISTOGRAM_BITS)];
+    let mut sums = vec![([0_u64; 3], 0_u64); 1 << (3 * BITS)];
     for colour in pixels {
-        let (sum, count) = &mut sums[bin_of(colour, HISTOGRAM_BITS)];
+        let (sum, count) = &mut sums[bin_of(colour)];
         sum.iter_mut().zip(colour).for_each(|(sum, channel)| *sum += u64::from(channel));
         *count += 1;
     }
@@ -162,7 +153,7 @@ fn median_cut(bins: &mut [Bin], most: usize) -> Vec<Colour> {
     parts.into_iter().map(|(from, to)| mean(&bins[from..to])).collect()
 }
 
-/// The channel of the greatest squared error, that error, and the channel's mean. The error is 0 for a single bin.
+/// The channel of the greatest squared error, that error, and the channel's mean. No error for a single bin.
 fn widest(bins: &[Bin]) -> (f32, usize, f32) {
     let mean = mean(bins);
     if bins.len() < 2 {
@@ -196,22 +187,15 @@ fn improve(colours: &mut [Colour], staying: usize, bins: &[Bin]) {
 }
 
 fn nearest(colours: &[Colour], to: Colour) -> usize {
-    let distances = colours.iter().map(|&colour| squared(colour, to)).enumerate();
+    let distance = |colour: &Colour| -> f32 { colour.iter().zip(to).map(|(a, b)| (a - b).powi(2)).sum() };
+    let distances = colours.iter().map(distance).enumerate();
     distances.fold((0, f32::INFINITY), |least, one| if one.1 < least.1 { one } else { least }).0
-}
-
-fn squared(a: Colour, b: Colour) -> f32 {
-    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum()
 }
 
 /// Colours whose mean is near a colour, from the darkest.
 fn mixture(colours: &[Colour], wanted: [u8; 3]) -> [u8; MIX] {
     let wanted = wanted.map(f32::from);
-    let mut near: Vec<(f32, usize)> =
-        colours.iter().enumerate().map(|(index, &colour)| (squared(colour, wanted), index)).collect();
-    near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    near.truncate(NEAREST);
-    let first = near[0].1;
+    let first = nearest(colours, wanted);
     if colours[first].iter().zip(wanted).all(|(a, b)| (a - b).abs() <= NEAR) {
         return [first as u8; MIX];
     }
@@ -219,9 +203,7 @@ fn mixture(colours: &[Colour], wanted: [u8; 3]) -> [u8; MIX] {
     let mut mixture = [0_u8; MIX];
     for index in &mut mixture {
         let aim = [0, 1, 2].map(|k| wanted[k] + STRENGTH * error[k]);
-        let cost = |&(apart, index): &(f32, usize)| squared(colours[index], aim) + GRAIN * apart;
-        let found =
-            near.iter().map(|one| (cost(one), one.1)).reduce(|a, b| if b.0 < a.0 { b } else { a }).expect("c").1;
+        let found = nearest(colours, aim);
         error = [0, 1, 2].map(|k| error[k] + wanted[k] - colours[found][k]);
         *index = found as u8;
     }
@@ -240,10 +222,26 @@ mod tests {
     #[test]
     fn few_colours_are_kept_exactly() {
         let colours = [[255, 0, 0], [0, 128, 7], [3, 3, 3], [250, 251, 252]];
-        let mut dithering = Dithering::new(colours.into_iter().cycle().take(400).map(Some));
+        let mut dithering = Dithering::new(colours.into_iter().map(Some).cycle().take(400));
         let palette = dithering.palette().to_vec();
         for colour in colours {
             for place in [[0, 0], [1, 2], [3, 3]] {
+                let index = usize::from(dithering.index(colour, place));
+                assert_eq!(palette[3 * index..][..3], colour);
+            }
+        }
+    }
+
+    #[test]
+    fn large_flat_areas_keep_their_colours_beside_many_others() {
+        // Many more colours than the palette has, and flat rows that share the bins of the histogram with them.
+        let many = (0..32_768_u32).map(|i| [i >> 10, i >> 5, i].map(|channel| ((channel % 32) * 8) as u8));
+        let flat = [[201, 101, 51], [250, 240, 230]];
+        let rows = flat.into_iter().flat_map(|colour| std::iter::repeat_n(colour, 400));
+        let mut dithering = Dithering::new(many.chain(rows).map(Some));
+        let palette = dithering.palette().to_vec();
+        for colour in flat {
+            for place in (0..16).map(|at| [at % 4, at / 4]) {
                 let index = usize::from(dithering.index(colour, place));
                 assert_eq!(palette[3 * index..][..3], colour);
             }
