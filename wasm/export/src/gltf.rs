@@ -138,7 +138,7 @@ struct Nodes {
     nodes: Vec<Value>,
     /// The node of each bone that moves vertices.
     joints: Vec<usize>,
-    /// For each bone but the root the outer node, and the inner one of bones with unequal scales.
+    /// For each bone the outer node, and the inner one of bones with unequal scales.
     of_bones: Vec<(usize, Option<usize>)>,
 }
 
@@ -146,11 +146,12 @@ impl Nodes {
     fn new(rig: &EngineRig, timelines: &[Timeline]) -> Self {
         let setup = rig.setup(Chart::Chained);
         let mut nodes = vec![json!({ "name": rig.name, "mesh": 0, "skin": 0 }), json!({ "name": rig.bones[0].name })];
-        let (mut joints, mut of_bones, mut children) = (vec![1], Vec::new(), Vec::new());
-        for (at, (bone, numbers)) in rig.bones.iter().skip(1).zip(&setup).enumerate() {
-            let all = timelines.iter().flat_map(|timeline| &timeline.bones[at].numbers).chain([numbers]);
-            let is_similar = all
-                .into_iter()
+        let (mut joints, mut of_bones, mut children) = (vec![1], vec![(1, None)], Vec::new());
+        for (at, (bone, numbers)) in rig.bones.iter().zip(&setup).enumerate().skip(1) {
+            let tracks = timelines.iter().flat_map(|timeline| &timeline.tracks).filter(|(bone, _)| *bone == at);
+            let is_similar = tracks
+                .flat_map(|(_, keys)| &keys.numbers)
+                .chain([numbers])
                 .all(|&[.., second, along, across]| second.abs() < SIMILAR && (along - across).abs() < SIMILAR);
             let outer = nodes.len();
             children.push(outer);
@@ -178,7 +179,8 @@ impl Nodes {
 
     fn animation(&self, timeline: &Timeline, buffer: &mut Buffer) -> Value {
         let (mut channels, mut samplers) = (Vec::new(), Vec::new());
-        for (&(outer, inner), keys) in self.of_bones.iter().zip(&timeline.bones) {
+        for (bone, keys) in &timeline.tracks {
+            let (outer, inner) = self.of_bones[*bone];
             let times: Vec<f32> = keys.frames.iter().map(|&frame| (f64::from(frame) * timeline.frame) as f32).collect();
             let input = buffer.bounded(&times, "SCALAR", None);
             let mut channel = |node: usize, path: &str, kind: &str, values: Vec<f32>| {

@@ -14,7 +14,8 @@ const MOST_TURN: f64 = 0.9 * PI;
 /// The numbers of a bone at some times of a clip. Straight lines lead from key to key.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Keys {
-    /// Indices of frames, the first one and the last one among them. A bone that stays has the first one alone.
+    /// Indices of frames, the first one and the last one among them. A bone that stays has the first one alone, unless
+    /// it ends the clip.
     pub(crate) frames: Vec<u32>,
     /// One for each key.
     pub(crate) numbers: Vec<Numbers>,

@@ -104,8 +104,8 @@ pub(crate) struct Timeline {
     /// Seconds of one frame.
     pub(crate) frame: f64,
     pub(crate) last_frame: u32,
-    /// For each bone but the root.
-    pub(crate) bones: Vec<Keys>,
+    /// Bones with their keys. At least one of them has a key at the last frame, where Spine and glTF end a clip.
+    pub(crate) tracks: Vec<(usize, Keys)>,
 }
 
 impl EngineRig {
@@ -230,10 +230,10 @@ impl EngineRig {
         self.outline
     }
 
-    /// The numbers of all bones but the root in the project's pose.
+    /// The numbers of all bones in the project's pose.
     pub(crate) fn setup(&self, chart: Chart) -> Vec<Numbers> {
         let numbers = |(bone, map): (&Bone, &DAffine2)| chart.numbers(&seen_from(bone.rest, map), None);
-        self.bones.iter().zip(&self.pose).skip(1).map(numbers).collect()
+        self.bones.iter().zip(&self.pose).map(numbers).collect()
     }
 
     /// The keys of all clips.
@@ -244,7 +244,7 @@ impl EngineRig {
             let last_frame = clip.frames.len() as u32 - 1;
             let of_bone = |bone: usize| {
                 let frames = clip.frames.iter().map(|maps| seen_from(self.bones[bone].rest, &maps[bone]));
-                keys(chart, &frames.collect::<Vec<_>>(), &boxes[bone], &setup[bone - 1])
+                (bone, keys(chart, &frames.collect::<Vec<_>>(), &boxes[bone], &setup[bone]))
             };
             Timeline {
                 name: clip.name.clone(),
@@ -252,7 +252,15 @@ impl EngineRig {
                 duration: clip.duration,
                 frame: clip.duration / f64::from(last_frame),
                 last_frame,
-                bones: (1..self.bones.len()).map(of_bone).collect(),
+            // The root stays, so it has keys only if it is the only bone.
+            let animated = if self.bones.len() == 1 { 0..1 } else { 1..self.bones.len() };
+            let mut tracks: Vec<(usize, Keys)> = animated.map(of_bone).collect();
+            if tracks.iter().all(|(_, keys)| keys.frames.len() == 1) {
+                let (_, keys) = &mut tracks[0];
+                keys.frames.push(last_frame);
+                keys.numbers.push(keys.numbers[0]);
+            }
+                tracks,
             }
         };
         self.clips.iter().map(timeline).collect()
@@ -282,7 +290,7 @@ impl Timeline {
             return self;
         }
         let last = self.last_frame;
-        for keys in self.bones.iter_mut().filter(|keys| keys.frames.len() > 1) {
+        for (_, keys) in self.tracks.iter_mut().filter(|(_, keys)| keys.frames.len() > 1) {
             let back = (0..keys.frames.len() - 1).rev();
             let (frames, numbers): (Vec<u32>, Vec<Numbers>) =
                 back.map(|key| (2 * last - keys.frames[key], keys.numbers[key])).unzip();

@@ -2,17 +2,19 @@
 
 mod dragonbones;
 mod exact;
+mod gltf;
 mod godot;
 mod reading;
 mod spine;
 
 use std::fs;
 
+use c2warp::project::Looping;
 use glam::DVec2;
 use serde_json::{Value, json};
 
 use self::exact::Exact;
-use self::reading::Reading;
+use self::reading::{Listing, Reading};
 use crate::command::{fail, succeed};
 use crate::scene_folder::SceneFolder;
 
@@ -122,6 +124,54 @@ fn check(folder: &SceneFolder, output: &str, options: &str, read: impl Fn(&Scene
         .sum();
     let drawn = exact.solution.domain().area();
     assert!(area > 0.98 * drawn && area < 1.4 * drawn, "{output}: triangles of {area} px² for {drawn} px²");
+}
+
+/// The bones and clips of a scene in all formats.
+fn listings(folder: &SceneFolder, options: &str) -> [(&'static str, Listing); 4] {
+    let export = |output| drop(succeed(folder.path(), &format!("export scene.c2warp.json -o {output} {options}")));
+    ["out.spine.json", "out_ske.json", "out.glb", "out.tscn"].into_iter().for_each(export);
+    [
+        ("Spine", spine::read(folder).listing()),
+        ("DragonBones", dragonbones::read(folder).listing()),
+        ("glTF", gltf::listing(folder)),
+        ("Godot", godot::read(folder).listing()),
+    ]
+}
+
+#[test]
+fn clips_last_as_long_in_all_formats() {
+    let still = |name: &str, seconds: f64, looping: &str, keys: &[(f64, [f64; 2])]| {
+        let key = |&(time, posed): &(f64, [f64; 2])| json!({ "time": time, "posed": posed });
+        let keys: Vec<Value> = keys.iter().map(key).collect();
+        let tracks = if keys.is_empty() { json!([]) } else { json!([{ "handle": "middle", "keys": keys }]) };
+        json!({ "name": name, "duration": seconds, "loop": looping, "tracks": tracks })
+    };
+    let [here, there] = [[48.0, 24.0], [44.0, 30.0]];
+    let clips = json!([
+        still("no track", 2.0, "none", &[]),
+        still("one key", 3.0, "repeat", &[(0.5, there)]),
+        still("one key at rest", 0.5, "none", &[(0.0, here)]),
+        still("two equal keys", 1.5, "none", &[(0.0, there), (1.0, there)]),
+        still("there and back", 1.0, "alternate", &[(0.0, there)]),
+        still("pause at the end", 2.0, "none", &[(0.0, here), (0.5, there)]),
+        still("pause at the beginning", 2.0, "none", &[(1.5, here), (2.0, there)]),
+        still("no whole number of frames", 0.71, "repeat", &[(0.0, here), (0.4, there)]),
+        still("less than a frame", 0.004, "none", &[]),
+    ]);
+    let with_handles = strip().edited(|project| project["clips"] = clips.clone());
+    let without = SceneFolder::new("untouched").edited(|project| project["clips"] = json!([clips[0], clips[8]]));
+    for folder in [with_handles, without] {
+        let Exact { project, .. } = Exact::of(&folder);
+        for (format, Listing { clips, .. }) in listings(&folder, "") {
+            assert_eq!(clips.len(), project.clips.len(), "{format}");
+            for clip in &project.clips {
+                let plays_back = clip.looping == Looping::Alternate && format != "Godot";
+                let wanted = if plays_back { 2.0 * clip.duration } else { clip.duration };
+                let found = clips[&clip.name];
+                assert!((found - wanted).abs() < 2e-6, "{format}: {found} s of {:?}, {wanted} s", clip.name);
+            }
+        }
+    }
 }
 
 #[test]
