@@ -23,7 +23,7 @@ pub(crate) struct Arguments {
     /// the picture are written beside it, except for glTF
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
-    /// The most bones besides the root, up to 255
+    /// The most bones besides the root: from one for each handle, up to 255
     #[arg(long, value_name = "N", default_value_t = Options::default().bones as f64, allow_negative_numbers = true)]
     bones: f64,
     /// The most bones that move a vertex. Godot and most engines have 4
@@ -49,6 +49,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     };
     options.check(format).map_err(|reason| CliError::Export(Box::new(reason)))?;
     let loaded = LoadedProject::open(&arguments.files)?;
+    let refused =
+        |reason: ExportError| CliError::NotExported { path: loaded.path().to_owned(), reason: Box::new(reason) };
+    options.check_handles(&loaded.project).map_err(refused)?;
     let picture = loaded.picture()?;
     let beside = |ending: &str| path.with_file_name(format!("{stem}{ending}"));
     let endings = [format.ending()].into_iter().chain(format.other_endings().iter().copied());
@@ -59,8 +62,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
 
     let solution = loaded.solve()?;
     progress::show("fitting bones and weights");
-    let refused =
-        |reason: ExportError| CliError::NotExported { path: loaded.path().to_owned(), reason: Box::new(reason) };
     let rig = EngineRig::new(stem, &loaded.project, &solution, &picture, options).map_err(refused)?;
     let profile = loaded.picture_file().profile.as_deref();
     let size = [picture.width(), picture.height()];

@@ -14,6 +14,18 @@ pub enum ExportError {
         /// The number asked for.
         found: usize,
     },
+    /// More handles than bones.
+    #[error("this project has {found} handles: --bones must be at least {found}")]
+    Handles {
+        /// The number of handles.
+        found: usize,
+    },
+    /// More handles than formats hold bones.
+    #[error("this project has {found} handles: an engine's rig has up to {MOST_BONES} bones, one for each handle")]
+    HandlesOfFormats {
+        /// The number of handles.
+        found: usize,
+    },
     /// No influences, or too many.
     #[error("--influences: expected a number from 1 to {MOST_INFLUENCES}, found {found}")]
     Influences {

@@ -3,7 +3,7 @@
 //! Engines blend affine maps of bones linearly, as eq. 1 blends those of sites. So with all sites as bones and all
 //! weights, the linear blend is exact. Otherwise the rig is fitted to poses:
 //!
-//! 1. Sites are merged until few enough are left: see `bones`.
+//! 1. Sites are merged until few enough are left, at least one for each handle: see `bones`.
 //! 2. Weights are fitted to the exact places of the vertices in all poses: see `weights`.
 //! 3. The motions of the bones are fitted to the same places: see `motions`. Both are repeated.
 //!
@@ -14,6 +14,8 @@
 //!
 //! Known limits: the rigid blend is not linear, so a rig of it always loses something. Bones hang from the root alone.
 
+use std::collections::BTreeSet;
+
 use glam::{DAffine2, DVec2};
 
 use c2warp::{
@@ -21,7 +23,7 @@ use c2warp::{
     clip::Playback,
     deform::Pose,
     project::{Blend, Clip, Looping, Project},
-    site::SiteKind,
+    site::{Site, SiteKind},
     weight::SparseWeights,
 };
 
@@ -60,6 +62,8 @@ pub(crate) struct Bone {
     pub(crate) name: String,
     /// Its place at rest. It has no turn there.
     pub(crate) rest: DVec2,
+    /// Whether it is a bone of a handle.
+    pub(crate) is_handle: bool,
 }
 
 /// A picture with bones, for the writers of all formats.
@@ -112,7 +116,8 @@ impl EngineRig {
     /// The rig of a project with a name, by its solution and picture.
     ///
     /// # Errors
-    /// An [`ExportError`] for an outline with too many corners, a long clip, or a pose that cannot be made.
+    /// An [`ExportError`] for too many handles, an outline with too many corners, a long clip, or a pose that cannot be
+    /// made.
     pub fn new(
         name: &str,
         project: &Project,
@@ -135,6 +140,7 @@ impl EngineRig {
         options: Options,
         tell: &mut dyn FnMut(f64),
     ) -> Result<Self, ExportError> {
+        options.check_handles(project)?;
         let mesh = SpriteMesh::new(solution, picture, options.vertices)?;
         let blend = project.pose.blend;
         let pose = solution.pose(project)?;
@@ -246,12 +252,6 @@ impl EngineRig {
                 let frames = clip.frames.iter().map(|maps| seen_from(self.bones[bone].rest, &maps[bone]));
                 (bone, keys(chart, &frames.collect::<Vec<_>>(), &boxes[bone], &setup[bone]))
             };
-            Timeline {
-                name: clip.name.clone(),
-                looping: clip.looping,
-                duration: clip.duration,
-                frame: clip.duration / f64::from(last_frame),
-                last_frame,
             // The root stays, so it has keys only if it is the only bone.
             let animated = if self.bones.len() == 1 { 0..1 } else { 1..self.bones.len() };
             let mut tracks: Vec<(usize, Keys)> = animated.map(of_bone).collect();
@@ -260,6 +260,12 @@ impl EngineRig {
                 keys.frames.push(last_frame);
                 keys.numbers.push(keys.numbers[0]);
             }
+            Timeline {
+                name: clip.name.clone(),
+                looping: clip.looping,
+                duration: clip.duration,
+                frame: clip.duration / f64::from(last_frame),
+                last_frame,
                 tracks,
             }
         };
@@ -369,8 +375,9 @@ impl Skeleton {
         let site_maps: Vec<Vec<DAffine2>> =
             poses.iter().map(|pose| (0..all).map(|site| map_of(pose, site)).collect()).collect();
         let links = solution.links().map(|(a, b, _)| (a, b));
+        let owners = owners(solution, options.bones);
         let ChosenSites { kept, leader } =
-            chosen_sites(&site_maps, mesh.displaced_vertices(), mesh.weights(), links, options.bones);
+            chosen_sites(&site_maps, mesh.displaced_vertices(), mesh.weights(), links, &owners, options.bones);
         let weights = of_bones(mesh.weights(), &kept, &leader);
         let most = weights.offsets().windows(2).map(|row| row[1] - row[0]).max().unwrap_or(0) as usize;
         let is_exact = project.pose.blend == Blend::Linear && kept.len() == all && most <= options.influences;
@@ -391,12 +398,14 @@ impl Skeleton {
 
     fn refit(&mut self, mesh: &SpriteMesh) {
         let rest: Vec<DVec2> = self.bones.iter().map(|bone| bone.rest).collect();
-        self.fit = Some(MotionFit::new(mesh.displaced_vertices(), &self.weights, &rest));
+        let held: Vec<bool> = self.bones.iter().map(|bone| bone.is_handle).collect();
+        self.fit = Some(MotionFit::new(mesh.displaced_vertices(), &self.weights, &rest, &held));
     }
 
-    /// Drops the bones that move no vertex.
+    /// Drops the bones that move no vertex, besides those of handles.
     fn drop_unused(&mut self, mesh: &SpriteMesh) {
-        let mut number = vec![None; self.bones.len()];
+        let is_handle = |bone: &Bone| bone.is_handle.then_some(0);
+        let mut number: Vec<Option<u32>> = self.bones.iter().map(is_handle).collect();
         for &bone in self.weights.sites() {
             number[bone as usize] = Some(0);
         }
@@ -479,18 +488,38 @@ fn of_bones(weights: &SparseWeights, kept: &[usize], leader: &[usize]) -> Sparse
     SparseWeights::from_parts(offsets, bones, shares).expect("rows of all vertices")
 }
 
+/// The handle of each site. Pieces of bars and polygons are told apart if they leave half of the bones for the sites
+/// between.
+fn owners(solution: &Solution, bones: usize) -> Vec<Option<(u32, u32)>> {
+    let owner = |kind: SiteKind| match kind {
+        SiteKind::Point { handle } => Some((handle, 0)),
+        SiteKind::Bone { handle, bone } => Some((handle, bone)),
+        SiteKind::Boundary | SiteKind::Virtual => None,
+    };
+    let pieces: Vec<Option<(u32, u32)>> = solution.sites().iter().map(|site| owner(site.kind)).collect();
+    let are_few = 2 * pieces.iter().flatten().collect::<BTreeSet<_>>().len() <= bones;
+    if are_few { pieces } else { pieces.into_iter().map(|piece| piece.map(|(handle, _)| (handle, 0))).collect() }
+}
+
 /// The root, and a bone for each site, named by its handle or its number.
 fn named(project: &Project, solution: &Solution, sites: &[usize]) -> Vec<Bone> {
     let mut names = Names::default();
-    let root = Bone { name: names.unique("root"), rest: DVec2::ZERO };
-    // Handles first, so that no number of a site takes their names.
-    let name = |&site: &usize| match solution.sites()[site].kind {
-        SiteKind::Point { handle } | SiteKind::Bone { handle, .. } => project.handles[handle as usize].id.clone(),
-        SiteKind::Boundary => format!("border {site}"),
-        SiteKind::Virtual => format!("site {site}"),
+    // Handles first, so that no other bone takes their names.
+    let mut of_handles: Vec<Option<String>> =
+        project.handles.iter().map(|handle| Some(names.unique(&handle.id))).collect();
+    let root = Bone { name: names.unique("root"), rest: DVec2::ZERO, is_handle: false };
+    let mut name = |site: usize| match solution.sites()[site].kind {
+        SiteKind::Point { handle } | SiteKind::Bone { handle, .. } => {
+            let at = handle as usize;
+            of_handles[at].take().unwrap_or_else(|| names.unique(&project.handles[at].id))
+        }
+        SiteKind::Boundary => names.unique(&format!("border {site}")),
+        SiteKind::Virtual => names.unique(&format!("site {site}")),
     };
-    let bone = |site: &usize| Bone { name: names.unique(&name(site)), rest: solution.sites()[*site].rest };
     let mut bones = vec![root];
-    bones.extend(sites.iter().map(bone));
+    bones.extend(sites.iter().map(|&site| {
+        let Site { rest, kind, .. } = solution.sites()[site];
+        Bone { name: name(site), rest, is_handle: kind.handle().is_some() }
+    }));
     bones
 }

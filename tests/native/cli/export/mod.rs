@@ -139,6 +139,50 @@ fn listings(folder: &SceneFolder, options: &str) -> [(&'static str, Listing); 4]
 }
 
 #[test]
+fn each_handle_is_a_bone_of_its_name_at_its_place_in_all_formats() {
+    // The first has many sites, the second turns and stretches, and the third has bars alone.
+    for (folder, options) in [(figure(), "--bones 6"), (strip(), "--bones 3 --influences 2"), (bars(), "--bones 2")] {
+        // Names that others could take: those of the root, of bones between, and of further bones of a handle.
+        let folder = folder.edited(|project| {
+            let last = project["handles"].as_array().unwrap().len() - 1;
+            for (at, name) in [(0, "site 9"), (last, "root")] {
+                let text =
+                    project.to_string().replace(&project["handles"][at]["id"].to_string(), &json!(name).to_string());
+                *project = serde_json::from_str(&text).unwrap();
+            }
+        });
+        let Exact { project, .. } = Exact::of(&folder);
+        // As few bones as possible, and in the largest scene as many as usual.
+        let usual = (project.handles.len() > 3).then_some("");
+        for options in [options].into_iter().chain(usual) {
+            for (format, Listing { bones, .. }) in listings(&folder, options) {
+                for handle in &project.handles {
+                    let place = bones.get(&handle.id).unwrap_or_else(|| panic!("{format} {options}: {:?}", handle.id));
+                    let corners = handle.shape.posed();
+                    let pieces = corners.windows(2).map(|piece| (piece[0], piece[1]));
+                    let on_piece = |(a, b): (DVec2, DVec2)| place.distance(a) + place.distance(b) - a.distance(b);
+                    let off = pieces.map(on_piece).fold(place.distance(corners[0]), f64::min);
+                    assert!(off < ROUNDING_PX, "{format} {options}: {:?} is {off} px off", handle.id);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn pieces_of_a_bar_have_bones_of_their_own_where_there_are_enough() {
+    let names = |options: &str| -> Vec<String> {
+        let [(_, spine), ..] = listings(&bars(), options);
+        spine.bones.into_keys().filter(|name| !name.starts_with("site ")).collect()
+    };
+    let few = names("--bones 2");
+    assert_eq!(few.len(), 3, "the root and two bars: {few:?}");
+    let of_handle = |name: &str| names("").into_iter().filter(|bone| bone.starts_with(name)).count();
+    let Exact { project, .. } = Exact::of(&bars());
+    assert!(project.handles.iter().all(|handle| of_handle(&handle.id) >= 2), "{:?}", names(""));
+}
+
+#[test]
 fn clips_last_as_long_in_all_formats() {
     let still = |name: &str, seconds: f64, looping: &str, keys: &[(f64, [f64; 2])]| {
         let key = |&(time, posed): &(f64, [f64; 2])| json!({ "time": time, "posed": posed });
@@ -172,6 +216,27 @@ fn clips_last_as_long_in_all_formats() {
             }
         }
     }
+}
+
+#[test]
+fn more_handles_than_bones_are_refused_by_their_number() {
+    let folder = strip();
+    let before = folder.file_names();
+    let line = fail(folder.path(), "export scene.c2warp.json -o out.glb --bones 2");
+    assert_eq!(line, "scene.c2warp.json: this project has 3 handles: --bones must be at least 3");
+    let many = strip().edited(|project| {
+        let handle = |k: usize| {
+            let at = [4.0 + (k % 30) as f64 * 3.0, 4.0 + (k / 30) as f64 * 4.0];
+            json!({ "id": format!("{k}"), "kind": "point", "rest": at, "posed": at })
+        };
+        (project["clips"], project["handles"]) = (json!([]), (0..256).map(handle).collect());
+    });
+    let line = fail(many.path(), "export scene.c2warp.json -o out.glb --bones 255");
+    assert_eq!(
+        line,
+        "scene.c2warp.json: this project has 256 handles: an engine's rig has up to 255 bones, one for each handle"
+    );
+    assert_eq!(folder.file_names(), before);
 }
 
 #[test]

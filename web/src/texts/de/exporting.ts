@@ -103,7 +103,7 @@ export const engine: Texts['engine'] = {
   rough:
     'Knochen mischen einfacher als Griffe, darum weicht ein Rig etwas ab. Der Export nennt die Abweichung.',
   bones: 'Knochen',
-  bonesTip: 'Höchste Zahl der Knochen außer der Wurzel',
+  bonesTip: 'Höchste Zahl der Knochen außer der Wurzel; jeder Griff hat einen',
   vertices: 'Eckpunkte',
   verticesTip: 'Höchste Zahl der Eckpunkte des Netzes',
   influences: 'Knochen je Eckpunkt',

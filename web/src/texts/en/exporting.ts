@@ -108,7 +108,7 @@ export const engine = {
         }),
   rough: 'Bones blend more simply than handles, so a rig is a little off. The export tells how far.',
   bones: 'Bones',
-  bonesTip: 'The most bones besides the root',
+  bonesTip: 'The most bones besides the root. Each handle has one',
   vertices: 'Vertices',
   verticesTip: 'The most vertices of the mesh',
   influences: 'Bones for each vertex',

@@ -104,7 +104,7 @@ export const engine: Texts['engine'] = {
   rough:
     'Los huesos se mezclan de forma más simple que los puntos de control, así que un rig se desvía un poco. La exportación indica cuánto.',
   bones: 'Huesos',
-  bonesTip: 'Número máximo de huesos además de la raíz',
+  bonesTip: 'Número máximo de huesos además de la raíz; cada punto de control tiene uno',
   vertices: 'Vértices',
   verticesTip: 'Número máximo de vértices de la malla',
   influences: 'Huesos por vértice',

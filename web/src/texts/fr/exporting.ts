@@ -104,7 +104,7 @@ export const engine: Texts['engine'] = {
   rough:
     'Les os se mélangent plus simplement que les poignées : un rig s’écarte donc un peu. L’export indique de combien.',
   bones: 'Os',
-  bonesTip: 'Le nombre maximal d’os, outre la racine',
+  bonesTip: 'Le nombre maximal d’os, outre la racine ; chaque poignée en a un',
   vertices: 'Sommets',
   verticesTip: 'Le nombre maximal de sommets du maillage',
   influences: 'Os par sommet',

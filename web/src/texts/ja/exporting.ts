@@ -102,7 +102,7 @@ export const engine: Texts['engine'] = {
   rough:
     'ボーンの混合はハンドルより単純なため、リグには少しずれが出ます。ずれの量は書き出し時に表示されます。',
   bones: 'ボーン',
-  bonesTip: 'ルート以外のボーンの最大数',
+  bonesTip: 'ルート以外のボーンの最大数。ハンドルごとに 1 本あります',
   vertices: '頂点',
   verticesTip: 'メッシュの頂点の最大数',
   influences: '頂点ごとのボーン数',

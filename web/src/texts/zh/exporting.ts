@@ -97,7 +97,7 @@ export const engine: Texts['engine'] = {
     count === 0 ? '网格、骨骼和姿势。还没有 Clip。' : `包含 ${number(count)} 个 Clip，作为动画。`,
   rough: '骨骼的混合比控制点简单，因此 Rig 会略有偏差。导出时会告知偏差有多大。',
   bones: '骨骼',
-  bonesTip: '除根骨骼外的最大骨骼数',
+  bonesTip: '除根骨骼外的最大骨骼数；每个控制点各有一根',
   vertices: '顶点',
   verticesTip: '网格的最大顶点数',
   influences: '每个顶点的骨骼数',
