@@ -23,7 +23,7 @@ impl GifColours {
     /// Soft edges blend with the colour `matte`, or else are cut at half their alpha.
     #[must_use]
     pub fn new(picture: &[u8], matte: Option<[u8; 3]>) -> Self {
-        Self { matte, dithering: Dithering::new(shown(picture, matte).flatten()) }
+        Self { matte, dithering: Dithering::new(shown(picture, matte)) }
     }
 
     /// Red, green and blue of 256 colours.
@@ -41,7 +41,7 @@ impl GifColours {
 }
 
 /// The pixels that are shown: opaque ones on the matte, `None` for transparent ones.
-fn shown(rgba: &[u8], matte: Option<[u8; 3]>) -> impl Iterator<Item = Option<[u8; 3]>> {
+fn shown(rgba: &[u8], matte: Option<[u8; 3]>) -> impl Iterator<Item = Option<[u8; 3]>> + Clone {
     let least = LEAST_ALPHA[usize::from(matte.is_some())];
     rgba.as_chunks::<4>().0.iter().map(move |&[r, g, b, alpha]| {
         let blend = |colour: u8, matte: u8| {
