@@ -1,9 +1,11 @@
 //! A palette of 255 colours for a picture, and mixtures of its colours.
 //!
-//! The palette: the colours of flat areas as they are, and for the rest median cut (Heckbert 1982) on a histogram, then
-//! some rounds of k-means. Mixtures: for each colour, the palette's colours whose mean is nearest to it, ordered by
-//! brightness and picked by a fixed pattern (Knoll's pattern dithering, US 6,606,166, expired). Colours that the palette
-//! has, or almost has, are not mixed: a pattern would be seen where the picture is flat.
+//! The palette has the colours of flat areas as they are. The rest come from median cut (Heckbert 1982) on a
+//! histogram, then some rounds of k-means.
+//!
+//! A mixture has the palette's colours whose mean is nearest to a colour, ordered by brightness. A fixed pattern picks
+//! from it (Knoll's pattern dithering, US 6,606,166, expired). Colours that the palette has, or almost has, are not
+//! mixed: a pattern would be seen where the picture is flat.
 
 use std::{cmp::Reverse, collections::BTreeMap};
 
