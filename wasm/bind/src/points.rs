@@ -24,7 +24,7 @@ impl Session {
     /// `points` are pairs of coordinates. With a clip as JSON and a time, the clip poses the handles.
     ///
     /// # Errors
-    /// As [`begin`](Self::begin) and [`advance`](Self::advance), and for handles without a pose.
+    /// The errors of [`begin`](Self::begin) and [`advance`](Self::advance), and an error for handles without a pose.
     pub fn map(
         &mut self,
         project_json: &str,
@@ -40,7 +40,7 @@ impl Session {
     /// The rest points that are drawn at points of the warped picture: points × 2. NaN where nothing is drawn.
     ///
     /// # Errors
-    /// As [`map`](Self::map).
+    /// The errors of [`map`](Self::map).
     pub fn inverse(
         &mut self,
         project_json: &str,
@@ -56,7 +56,7 @@ impl Session {
     /// The mesh in a pose.
     ///
     /// # Errors
-    /// As [`map`](Self::map).
+    /// The errors of [`map`](Self::map).
     pub fn posed_mesh(
         &mut self,
         project_json: &str,
@@ -74,7 +74,7 @@ impl Session {
     /// The weights of sites at rest points. A point outside the domain has no weights.
     ///
     /// # Errors
-    /// As [`begin`](Self::begin) and [`advance`](Self::advance).
+    /// The errors of [`begin`](Self::begin) and [`advance`](Self::advance).
     pub fn weights(&mut self, project_json: &str, points: &[f64]) -> Result<PointWeights, JsValue> {
         let project = read(project_json)?;
         let solution = self.try_solve(&project).map_err(|error| to_js(&error))?;
@@ -95,7 +95,7 @@ impl Session {
     /// domain.
     ///
     /// # Errors
-    /// As [`weights`](Self::weights), and for a point outside the domain.
+    /// The errors of [`weights`](Self::weights), and an error for a point outside the domain.
     pub fn distances(&mut self, project_json: &str, x: f64, y: f64, points: &[f64]) -> Result<Vec<f64>, JsValue> {
         let navigation = self.solved_as(project_json)?.navigation();
         let distances = navigation.distances_from(DVec2::new(x, y)).map_err(|error| to_js(&error))?;
@@ -106,7 +106,7 @@ impl Session {
     /// The shortest path between two points, as the coordinates of its vertices. Empty if no path connects them.
     ///
     /// # Errors
-    /// As [`distances`](Self::distances).
+    /// The errors of [`distances`](Self::distances).
     pub fn path(&mut self, project_json: &str, x: f64, y: f64, to_x: f64, to_y: f64) -> Result<Vec<f64>, JsValue> {
         let navigation = self.solved_as(project_json)?.navigation();
         let distances = navigation.distances_from(DVec2::new(x, y)).map_err(|error| to_js(&error))?;

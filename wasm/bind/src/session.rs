@@ -151,7 +151,7 @@ impl Session {
     /// clip as JSON and a time in seconds, the clip poses the handles, following its path from the beginning.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`], and for a result that is empty or too large.
+    /// The errors of [`Session::begin`] and [`Session::advance`], and one for a result that is empty or too large.
     pub fn draw(
         &mut self,
         project_json: &str,
@@ -170,7 +170,7 @@ impl Session {
     /// `to`, in seconds, the film shows the whole clip. Solves first if necessary.
     ///
     /// # Errors
-    /// As [`draw`](Self::draw). With the code `film` for an unsupported rate, part or length.
+    /// The errors of [`draw`](Self::draw), and one with the code `film` for an unsupported rate, part or length.
     #[allow(clippy::too_many_arguments, reason = "wasm-bindgen has no structs of plain values")]
     pub fn film(
         &mut self,
@@ -190,7 +190,7 @@ impl Session {
     /// before drawing any.
     ///
     /// # Errors
-    /// As [`frame`](Self::frame), and if the frames would be too large.
+    /// The errors of [`frame`](Self::frame), and one for frames that would be too large.
     pub fn include(&self, filming: &mut Filming, frame: u32) -> Result<(), JsValue> {
         let picture = Picture::new(self.width, self.height, &self.rgba);
         of_frame(picture.and_then(|picture| filming.include(&picture, frame).transpose()))
@@ -247,7 +247,7 @@ impl Session {
     /// The borders between the cells of a project's solution. Solves first if necessary.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`].
+    /// The errors of [`Session::begin`] and [`Session::advance`].
     pub fn cell_borders(&mut self, project_json: &str) -> Result<CellBorders, JsValue> {
         self.solved_as(project_json).map(|solution| solution.cell_borders().into())
     }
@@ -255,7 +255,7 @@ impl Session {
     /// A project's solution, explained as the JSON of `Study`. Solves first if necessary.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`].
+    /// The errors of [`Session::begin`] and [`Session::advance`].
     pub fn study(&mut self, project_json: &str) -> Result<String, JsValue> {
         self.solved_as(project_json).map(|solution| json(&solution.study()))
     }
@@ -264,7 +264,7 @@ impl Session {
     /// necessary.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`].
+    /// The errors of [`Session::begin`] and [`Session::advance`].
     pub fn lens(&mut self, project_json: &str, x: f64, y: f64) -> Result<Option<String>, JsValue> {
         self.solved_as(project_json).map(|solution| solution.lens(DVec2::new(x, y)).map(|lens| json(&lens)))
     }
@@ -364,7 +364,7 @@ impl Session {
         Ok(Filming::new(solution, &project, clip, times, options, [width, height]))
     }
 
-    /// As [`try_solve`](Self::try_solve), with the fill behind the domain.
+    /// Like [`try_solve`](Self::try_solve), with the fill behind the domain.
     fn try_solve_filled(&mut self, project: &Project) -> Result<(), Error> {
         self.try_solve(project)?;
         self.solver.begin_fill(project);

@@ -70,7 +70,7 @@ impl<'a> Weights<'a> {
     /// Checks the name of a handle before a solve.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn check_handle(project: &Project, name: &str) -> Result<(), WeightsError> {
         handle_index(project, name).map(|_| ())
     }

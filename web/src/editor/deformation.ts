@@ -126,6 +126,6 @@ export interface Deformation {
   restOutline(): Float32Array;
   /** The axes of symmetry of the bending part at rest. */
   symmetry(): Symmetry;
-  /** Whether a point of the original is part of what bends. */
+  /** Whether a point of the original is in the domain. */
   bends(rest: Vec): boolean;
 }

@@ -259,7 +259,7 @@ export class EditorRuntime {
     return shown && this.#solver.deformationOf(shown).map(projectOf(this.state), rest);
   }
 
-  /** Whether a point of the original surely lies outside what bends. The solver has the last word near the outline. */
+  /** Whether a point of the original is certainly outside the domain. Near the outline, the solver decides. */
   isOutside([x, y]: Vec): boolean {
     const { shown, ready } = this.state.solution;
     if (!shown || !ready) return false;

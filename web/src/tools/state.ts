@@ -57,7 +57,7 @@ export interface ToolContext {
   readonly brush: ToolBrush;
   /** Whether the guard against folds is on. */
   readonly guards: boolean;
-  /** The outline of what bends, at rest; null while it is free. Pieces × 2 ends × 2. */
+  /** The outline of the domain, at rest; null while it is free. Pieces × 2 ends × 2. */
   heldOutline(): ArrayLike<number> | null;
   /**
    * Returns the placement of a point handle: at the point or, close to the domain, at the nearest point of it.

@@ -18,7 +18,7 @@ use crate::workers;
 
 /// Warps pictures at full quality and writes a PNG for each. Bends a drawing and writes an SVG
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: the picture at twice its size, with room for what is bent beyond it\n  \
+#[command(after_help = "Example: the picture at twice its size, with room for the parts bent beyond it\n  \
                         c2warp warp cat.c2warp.json -o bent.png --scale 2 --grow")]
 pub(crate) struct Arguments {
     /// The project file *.c2warp.json, or a PNG that the editor exported. Use - to read this or any other input from

@@ -171,7 +171,7 @@ impl Pose {
     /// The posed positions of points with given displaced positions, from the row of each in the weights.
     ///
     /// # Panics
-    /// As [`blend_all`](Self::blend_all).
+    /// Like [`blend_all`](Self::blend_all).
     pub(crate) fn blend_places(&self, places: &[DVec2], weights: &SparseWeights) -> Vec<DVec2> {
         places.iter().enumerate().map(|(row, &p)| self.blended_place(p, weights.row(row))).collect()
     }

@@ -224,7 +224,7 @@ impl Drawing {
     /// once. `picture` is the one of [`new`](Self::new).
     ///
     /// # Panics
-    /// As [`rows`](Self::rows).
+    /// Like [`rows`](Self::rows).
     #[must_use]
     pub fn sources(&self, picture: &Picture<'_>, rows: Range<u32>) -> Vec<Source> {
         let width = self.frame.size[0];

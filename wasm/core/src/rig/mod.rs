@@ -133,7 +133,7 @@ impl Rig {
     /// times.
     ///
     /// # Errors
-    /// As [`bake`](Self::bake).
+    /// The errors of [`bake`](Self::bake).
     pub fn bake_with_progress(
         project: &Project,
         solution: &Solution,

@@ -14,7 +14,7 @@ export interface Inspection {
   readonly specks: number;
   /** How closely the outline follows the picture. */
   readonly outline: OutlineDetail;
-  /** Greatest width of a gap that the domain includes, in pixels. */
+  /** Maximum width of a gap that the domain includes, in pixels. */
   readonly bridged_gap: number;
   /** Corners of the outline at which shortest paths may bend. */
   readonly reflex_corners: number;
@@ -34,7 +34,7 @@ export interface Inspection {
   readonly scores: readonly number[];
   /** Mean number of supports that contain a sample. */
   readonly cover_mean: number;
-  /** Greatest number of supports that contain a sample. */
+  /** Maximum number of supports that contain a sample. */
   readonly cover_max: number;
   /** Least Σφ over the samples of islands with handles. */
   readonly min_phi_sum: number;

@@ -8,7 +8,7 @@ export interface Project {
   readonly image: ImageRef;
   /** The part of the picture to warp. The default is the opaque part of a picture with transparency, and all of any other. */
   readonly domain?: Domain;
-  /** How the picture behind a domain of rings is filled. Without it, what moves away leaves a gap. Other domains have nothing behind them, and ignore it. */
+  /** How the picture behind a domain of rings is filled. Without it, a part that moves away leaves a gap. Other domains have nothing behind them, and ignore it. */
   readonly fill?: Fill;
   /** Approximate number of samples, from 100 to 2,000,000. Left out: 10000. */
   readonly samples?: number;
@@ -26,7 +26,7 @@ export interface Project {
   readonly handles: readonly Handle[];
   /** Poses of handles over time. */
   readonly clips?: readonly Clip[];
-  /** How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects rigid mode alone. The default is a picture without stiff places. */
+  /** How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects only rigid mode. The default is a picture without stiff places. */
   readonly stiffness?: Stiffness;
   /** How a brush has moved places of the picture at rest, before the handles pose them: a displacement field. The default is a picture that no brush has moved. */
   readonly displacement?: Displacement;
@@ -53,7 +53,7 @@ export interface ImageDomain {
 /** The part of the picture with enough opacity. */
 export interface AlphaDomain {
   readonly kind: 'alpha';
-  /** Least opacity of the domain, above 0 and up to 1. Left out: 0.5. */
+  /** Minimum opacity of the domain, above 0 and up to 1. Left out: 0.5. */
   readonly threshold?: number;
 }
 

@@ -1,6 +1,6 @@
 // Generated from the Rust types by `cargo run -p xtask -- schema`. Do not edit.
 
-/** The least and the greatest value of each number. */
+/** The least and the largest value of each number. */
 export const RANGES = {
   samples: [100, 2000000],
   shape_factor: [0, 1],
