@@ -48,7 +48,8 @@ const look = (page: Page, pressed: readonly string[]): Promise<Seen> =>
         const place = control.parentElement?.closest('[aria-label]')?.getAttribute('aria-label') ?? '';
         const { textContent } =
           control.localName === 'summary' ? (control.firstElementChild ?? control) : control;
-        const label = control.getAttribute('aria-label') ?? textContent ?? '';
+        const { labels } = control as HTMLInputElement;
+        const label = control.getAttribute('aria-label') ?? labels?.[0]?.textContent ?? textContent ?? '';
         const own = control.dataset.command ?? label.replace(/[\d.,]+/g, '#').trim();
         return `${place} › ${own}`.replace(/\s+/g, ' ');
       };
@@ -87,7 +88,7 @@ const look = (page: Page, pressed: readonly string[]): Promise<Seen> =>
         changed: root.querySelector('[data-command="undo"]:not(:disabled)') !== null,
         playing: root.querySelector('.clip-bar [data-command="play"][aria-label="Stop"]') !== null,
         timeline: root.querySelector('.timeline') !== null,
-        picture: root.querySelector('.top .title')?.textContent?.match(/\S+\.\w+/)?.[0] ?? '',
+        picture: root.querySelector('.top .title')?.textContent?.match(/\S+\.png/)?.[0] ?? '',
         controls: controls.map(nameOf),
         next,
       };
@@ -168,7 +169,7 @@ async function walk(editor: Editor, select: () => Promise<void>): Promise<Walked
       // It was there once, as the buttons of notices are, or what leads to it changes what is selected.
       pressed.push(name);
       missed.push(name);
-      console.log('R', Date.now()), await restore();
+      await restore();
     }
     return null;
   };
@@ -179,19 +180,19 @@ async function walk(editor: Editor, select: () => Promise<void>): Promise<Walked
     if (!next) return { checked, changing, missed };
     const { name, x, y } = next;
     pressed.push(name);
-    console.log('T', Date.now(), name);
+    note([name], '');
     await mouse.click(x, y);
     let after = await look(page, pressed);
-    note(after.controls, name);
     if (after.inside) {
       await keyboard.press('Escape');
       after = await look(page, pressed);
     }
     if (String(after.selected) !== String(wanted.selected)) {
       changing.push(name);
-      now = (console.log('R', Date.now()), await restore());
+      now = await restore();
       continue;
     }
+    note(after.controls, name);
     await keyboard.press('Delete');
     const deleted = await look(page, pressed);
     expect(count(deleted), `Delete after ${name}`).toBe(count(after) - wanted.selected.length);
@@ -200,15 +201,15 @@ async function walk(editor: Editor, select: () => Promise<void>): Promise<Walked
     now = await look(page, pressed);
     expect([count(now), now.selected], `undo after ${name}`).toEqual([count(after), wanted.selected]);
     checked.push(name);
-    if (now.changed || now.playing) now = (console.log('R', Date.now()), await restore());
+    if (now.changed || now.playing) now = await restore();
   }
   throw new Error('the walk does not end');
 }
 
-/** What changes the selection: tools that draw, clips, lists of handles, samples, and commands of the selected. */
+/** What may change the selection: tools that draw, clips, lists of handles, samples, and commands of the selected. */
 const CHANGING = new RegExp(
   [
-    'Document › (redo|timeline)',
+    'Document › (undo|redo|timeline)',
     'Tools › (bar|polygon|lasso|brush)',
     'Selected handle › (head: rename|mirror|remove)',
     'Clips › (Duplicate the clip|Delete the clip|Close the timeline)',

@@ -164,6 +164,14 @@ describe('undo and redo', () => {
     expect(held()).toEqual([{ handle: 'a', time: 1 }]);
   });
 
+  it('of other steps leave them in hand', () => {
+    send({ type: 'pose-mode-chosen', mode: 'harmonic' }, run('undo'));
+    expect(held()).toEqual(KEYS);
+    send({ type: 'handles-selected', ids: ['b'] }, { type: 'field-set', field: 'y', change: { to: 9 } });
+    send({ type: 'keys-selected', keys: KEYS }, run('undo'));
+    expect([selectionOf(runtime.state), held()]).toEqual([['b'], []]);
+  });
+
   it('of a drag leave the keyboard with the handle', () => {
     send({ type: 'press-began', pointer: at([100, 150]), pans: false });
     send({ type: 'press-moved', pointer: at([120, 170]) }, { type: 'press-ended', pointer: at([120, 170]) });

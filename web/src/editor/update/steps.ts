@@ -118,10 +118,15 @@ const OF_KEYS: readonly string[] = ['moveKeys', 'pasteKeys', 'mirrorKeys', 'dele
   (name) => `steps.${name}`,
 );
 
-/** The keys that undo or redo of a step about keys brings are selected, as its handles are by the document. */
+/**
+ * The keys that are selected after undo or redo: those that a step about keys brings, as the document selects the
+ * handles of others. Another step leaves them as long as it selects no other handles.
+ */
 function keysOfStep({ key }: Wording, before: EditorState, after: EditorState): readonly KeyRef[] {
   const [old, clip] = [openClip(before), openClip(after)];
-  return old && clip && (OF_KEYS.includes(key) || key.startsWith('steps.ease.')) ? newKeys(clip, old) : [];
+  if (!old || !clip) return [];
+  if (OF_KEYS.includes(key) || key.startsWith('steps.ease.')) return newKeys(clip, old);
+  return String(selectionOf(before)) === String(selectionOf(after)) ? before.timeline.selected : [];
 }
 
 /** The last project in a mode other than the present one, and the project after it; null if there is none. */
