@@ -180,7 +180,7 @@ for (const [name, focus] of [
     const typed = () =>
       page
         .locator('c2-warp')
-        .evaluate(({ shadowRoot }) => (shadowRoot?.activeElement as HTMLInputElement).value);
+        .evaluate(({ shadowRoot }) => (shadowRoot?.activeElement as HTMLInputElement | null)?.value);
     expect(await typed()).toBe('41');
     await expect(editor.handles).toHaveCount(5);
     await clipPicture(page);

@@ -1,7 +1,7 @@
 /**
  * What is shown as selected is what the keyboard is about, whatever was pressed before.
  *
- * The walk finds the controls in the page, so that it presses a new one, too. After each press that leaves the selection
+ * The walk finds the controls in the page, so it also presses new ones. After each press that leaves the selection
  * as it was, Delete must delete what is shown as selected, and undo must bring it back.
  */
 import type { Page } from '@playwright/test';
@@ -257,9 +257,7 @@ test('after a press on any control, Delete deletes the keys that are shown as se
   expect(timelines.filter((name) => !walked.checked.includes(name))).toEqual([]);
 });
 
-test('after a press on any control, Delete deletes the handle that is shown as selected', async ({
-  page,
-}) => {
+test('after a press on any control, Delete deletes the selected handle', async ({ page }) => {
   const editor = await Editor.open(page);
   expectWhole(
     await walk(editor, async () => {

@@ -31,9 +31,7 @@ async function exportFields(page: Page, kind: string): Promise<Locator> {
   return card.locator('[role=spinbutton]');
 }
 
-test('every number field reads full-width digits, and keeps its number if it cannot read', async ({
-  page,
-}) => {
+test('number fields read full-width digits, and keep their number otherwise', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   for (const [place, show] of Object.entries(PLACES)) {

@@ -241,9 +241,7 @@ async function sway(editor: Editor): Promise<Locator> {
 const times = async (editor: Editor, handle: string): Promise<readonly number[]> =>
   (await way(editor, handle)).map(([time]) => time);
 
-test('a pressed key is what the keyboard deletes, moves, copies and cuts; its handle stays', async ({
-  page,
-}) => {
+test('the keyboard deletes, moves, copies and cuts a pressed key', async ({ page }) => {
   const editor = await Editor.open(page);
   const key = await sway(editor);
   const before = await times(editor, 'head');

@@ -4,8 +4,8 @@ use std::fmt;
 
 /// A name of a handle or a clip in a message: one line, in which characters that are not drawn are seen.
 ///
-/// Control characters and those that turn the direction of writing are escaped: a name could otherwise change how the
-/// rest of the message reads, or what a terminal does.
+/// Control characters, and those that change the direction of text, are escaped. They could change the rest of a
+/// message, or the state of a terminal.
 ///
 /// ```
 /// use c2warp::DisplayName;

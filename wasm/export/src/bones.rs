@@ -57,8 +57,8 @@ impl Moments {
     }
 }
 
-/// Selects at most `most` sites, but at least one for each owner, given their maps in some poses (poses × sites) and the
-/// weights of vertices. `owners` has one entry for each site.
+/// Selects at most `most` sites, but at least one for each owner, given their maps in some poses (poses × sites) and
+/// the weights of vertices. `owners` has one entry for each site.
 pub(crate) fn chosen_sites<Owner: PartialEq>(
     maps: &[Vec<DAffine2>],
     vertices: &[DVec2],

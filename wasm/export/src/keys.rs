@@ -14,8 +14,8 @@ const MOST_TURN: f64 = 0.9 * PI;
 /// The numbers of a bone at some times of a clip. Values between keys are interpolated linearly.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Keys {
-    /// Indices of frames, including the first and the last. A bone that does not move has only the first, unless it ends
-    /// the clip.
+    /// Indices of frames, including the first and the last. A bone that does not move has only the first, unless it
+    /// ends the clip.
     pub(crate) frames: Vec<u32>,
     /// One for each key.
     pub(crate) numbers: Vec<Numbers>,

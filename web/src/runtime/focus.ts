@@ -43,7 +43,7 @@ export class Focus {
     if (active instanceof HTMLInputElement && isField(active)) untype(active);
   }
 
-  /** Focuses a handle, one of its corners or a key once it is rendered, or else the stage, so that keys keep working. */
+  /** Focuses a handle, a corner or a key once it is rendered, or else the stage, so that keys keep working. */
   move({ handle, corner, ring, key }: FocusTarget): void {
     queueMicrotask(() => {
       const id = handle === null ? '' : CSS.escape(handle);

@@ -16,8 +16,8 @@ const ROW: usize = 12;
 const UNCHECKED: usize = 20;
 /// Greatest compression ratio of deflate.
 const MOST_UNPACKED: u64 = 1032;
-/// Maximum length of all deflated sections, in bytes. Eight million motions, the mesh and the shares of all handles need
-/// less.
+/// Maximum length of all deflated sections, in bytes. Eight million motions, the mesh and the shares of all handles
+/// need less.
 const MAX_INFLATED: u64 = 512 << 20;
 /// The encoder's best compression without its exhaustive search.
 const LEVEL: u8 = 9;

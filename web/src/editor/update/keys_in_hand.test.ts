@@ -144,7 +144,7 @@ describe('selected keys', () => {
     expect(held()).toEqual([{ handle: 'a', time: 0.4 }]);
   });
 
-  it('once deleted, hand the focus on to their handle, which the same press does not delete', () => {
+  it('move the focus to their handle when they are deleted', () => {
     send({ type: 'key-focused' });
     press('Delete');
     expect(runtime.effects).toContainEqual({ type: 'focus', target: { handle: 'a', corner: null } });
