@@ -4,8 +4,8 @@
 //! histogram, then some rounds of k-means.
 //!
 //! A mixture consists of the palette's colours whose mean is nearest to a colour, ordered by brightness. A fixed
-//! pattern chooses from it (Knoll's pattern dithering, US 6,606,166, expired). Colours that are in the palette, or close to it,
-//! are not mixed: a pattern would be visible in flat areas.
+//! pattern chooses from it (Knoll's pattern dithering, US 6,606,166, expired). Colours that are in the palette, or
+//! close to it, are not mixed: a pattern would be visible in flat areas.
 
 use std::{cmp::Reverse, collections::BTreeMap};
 

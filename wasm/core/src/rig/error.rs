@@ -116,8 +116,8 @@ pub enum BakeError {
         /// The clip's name. It is empty for the pose of the handles themselves.
         clip: String,
     },
-    /// The file would exceed 4 GB.
-    #[error("the rig would be larger than {} bytes", u32::MAX)]
+    /// The file would exceed 4 GB, or its deflated sections 512 MiB.
+    #[error("the rig would be too large for its format: use a smaller picture or shorter clips")]
     TooLarge,
 }
 

@@ -35,13 +35,18 @@ pub(super) fn packed(version: u32, sections: &[Section]) -> Result<Vec<u8>, Bake
     let size = |length: usize| u32::try_from(length).map_err(|_| BakeError::TooLarge);
     let mut table = Vec::new();
     let mut stored = Vec::new();
+    let mut inflated = 0;
     for Section { tag, bytes } in sections {
         let deflated = miniz_oxide::deflate::compress_to_vec(bytes, LEVEL);
         let shorter = if deflated.len() < bytes.len() { deflated } else { bytes.clone() };
+        inflated += if shorter.len() < bytes.len() { bytes.len() as u64 } else { 0 };
         table.extend(tag);
         table.extend(size(shorter.len())?.to_le_bytes());
         table.extend(size(bytes.len())?.to_le_bytes());
         stored.extend(shorter);
+    }
+    if inflated > MAX_INFLATED {
+        return Err(BakeError::TooLarge);
     }
     let mut checked = size(sections.len())?.to_le_bytes().to_vec();
     checked.extend(table);
