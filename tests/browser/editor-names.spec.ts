@@ -143,3 +143,39 @@ test('names and numbers keep clear of other handles at each zoom', async ({ page
     expect(clear, zoom).toBe(true);
   }
 });
+
+test('signs that are not drawn are shown, and long names are cut', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.position('head');
+  const refused = await page.locator('c2-warp').evaluate((element) => {
+    const add = (id: string, x: number) =>
+      (element as C2Warp).addHandle({ kind: 'point', id, rest: [x, 700] });
+    add('left\u202ednah\u001b', 400);
+    add('wide '.repeat(40), 460);
+    try {
+      add('x'.repeat(201), 520);
+      return null;
+    } catch (error) {
+      return String(error);
+    }
+  });
+  expect(refused).toContain('id: expected a name of at most 200 characters');
+  const shown = String.raw`left\u{202e}dnah\u{1b}`;
+  await expect(editor.handle(shown)).toBeVisible();
+  const items = page.locator('c2-warp .item');
+  await expect(items.filter({ hasText: shown })).toHaveCount(1);
+  const wide = items.filter({ hasText: 'wide' });
+  expect((await wide.boundingBox())?.height).toBeLessThan(80);
+  await wide.click();
+  await page.mouse.move(at.x, at.y);
+  expect((await marks(editor).filter({ hasText: 'Wide' }).textContent())?.length).toBe(40);
+  await editor.handle(shown).focus();
+  await page.keyboard.press('F2');
+  await expect(nameField(editor)).toHaveValue(shown);
+  await page.keyboard.press('Enter');
+  await expect(editor.button('Undo: rename')).toHaveCount(0);
+  const ids = await page
+    .locator('c2-warp')
+    .evaluate((element) => (element as C2Warp).project?.handles.map(({ id }) => id));
+  expect(ids).toContain('left\u202ednah\u001b');
+});

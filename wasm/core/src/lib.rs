@@ -32,6 +32,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 // Input: projects, pictures, limits and errors.
+mod display_name;
 mod display_number;
 mod error;
 pub mod limits;
@@ -115,6 +116,7 @@ pub use cell_borders::BorderPiece;
 #[cfg(feature = "cloud")]
 pub use cloud::solve_cloud;
 pub use continued::ContinuedMap;
+pub use display_name::DisplayName;
 pub use error::Error;
 pub use glam;
 pub use input_mesh::InputMesh;

@@ -7,6 +7,11 @@ pub const MAX_SIDE: u32 = 16_384;
 /// Greatest number of pixels of a picture: 400 MB of RGBA. A browser tab can hold that twice.
 pub const MAX_PIXELS: u64 = 100_000_000;
 
+/// Greatest length of a project file, in bytes. A picture that it holds is most of it.
+pub const MAX_PROJECT_BYTES: usize = 100_000_000;
+/// Greatest length of the name of a handle or a clip, in characters.
+pub const MAX_NAME: usize = 200;
+
 /// Greatest absolute coordinate of a mesh, a point cloud, or rings without a picture, in pixels.
 ///
 /// Its rounding is four digits below the tolerance of the outline.

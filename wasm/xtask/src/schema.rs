@@ -93,6 +93,7 @@ fn picture_limits() -> String {
         ("Least width and height of a picture, in pixels.", "MIN_SIDE", u64::from(limits::MIN_SIDE)),
         ("Greatest width and height of a picture, in pixels.", "MAX_SIDE", u64::from(limits::MAX_SIDE)),
         ("Greatest number of pixels of a picture.", "MAX_PIXELS", limits::MAX_PIXELS),
+        ("Greatest length of a project file, in bytes.", "MAX_PROJECT_BYTES", limits::MAX_PROJECT_BYTES as u64),
     ];
     constants.into_iter().fold(HEADER.to_owned(), |text, (comment, name, value)| {
         text + &format!("\n/** {comment} */\nexport const {name} = {value};\n")
@@ -114,7 +115,11 @@ fn settings(schema: &Value) -> String {
         ("The defaults of the format, which are the paper's.", "PAPER_SETTINGS", paper),
         ("The editor's settings for new projects.", "EDITOR_SETTINGS", editor),
     ];
-    let text = HEADER.to_owned() + &ranges(schema) + &stiffness_cells(schema) + &displacement_points(schema);
+    let names = format!(
+        "\n/** The most characters of the name of a handle or a clip. */\nexport const MAX_NAME = {};\n",
+        limits::MAX_NAME
+    );
+    let text = HEADER.to_owned() + &ranges(schema) + &names + &stiffness_cells(schema) + &displacement_points(schema);
     all.into_iter().fold(text, |text, (comment, name, project)| {
         let json: Value = serde_json::from_str(&project.to_json()).expect("a project is JSON");
         let settings = [

@@ -9,6 +9,8 @@ import {
   nearestTurn,
 } from '../geometry/polyline';
 import { add, lerp, rotated, scaled, subtract, type Vec } from '../geometry/vec';
+import { shownName } from '../texts/shown_name';
+import { MAX_NAME } from './generated/settings';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** The current turn of each automatic handle: degrees by id. */
@@ -156,10 +158,11 @@ const KINDS: readonly string[] = ['point', 'bar', 'polygon'];
 export function checkedHandle(handle: Handle): Handle {
   const { id, rotation = 0, scale = 1, depth = 0 } = handle;
   const refuse = (what: string) => {
-    throw new RangeError(`handle "${id}", ${what}`);
+    throw new RangeError(`handle "${shownName(String(id).slice(0, MAX_NAME))}", ${what}`);
   };
   const isNumber = (value: unknown) => typeof value === 'number' && Math.abs(value) < BEYOND;
   if (typeof id !== 'string' || id === '') refuse('id: expected a name');
+  if ([...id].length > MAX_NAME) refuse(`id: expected a name of at most ${MAX_NAME} characters`);
   if (!KINDS.includes(handle.kind)) refuse('kind: expected "point", "bar" or "polygon"');
   const unknown = Object.keys(handle).find((key) => !KEYS.includes(key));
   if (unknown !== undefined) refuse(`${unknown}: unknown key; expected one of ${KEYS.join(', ')}`);

@@ -3,6 +3,7 @@
 mod code;
 
 use crate::{
+    display_name::DisplayName,
     display_number::DisplayNumber,
     limits,
     project::{ProjectError, ShapeKind},
@@ -198,7 +199,8 @@ pub enum Error {
     #[error(
         "handle “{id}” at ({}, {}) lies outside the domain: place it on the picture's opaque part",
         DisplayNumber(*.x),
-        DisplayNumber(*.y)
+        DisplayNumber(*.y),
+        id = DisplayName(.id)
     )]
     HandleOutside {
         /// Id of the handle.
@@ -213,7 +215,8 @@ pub enum Error {
         "handle “{id}” would lie {:.0} px outside the outline of this picture, and is moved by {:.0} px at most: fit the \
          project in another way, or move the handle first",
         .distance,
-        .most
+        .most,
+        id = DisplayName(.id)
     )]
     HandleFarOutside {
         /// Id of the handle.
@@ -225,7 +228,7 @@ pub enum Error {
     },
     /// Two handles coincide.
     #[error("handles “{first}” and “{second}” are less than {min} px apart: move or delete one of them",
-        min = limits::MIN_SEPARATION)]
+        min = limits::MIN_SEPARATION, first = DisplayName(.first), second = DisplayName(.second))]
     HandlesTooClose {
         /// Id of one handle.
         first: String,
@@ -235,7 +238,8 @@ pub enum Error {
         distance: f64,
     },
     /// Two corners of a bar or polygon coincide.
-    #[error("corner {corner} of handle “{id}” coincides with the next corner: move or delete one of them")]
+    #[error("corner {corner} of handle “{id}” coincides with the next corner: move or delete one of them",
+        id = DisplayName(.id))]
     BarTooShort {
         /// Id of the handle.
         id: String,
@@ -253,7 +257,8 @@ pub enum Error {
     /// A handle is on a fixed boundary.
     #[error(
         "handle “{id}” is on the fixed boundary: move it at least {min} px inside, or set fix_boundary to false",
-        min = limits::HELD_CLEARANCE
+        min = limits::HELD_CLEARANCE,
+        id = DisplayName(.id)
     )]
     OnHeldBoundary {
         /// Id of the handle.
@@ -261,7 +266,7 @@ pub enum Error {
     },
     /// The project has too many handles.
     #[error("the project has {count} handles, but at most {max} are supported: “{id}” is the first handle beyond",
-        max = limits::MAX_HANDLES)]
+        max = limits::MAX_HANDLES, id = DisplayName(.id))]
     TooManyHandles {
         /// Number of handles.
         count: usize,
@@ -271,7 +276,8 @@ pub enum Error {
     /// Too many point handles stand close to another one.
     #[error(
         "{count} point handles stand less than {within:.3} px from another, but at most {max} are supported: “{id}” is \
-         one, move some apart"
+         one, move some apart",
+        id = DisplayName(.id)
     )]
     HandlesCrowded {
         /// Number of such handles.
@@ -298,7 +304,8 @@ pub enum Error {
     #[error(
         "the bars and polygons have {segments} segments, but at most {max} are supported: handle “{id}” has {corners} \
          corners, draw it with fewer",
-        max = limits::MAX_SITES
+        max = limits::MAX_SITES,
+        id = DisplayName(.id)
     )]
     TooManyCorners {
         /// Id of the handle with the most corners.
@@ -325,7 +332,8 @@ pub enum Error {
         found: usize,
     },
     /// The pose lacks a handle of the solution.
-    #[error("the pose lacks handle “{id}” of the solution: pass every handle of the solution")]
+    #[error("the pose lacks handle “{id}” of the solution: pass every handle of the solution",
+        id = DisplayName(.id))]
     PoseMissing {
         /// Id of the handle.
         id: String,
@@ -334,7 +342,7 @@ pub enum Error {
     #[error("the pose belongs to another solution: make it with the poser of this one")]
     PoseOfAnotherSolution,
     /// A posed handle has another kind or number of corners than the solved one.
-    #[error("handle “{id}” is posed as {posed}, but was solved as {solved}")]
+    #[error("handle “{id}” is posed as {posed}, but was solved as {solved}", id = DisplayName(.id))]
     PoseShape {
         /// Id of the handle.
         id: String,
@@ -344,7 +352,8 @@ pub enum Error {
         posed: ShapeKind,
     },
     /// Numbers of the pose overflow.
-    #[error("the pose of handle “{id}” has numbers that are too large: move it closer, or lower its scale")]
+    #[error("the pose of handle “{id}” has numbers that are too large: move it closer, or lower its scale",
+        id = DisplayName(.id))]
     PoseNotFinite {
         /// Id of the handle.
         id: String,
@@ -361,7 +370,8 @@ pub enum Error {
         "clip “{clip}”: expected a range from 0 to {} seconds, the end after the beginning, found {}..{}",
         DisplayNumber(*duration),
         DisplayNumber(*from),
-        DisplayNumber(*to)
+        DisplayNumber(*to),
+        clip = DisplayName(.clip)
     )]
     FrameRange {
         /// Name of the clip.
@@ -377,7 +387,8 @@ pub enum Error {
     #[error(
         "a film of clip “{clip}” would have {frames} frames, but at most {max} are supported: lower the frames a second, \
          or show a part of the clip",
-        max = limits::MAX_FRAMES
+        max = limits::MAX_FRAMES,
+        clip = DisplayName(.clip)
     )]
     TooManyFrames {
         /// Name of the clip.
@@ -535,8 +546,8 @@ pub enum Error {
 /// The handles of an overlap in words.
 fn overlap(first: &str, second: &str) -> String {
     if first == second {
-        format!("handle “{first}” runs along itself")
+        format!("handle “{}” runs along itself", DisplayName(first))
     } else {
-        format!("handles “{first}” and “{second}” run along each other")
+        format!("handles “{}” and “{}” run along each other", DisplayName(first), DisplayName(second))
     }
 }

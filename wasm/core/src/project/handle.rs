@@ -10,6 +10,8 @@ use super::rotation::Rotation;
 use super::shape::Shape;
 use super::validate;
 use crate::display_number::DisplayNumber;
+#[cfg(feature = "schema")]
+use crate::limits::MAX_NAME;
 
 /// A handle at rest and posed.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,8 +20,8 @@ use crate::display_number::DisplayNumber;
 #[cfg_attr(feature = "schema", schemars(extend("unevaluatedProperties" = false)))]
 #[non_exhaustive]
 pub struct Handle {
-    /// A name, unique in the project and not empty.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+    /// A name of 1 to 200 characters, unique in the project.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = MAX_NAME)))]
     pub id: String,
     /// Point, bar or polygon, at rest and posed.
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -122,9 +124,7 @@ impl Handle {
     }
 
     fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
-        if self.id.is_empty() {
-            return at.key("id").refuse("expected a name, found an empty string");
-        }
+        validate::name(&at.key("id"), &self.id)?;
         self.shape.check(at)?;
         if let Rotation::Degrees(degrees) = self.rotation {
             validate::finite(&at.key("rotation"), degrees)?;

@@ -531,3 +531,39 @@ fn only_polygons_have_a_stiffness() {
         "handles[2].stiffness: expected a number from 0 to 1, found NaN"
     );
 }
+
+#[test]
+fn names_have_at_most_200_characters() {
+    let named = |id: &str, clip: &str, track: &str| {
+        let text = r#"{ "format": "c2warp/1", "image": { "src": "", "width": 9, "height": 9 }, "handles": [{ "id": "ID",
+            "kind": "point", "rest": [1, 2] }], "clips": [{ "name": "CLIP", "duration": 1, "tracks": [{ "handle":
+            "TRACK", "keys": [{ "time": 0, "depth": 1 }] }] }] }"#;
+        Project::from_json(&text.replace("ID", id).replace("CLIP", clip).replace("TRACK", track))
+    };
+    // Characters are counted, not bytes.
+    let (longest, longer) = ("é".repeat(200), "é".repeat(201));
+    assert!(named(&longest, &longest, &longest).is_ok());
+    let expected = "expected a name of at most 200 characters, found 201";
+    for (project, key) in [
+        (named(&longer, "clip", &longer), "handles[0].id"),
+        (named("head", &longer, "head"), "clips[0].name"),
+        (named("head", "clip", &longer), "clips[0].tracks[0].handle"),
+    ] {
+        assert_eq!(project.unwrap_err().to_string(), format!("{key}: {expected}"));
+    }
+    let project = Project::for_picture(9, 9).with_handles([Handle::point(longer, [1.0, 2.0])]);
+    assert_eq!(project.check().unwrap_err().to_string(), format!("handles[0].id: {expected}"));
+}
+
+#[test]
+fn refusals_quote_no_long_text() {
+    let long = "x".repeat(100_000);
+    for (text, expected) in [
+        (format!(r#"{{"format": "{long}"}}"#), r#"format: expected "c2warp/1", found a long string"#.to_owned()),
+        (format!(r#"{{"format": "c2warp/1", "{long}": 1}}"#), format!("{}…: unknown key; expected", "x".repeat(40))),
+        (format!(r#"{{"{long}": 1, "{long}": 2}}"#), "duplicate key a long string".to_owned()),
+    ] {
+        let refused = Project::from_json(&text).unwrap_err().to_string();
+        assert!(refused.contains(&expected) && refused.len() < 400, "{refused}");
+    }
+}

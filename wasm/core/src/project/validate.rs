@@ -6,7 +6,10 @@ use glam::DVec2;
 
 use super::error::ProjectError;
 use super::path::Path;
-use crate::{display_number::DisplayNumber, limits::MAX_POSED};
+use crate::{
+    display_number::DisplayNumber,
+    limits::{MAX_NAME, MAX_POSED},
+};
 
 /// A range in words, for messages.
 pub(super) fn whole_numbers(range: &RangeInclusive<u32>) -> String {
@@ -22,6 +25,15 @@ pub(super) fn whole_number(at: &Path<'_>, number: u32, range: &RangeInclusive<u3
         Ok(())
     } else {
         at.refuse(format_args!("expected {}, found {number}", whole_numbers(range)))
+    }
+}
+
+/// Checks the name of a handle or a clip.
+pub(super) fn name(at: &Path<'_>, name: &str) -> Result<(), ProjectError> {
+    match name.chars().count() {
+        0 => at.refuse("expected a name, found an empty string"),
+        1..=MAX_NAME => Ok(()),
+        length => at.refuse(format_args!("expected a name of at most {MAX_NAME} characters, found {length}")),
     }
 }
 

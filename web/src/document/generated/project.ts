@@ -127,7 +127,7 @@ export type LooseParts = 'stay' | 'follow';
 
 /** One point. */
 export interface PointHandle {
-  /** A name, unique in the project and not empty. */
+  /** A name of 1 to 200 characters, unique in the project. */
   readonly id: string;
   /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
@@ -146,7 +146,7 @@ export interface PointHandle {
 
 /** An open line through two or more points. */
 export interface BarHandle {
-  /** A name, unique in the project and not empty. */
+  /** A name of 1 to 200 characters, unique in the project. */
   readonly id: string;
   /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
@@ -165,7 +165,7 @@ export interface BarHandle {
 
 /** A closed ring of three or more points. */
 export interface PolygonHandle {
-  /** A name, unique in the project and not empty. */
+  /** A name of 1 to 200 characters, unique in the project. */
   readonly id: string;
   /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
@@ -190,7 +190,7 @@ export type Rotation = number | 'auto';
 
 /** Poses of handles over time. */
 export interface Clip {
-  /** A name, unique in the project and not empty. */
+  /** A name of 1 to 200 characters, unique in the project. */
   readonly name: string;
   /** Length in seconds, above 0 and up to 3,600. */
   readonly duration: number;

@@ -8,6 +8,9 @@ export const RANGES = {
   density: [0, 4096],
 } as const;
 
+/** The most characters of the name of a handle or a clip. */
+export const MAX_NAME = 200;
+
 /** The most cells of a mask of stiffness, each way. */
 export const STIFFNESS_CELLS = 128;
 

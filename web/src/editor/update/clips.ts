@@ -81,7 +81,7 @@ function named(before: EditorState, typed: string, emit: Emit): EditorState {
   const state = withTimeline(before, { renaming: false });
   const clip = openClip(state);
   const name = tidyName(typed);
-  if (!before.timeline.renaming || !clip || name === '' || name === clip.name) return state;
+  if (!before.timeline.renaming || !clip || name === '' || [typed, name].includes(clip.name)) return state;
   if (clipNamed(filedProject(state), name)) return inform(state, say('notices.clipNameTaken', name), emit);
   const renamed = editClip(
     state,

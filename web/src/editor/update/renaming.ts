@@ -68,7 +68,7 @@ function given(before: EditorState, text: string, keyed: boolean, emit: Emit): E
   if (!handle || !mayEdit(ended)) return ended;
   if (fault) return inform(ended, say(`notices.nameStays.${fault}`, nameWords(handle)), emit);
   const name = tidyName(text);
-  const isNew = name !== nameOf(handle);
+  const isNew = ![text, name].includes(nameOf(handle));
   if (keyed) focus(emit, isNew ? name : id);
   return isNew ? renamed(ended, id, name, emit) : ended;
 }

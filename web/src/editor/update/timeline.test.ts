@@ -227,4 +227,14 @@ describe('the timeline', () => {
     send(runtime, { type: 'undo-asked' });
     expect(names()).toEqual(['clip', 'sway', 'big sway']);
   });
+
+  it('cuts the name of a copy where names end', () => {
+    const runtime = opened();
+    const names = () => filedProject(runtime.state).clips?.map(({ name }) => name);
+    send(runtime, { type: 'clip-renaming-switched', on: true });
+    send(runtime, { type: 'clip-named', name: 'é'.repeat(200) }, { type: 'clip-duplicated' });
+    expect(names()).toEqual(['é'.repeat(200), 'é'.repeat(194)]);
+    send(runtime, { type: 'clip-chosen', name: 'é'.repeat(200) }, { type: 'clip-duplicated' });
+    expect(names()?.[2]).toBe(`${'é'.repeat(194)} 2`);
+  });
 });

@@ -16,6 +16,7 @@ import type { FilmModel } from '../../editor/film_model';
 import { roughSize, roughTime } from '../../editor/film_words';
 import { secondsText } from '../../editor/seconds';
 import type { EditorModel } from '../../editor/view_model';
+import { shownName } from '../../texts/shown_name';
 import type { Texts } from '../../texts/texts';
 import { closePopover } from '../close_popover';
 import { type FieldLook, numberField } from '../number_field';
@@ -119,7 +120,7 @@ const clipOption = (
           @change=${(event: Event) => choose({ clip: keptValue(event) })}
           @input=${keptValue}
         >
-          ${clips.map((name) => html`<option .value=${name} ?selected=${name === clip?.name}>${name}</option>`)}
+          ${clips.map((name) => html`<option .value=${name} ?selected=${name === clip?.name}>${shownName(name)}</option>`)}
         </select>
       </label>`;
 

@@ -9,6 +9,7 @@ import type { Dispatch } from '../../editor/events';
 import type { TimelineModel } from '../../editor/timeline_model';
 import { RATES, type Rate } from '../../editor/timeline_state';
 import type { EditorModel } from '../../editor/view_model';
+import { shownName } from '../../texts/shown_name';
 import type { Texts } from '../../texts/texts';
 import { commandButton } from '../command_button';
 import { type IconName, icon } from '../icons';
@@ -154,7 +155,7 @@ function clipChoice(
     else dispatch({ type: 'clip-added', preset: CLIP_PRESETS.find((preset) => preset === value) ?? null });
   };
   return html`<select class="choice" aria-label=${words.clip} title=${words.clip} .value=${live(`=${clip.name}`)} @change=${choose}>
-    ${clips.map((name) => html`<option value="=${name}" ?selected=${name === clip.name}>${name}</option>`)}
+    ${clips.map((name) => html`<option value="=${name}" ?selected=${name === clip.name}>${shownName(name)}</option>`)}
     <optgroup label=${words.add}>
       ${CLIP_PRESETS.map((preset) => html`<option value="+${preset}">${words.presets[preset]}</option>`)}
       <option value="+">${words.newClip}</option>
@@ -162,14 +163,17 @@ function clipChoice(
   </select>`;
 }
 
-const nameField = (clip: Clip, words: Texts['timeline'], dispatch: Dispatch): TemplateResult =>
-  nameInput({
+function nameField(clip: Clip, words: Texts['timeline'], dispatch: Dispatch): TemplateResult {
+  const shown = shownName(clip.name);
+  return nameInput({
     control: 'clip-name',
     label: words.nameOfClip,
-    name: clip.name,
-    given: (name) => dispatch({ type: 'clip-named', name }),
+    name: shown,
+    // Left as it is, it stays.
+    given: (name) => dispatch({ type: 'clip-named', name: name === shown ? clip.name : name }),
     ended: () => dispatch({ type: 'clip-renaming-switched', on: false }),
   });
+}
 
 const durationField = (clip: Clip, model: EditorModel, dispatch: Dispatch): TemplateResult =>
   numberField(

@@ -93,7 +93,7 @@ impl Format {
     fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
         match value.string()? {
             "c2warp/1" => Ok(Self::V1),
-            other => value.refuse(format_args!("expected \"c2warp/1\", found {other:?}")),
+            _ => value.expected("\"c2warp/1\""),
         }
     }
 }

@@ -118,7 +118,7 @@ impl<'de> Visitor<'de> for ValueVisitor {
         let (mut entries, mut known) = (Vec::new(), HashSet::new());
         while let Some(key) = object.next_key::<String>()? {
             if !known.insert(key.clone()) {
-                return Err(A::Error::custom(format_args!("duplicate key {key:?}")));
+                return Err(A::Error::custom(format_args!("duplicate key {}", Value::String(key))));
             }
             let value = object.next_value()?;
             entries.push((key, value));
