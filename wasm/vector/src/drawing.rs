@@ -8,6 +8,7 @@ use std::collections::HashSet;
 #[cfg(feature = "text")]
 use std::sync::{Arc, Mutex};
 
+use c2warp::limits::MAX_PIXELS;
 use usvg::roxmltree::{Document, Error as XmlError, Node, NodeId, ParsingOptions};
 
 use crate::{error::VectorError, remark::Remark};
@@ -40,7 +41,7 @@ impl Drawing {
         let source = parse(text, &mut remarks)?;
         remarks.extend(texts(&source).map(Remark::Text));
         let tree = usvg::Tree::from_xmltree(&source, &options()).map_err(refused)?;
-        Ok(Self::new(&tree, remarks))
+        Self::new(&tree, remarks)
     }
 
     /// Reads an SVG file. Its texts become paths by these fonts.
@@ -60,16 +61,17 @@ impl Drawing {
         note_texts(tree.root(), &mut drawn);
         remarks.extend(texts(&source).filter(|text| !drawn.contains(&compact(text))).map(Remark::Text));
         remarks.extend(replaced.lock().into_iter().flat_map(|mut all| std::mem::take(&mut *all)));
-        Ok(Self::new(&tree, remarks))
+        Self::new(&tree, remarks)
     }
 
-    fn new(tree: &usvg::Tree, mut remarks: Vec<Remark>) -> Self {
+    fn new(tree: &usvg::Tree, mut remarks: Vec<Remark>) -> Result<Self, VectorError> {
+        check_pictures(tree.root())?;
         let size = [tree.size().width(), tree.size().height()].map(f64::from);
         let text = tree.to_string(&usvg::WriteOptions { indent: usvg::Indent::None, ..Default::default() });
         if text.contains("<image ") {
             remarks.push(Remark::Pictures);
         }
-        Self { text, size, remarks }
+        Ok(Self { text, size, remarks })
     }
 
     /// Width and height in its own units.
@@ -104,6 +106,31 @@ fn refused(reason: usvg::Error) -> VectorError {
         usvg::Error::ElementsLimitReached => VectorError::TooManyElements { most: MAX_ELEMENTS },
         reason => VectorError::Xml(reason.to_string()),
     }
+}
+
+/// Refuses a drawing with a picture that has too many pixels to be decoded.
+fn check_pictures(group: &usvg::Group) -> Result<(), VectorError> {
+    for node in group.children() {
+        match node {
+            usvg::Node::Group(group) => check_pictures(group)?,
+            usvg::Node::Image(image) => match image.kind() {
+                usvg::ImageKind::SVG(tree) => check_pictures(tree.root())?,
+                _ if image.size().width() * image.size().height() > MAX_PIXELS as f32 => {
+                    return Err(VectorError::PictureTooLarge { most: MAX_PIXELS / 1_000_000 });
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+        let mut within = Ok(());
+        node.subroots(|root| {
+            if within.is_ok() {
+                within = check_pictures(root);
+            }
+        });
+        within?;
+    }
+    Ok(())
 }
 
 /// Parses a file, checks its size, and remarks on all that is left out.

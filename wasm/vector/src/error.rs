@@ -36,6 +36,12 @@ pub enum VectorError {
         /// The limit.
         most: usize,
     },
+    /// A picture in the drawing has more pixels than any picture may have.
+    #[error("a picture in this drawing has more than {most} megapixels: use a smaller one")]
+    PictureTooLarge {
+        /// The limit.
+        most: u64,
+    },
     /// Neither a size nor a view box with an area.
     #[error("this drawing has no size: give it a width, a height or a viewBox")]
     NoSize,

@@ -13,6 +13,8 @@ const ROW = 12;
 const CHECKED = 20;
 /** Versions of the format. The last one displaces the picture before sites move it. */
 const VERSIONS: readonly number[] = [1, 2];
+/** The most bytes of all sections that are stored deflated. */
+const MOST_INFLATED = 512 * 2 ** 20;
 /** No deflated bytes unpack to more than so many times their number. */
 const MOST_UNPACKED = 1032;
 
@@ -60,11 +62,16 @@ export async function sectionsOf(
     return { tag, stored, length: word(start + 8) };
   });
   check(at === length, 'its sections do not fill it');
+  const inflated = rows.filter(({ stored, length }) => stored.length !== length);
+  check(sum(inflated) <= MOST_INFLATED, 'its sections have more than 512 MiB');
   const sections = await Promise.all(
     rows.map(async ({ tag, stored, length }) => ({ tag, data: await unpacked(stored, length) })),
   );
   return { sections, isDisplaced: version === 2 };
 }
+
+const sum = (rows: readonly { readonly length: number }[]): number =>
+  rows.reduce((sum, { length }) => sum + length, 0);
 
 async function unpacked(stored: Uint8Array<ArrayBuffer>, length: number): Promise<Uint8Array<ArrayBuffer>> {
   if (length === stored.length) return stored;

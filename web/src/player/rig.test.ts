@@ -281,4 +281,16 @@ describe('a rig', () => {
     view.writeUInt32LE(crc32(view.subarray(20)), 16);
     expect(await isRead(file)).toBe(false);
   });
+
+  it('is refused by its table if it unpacks to more than any rig', async () => {
+    const stored = Buffer.alloc(600_000);
+    const head = Buffer.from(FILE.subarray(0, HEADER + ROW));
+    head.writeUInt32LE(1, 20);
+    head.writeUInt32LE(stored.length, HEADER + 4);
+    head.writeUInt32LE(513 * 2 ** 20, HEADER + 8);
+    const file = Buffer.concat([head, stored]);
+    file.writeUInt32LE(file.length, 12);
+    file.writeUInt32LE(crc32(file.subarray(20)), 16);
+    await expect(readRig(new Uint8Array(file))).rejects.toThrow(/more than 512 MiB/);
+  });
 });

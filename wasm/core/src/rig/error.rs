@@ -116,8 +116,8 @@ pub enum BakeError {
         /// The clip's name. It is empty for the pose of the handles themselves.
         clip: String,
     },
-    /// A file of more than 4 GB.
-    #[error("the rig would have more than {} bytes", u32::MAX)]
+    /// A file of more than 4 GB, or deflated sections of more than 512 MiB.
+    #[error("the rig would be too large for its format: use a smaller picture or shorter clips")]
     TooLarge,
 }
 

@@ -238,7 +238,7 @@ impl Rig {
     /// The file.
     ///
     /// # Errors
-    /// [`BakeError::TooLarge`] above 4 GB.
+    /// [`BakeError::TooLarge`] above 4 GB, or above 512 MiB of deflated sections.
     pub fn to_bytes(&self) -> Result<Vec<u8>, BakeError> {
         let written = |tag: Tag, write: &dyn Fn(&mut Writer)| {
             let mut writer = Writer::default();
