@@ -7,8 +7,8 @@
 import { readFile } from 'node:fs/promises';
 import { parse, relative, sep } from 'node:path';
 
-/** The exit status of a program of Rust that panicked. */
-const PANICKED = 101;
+/** The exit status of a program that failed. */
+const FAILED = 1;
 
 const program = new URL(/* @vite-ignore */ './command.wasm', import.meta.url);
 
@@ -41,7 +41,7 @@ async function run(): Promise<number> {
 try {
   process.exitCode = await run();
 } catch (error) {
-  // The program has printed the reason of a panic.
-  if (!(error instanceof WebAssembly.RuntimeError)) console.error(`c2warp: ${String(error)}`);
-  process.exitCode = PANICKED;
+  // Panics and want of memory end the program by an exit status: this is of another kind, such as an overflow.
+  console.error(`c2warp: ${String(error)}`);
+  process.exitCode = FAILED;
 }

@@ -356,7 +356,7 @@ fn refused_films_name_the_reason_and_leave_no_file() {
         ("-o nowhere/film.png", "nowhere/film.png: cannot write this file"),
         ("-o nowhere/frame-%d.png", "nowhere/frame-0.png: cannot write this file"),
         ("--sheet sheet.jpg", "sheet.jpg: a sheet is a PNG"),
-        ("-o film.png --sheet film.png", "film.png: the film is written to this file"),
+        ("-o film.png --sheet film.png", "film.png: this is also the output film.png"),
         ("-o film.png --scale 120 --grow", "--scale"),
         ("--sheet sheet.png --scale 40", "need a sheet of"),
     ] {

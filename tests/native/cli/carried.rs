@@ -47,7 +47,7 @@ fn a_png_is_a_project_by_its_text_chunk() {
         assert_eq!(fs::read(folder.file("other.png")).unwrap(), fs::read(folder.file("out.png")).unwrap());
     }
     let line = fail(folder.path(), "warp posted.png -o posted.png");
-    assert!(line.contains("posted.png: this is the project file"), "{line}");
+    assert!(line.contains("posted.png: this is the input posted.png"), "{line}");
 }
 
 #[test]

@@ -154,7 +154,7 @@ fn several_projects_have_results_with_their_names() {
     fs::create_dir(folder.file("solo")).unwrap();
     fs::copy(folder.file("strip.png"), folder.file("solo/strip.png")).unwrap();
     let line = fail(folder.path(), "warp 1.c2warp.json --image solo -o solo");
-    assert_eq!(line, "solo/strip.png: this is the picture itself: choose another folder for the results");
+    assert_eq!(line, "solo/strip.png: this is the input solo/strip.png: choose another output");
     let line = fail(folder.path(), "warp 1.c2warp.json 2.c2warp.json --image strip.png --image strip.png -o out");
     assert!(line.starts_with("give one project"), "{line}");
     fs::create_dir(folder.file("empty")).unwrap();

@@ -67,7 +67,7 @@ fn new_projects_replace_nothing_and_refuse_bad_handles() {
     let before = fs::read(folder.file(PROJECT)).unwrap();
     for (arguments, reason) in [
         ("new ring.png --handles 20,64 -o scene.c2warp.json", "scene.c2warp.json: this file exists: choose another"),
-        ("new ring.png --suggest --force -o ring.png", "ring.png: this is the picture: choose another output file"),
+        ("new ring.png --suggest --force -o ring.png", "ring.png: this is the input ring.png: choose another output"),
         ("new ring.png --handles 64,64", "ring.png: handle “handle-1” at (64, 64) lies outside the domain"),
         ("new ring.png --handles 3,1e9", "ring.png: handle “handle-1” at (3, 1000000000) lies outside the domain"),
         ("new ring.png --handles 20,64 20,64", "handles “handle-1” and “handle-2” are less than 0.01 px apart"),

@@ -7,6 +7,7 @@ use image::codecs::webp::WebPEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
 use crate::error::CliError;
+use crate::output::Output;
 use crate::picture::PictureFile;
 use crate::progress;
 use crate::project::{InputFiles, LoadedProject};
@@ -31,7 +32,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let picture = loaded.picture()?;
     let (width, height) = (picture.width(), picture.height());
     check_is_no_picture(&arguments.output)?;
-    let output = loaded.output(&arguments.output)?;
+    let output = Output::open(&arguments.output)?;
     let solution = loaded.solve()?;
     let picture = RigPicture { width, height, file: smaller(loaded.picture_file()) };
     let posable = if arguments.posable { Posable::Always } else { Posable::WithoutSolver };

@@ -4,7 +4,7 @@
 
 use c2warp::deform::Pose;
 use c2warp::project::{Clip, Displacement, LooseParts, Project, ProjectError};
-use c2warp::{Error, Solution, Solver};
+use c2warp::{DisplayName, Error, Solution, Solver};
 use serde_json::{Value, json};
 
 use crate::error::{CliError, one_line};
@@ -136,8 +136,10 @@ impl Problems {
             let at = handles.iter().position(|handle| handle.id == part.handle);
             let path = at.map(|at| format!("handles[{}].rest", self.handles[at])).unwrap_or_default();
             let (from, to) = (part.from, part.to);
-            let message =
-                format!("“{}” lies outside the domain from {from} to {to}: it moves nothing there", part.handle);
+            let message = format!(
+                "“{}” lies outside the domain from {from} to {to}: it moves nothing there",
+                DisplayName(&part.handle)
+            );
             self.warning(&path, "outside", message);
         }
         if report.folded_triangles > 0 {
@@ -151,8 +153,10 @@ impl Problems {
         for (at, clip) in clips.iter().enumerate() {
             if let Some((time, folded)) = most_folded(clip, loaded, solution) {
                 let folds = numbered(folded, "triangle", "triangles");
-                let message =
-                    format!("clip “{}” turns {folds} of the mesh over at {time} s: the picture folds there", clip.name);
+                let message = format!(
+                    "clip “{}” turns {folds} of the mesh over at {time} s: the picture folds there",
+                    DisplayName(&clip.name)
+                );
                 self.warning(&format!("clips[{at}]"), "folds", message);
             }
         }

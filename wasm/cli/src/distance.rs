@@ -6,6 +6,7 @@ use c2warp_maps::decimal;
 use glam::DVec2;
 
 use crate::error::CliError;
+use crate::output::Output;
 use crate::points;
 use crate::project::{InputFiles, LoadedProject};
 
@@ -30,7 +31,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let points = points::read(&arguments.at)?;
     let loaded = LoadedProject::open(&arguments.files)?;
-    let output = loaded.output(&arguments.output)?;
+    let output = Output::open(&arguments.output)?;
     let distances = c2warp::distances(&loaded.project, &loaded.picture()?, arguments.from, &points)
         .map_err(|reason| loaded.refused(reason))?;
     output.write_table(|table| {

@@ -3,7 +3,9 @@
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::PathBuf;
+use std::{panic, process};
 
+use c2warp::DisplayName;
 use c2warp::project::ProjectError;
 use c2warp_export::ExportError;
 use c2warp_maps::WeightsError;
@@ -19,8 +21,10 @@ pub(crate) enum CliError {
     Read { path: PathBuf, reason: io::Error },
     #[error("{}: cannot write this file: {reason}", path.display())]
     Write { path: PathBuf, reason: io::Error },
-    #[error("{}: this is the picture itself: choose another folder for the results", path.display())]
-    OverPicture { path: PathBuf },
+    #[error("{}: this is the input {}: choose another output", path.display(), input.display())]
+    OverInput { path: PathBuf, input: PathBuf },
+    #[error("{}: this is also the output {}: choose another one", path.display(), other.display())]
+    OverOutput { path: PathBuf, other: PathBuf },
     #[error("{}: its result has the same name as that of {}: rename one of them", path.display(), other.display())]
     SameResult { path: PathBuf, other: PathBuf },
     #[error("{}: this folder has no files", path.display())]
@@ -36,8 +40,6 @@ pub(crate) enum CliError {
     /// The reasons stand on standard error already.
     #[error("some inputs have no result")]
     Told,
-    #[error("{}: this is the project file: choose another output file", path.display())]
-    OverProject { path: PathBuf },
     #[error(
         "{}: the extension means {format:?}, but the output is {written:?}: use .{}",
         path.display(),
@@ -46,10 +48,6 @@ pub(crate) enum CliError {
     OutputType { path: PathBuf, format: ImageFormat, written: ImageFormat },
     #[error("{}: the extension means {format:?}, but the output is a rig: use .c2rig", path.display())]
     OutputNoRig { path: PathBuf, format: ImageFormat },
-    #[error("{}: the picture is written to this file: choose another file for the map", path.display())]
-    SameOutput { path: PathBuf },
-    #[error("{}: another map is written to this file: choose another file", path.display())]
-    SameMap { path: PathBuf },
     #[error("{}: a map ends with .exr or .png", path.display())]
     MapType { path: PathBuf },
     #[error("{}: {reason}", path.display())]
@@ -62,14 +60,18 @@ pub(crate) enum CliError {
     PointsNeeded { path: PathBuf },
     #[error("--every: expected a whole number from 1 on, found {found}")]
     Every { found: f64 },
-    #[error("{}: the weights are written to this file: choose another file for the sites", path.display())]
-    SitesOverWeights { path: PathBuf },
     #[error("cannot write to standard output: {0}")]
     Print(io::Error),
     #[error("{}: this is not a project: the file is not UTF-8 text", path.display())]
     ProjectEncoding { path: PathBuf },
     #[error("{}: this PNG carries no project: export one from the editor, or pass a project file", path.display())]
     NoProject { path: PathBuf },
+    #[error(
+        "{}: this project has more than {} MB: keep its picture in a file of its own",
+        path.display(),
+        most / 1_000_000
+    )]
+    ProjectSize { path: PathBuf, most: usize },
     #[error("{}: there is no clip {name:?}: {}", path.display(), listed(names))]
     NoClip { path: PathBuf, name: String, names: Vec<String> },
     #[error("{}: --clip names the clip to draw: {}", path.display(), listed(names))]
@@ -82,8 +84,6 @@ pub(crate) enum CliError {
     FilmType { path: PathBuf },
     #[error("{}: a sheet is a PNG: use .png", path.display())]
     SheetType { path: PathBuf },
-    #[error("{}: the film is written to this file: choose another file for the sheet", path.display())]
-    SheetOverFilm { path: PathBuf },
     #[error("{}: image.src: the data: URL is damaged", path.display())]
     PictureUrl { path: PathBuf },
     #[error("{}: {reason}", path.display())]
@@ -135,8 +135,6 @@ pub(crate) enum CliError {
     NoCommand { name: String, names: Vec<String> },
     #[error("{}: this file exists: choose another output with -o, or replace it with --force", path.display())]
     Exists { path: PathBuf },
-    #[error("{}: this is the picture: choose another output file", path.display())]
-    NewOverPicture { path: PathBuf },
     #[error("{}: {errors} {}", path.display(), if *errors == 1 { "error" } else { "errors" })]
     Faulty { path: PathBuf, errors: usize },
     #[error("--scale: {0}")]
@@ -156,10 +154,18 @@ pub(crate) fn tell(message: impl Display) {
     let _ = io::stderr().write_all(line.as_bytes());
 }
 
-/// Returns the message on one line, with control characters replaced: they could affect the terminal.
+/// Lets a panic, which is an error of the program, end it with one line and exit status 1.
+pub(crate) fn tell_panics() {
+    panic::set_hook(Box::new(|panic| {
+        tell(format_args!("this is an error of c2warp itself, please report it with the input: {panic}"));
+        process::exit(1);
+    }));
+}
+
+/// Returns the message on one line. Characters that are not drawn are escaped: they could affect the terminal.
 pub(crate) fn one_line(message: &str) -> String {
-    let words = message.split_whitespace().map(|word| word.replace(char::is_control, "\u{fffd}"));
-    words.collect::<Vec<_>>().join(" ")
+    let words: Vec<_> = message.split_whitespace().map(|word| DisplayName(word).to_string()).collect();
+    words.join(" ")
 }
 
 /// Conversions for `map_err`.
@@ -192,6 +198,7 @@ mod tests {
 
     #[test]
     fn messages_are_one_line_without_control_characters() {
-        assert_eq!(one_line("handle \"\u{1b}[31mred\n x\0\": gone"), "handle \"\u{fffd}[31mred x\u{fffd}\": gone");
+        let message = "handle \"\u{1b}[31mred\n x\0\": \u{202e}enog";
+        assert_eq!(one_line(message), r#"handle "\u{1b}[31mred x\u{0}": \u{202e}enog"#);
     }
 }

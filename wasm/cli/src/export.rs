@@ -7,7 +7,7 @@ use c2warp_export::{EngineRig, Errors, ExportError, Format, KEY_TOLERANCE_PX, Op
 use serde_json::{Value, json};
 
 use crate::error::CliError;
-use crate::output;
+use crate::output::{self, Output};
 use crate::png_file::encode_png;
 use crate::progress;
 use crate::project::{InputFiles, LoadedProject};
@@ -52,10 +52,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let picture = loaded.picture()?;
     let beside = |ending: &str| path.with_file_name(format!("{stem}{ending}"));
     let endings = [format.ending()].into_iter().chain(format.other_endings().iter().copied());
-    let outputs = endings.map(|ending| loaded.output(&beside(ending))).collect::<Result<Vec<_>, _>>()?;
+    let outputs = endings.map(|ending| Output::open(&beside(ending))).collect::<Result<Vec<_>, _>>()?;
     // The project's own picture is used as it is.
     let picture_path = format.picture_ending().map(beside).filter(|path| !loaded.is_picture(path));
-    let picture_output = picture_path.map(|path| loaded.output(&path)).transpose()?;
+    let picture_output = picture_path.map(|path| Output::open(&path)).transpose()?;
 
     let solution = loaded.solve()?;
     progress::show("fitting bones and weights");

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use c2warp::Picture;
 use c2warp::fit::{Fitted, Fitter};
+use c2warp::{DisplayName, Picture};
 
 use crate::error::{self, CliError};
 use crate::picture::PictureFile;
@@ -59,7 +59,7 @@ impl FittingProject {
         }
         let Fitted { project, moved, .. } = self.fitter.fit(&picture).map_err(CliError::refused(&path))?;
         if let Some(farthest) = moved.iter().map(|handle| handle.distance).reduce(f64::max) {
-            let names: Vec<_> = moved.iter().map(|handle| format!("“{}”", handle.id)).collect();
+            let names: Vec<_> = moved.iter().map(|handle| format!("“{}”", DisplayName(&handle.id))).collect();
             let names = names.join(", ");
             error::tell(format_args!("{}: moved into the outline, by up to {farthest:.1} px: {names}", path.display()));
         }

@@ -11,15 +11,18 @@ mod completions;
 mod distance;
 mod error;
 mod export;
+mod files;
 mod fitting;
 mod input;
 mod inspect;
 mod man;
 mod map;
 mod maps;
+mod memory;
 mod new;
 mod output;
 mod picture;
+mod png_chunks;
 mod png_file;
 mod points;
 mod posed_drawing;
@@ -28,6 +31,7 @@ mod project;
 mod schema;
 mod shapes;
 mod shared;
+mod signals;
 mod warp;
 mod weights;
 mod workers;
@@ -39,6 +43,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use error::CliError;
+#[doc(hidden)]
+pub use memory::Memory;
 
 #[derive(Parser)]
 #[command(name = "c2warp", version, about = "Warps pictures with handles, and reports weights, maps and distances")]
@@ -74,12 +80,14 @@ fn definition() -> clap::Command {
 #[must_use]
 pub fn run() -> ExitCode {
     enter_folder();
+    error::tell_panics();
+    signals::begin();
     let command = Arguments::parse().command;
     progress::begin();
     let result = match command {
         Command::New(arguments) => new::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
-        Command::Warp(arguments) => warp::run(&arguments),
+        Command::Warp(arguments) => warp::run(arguments),
         Command::Animate(arguments) => animate::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Weights(arguments) => weights::run(&arguments),

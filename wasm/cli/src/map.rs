@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use crate::error::CliError;
 use crate::input;
-use crate::output::Table;
+use crate::output::{Output, Table};
 use crate::points;
 use crate::project::{InputFiles, LoadedProject};
 use crate::shapes::Shapes;
@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     }
     let points = points::parse_csv(&bytes, path)?;
     let loaded = LoadedProject::open(&arguments.files)?;
-    let output = loaded.output(&arguments.output)?;
+    let output = Output::open(&arguments.output)?;
     let solution = loaded.solve()?;
     let pose = loaded.pose(&solution)?;
     output.write_table(|table| match arguments.inverse {
@@ -56,7 +56,7 @@ fn map_shapes(arguments: &Arguments, shapes: Shapes) -> Result<(), CliError> {
     let refused = |reason| CliError::Shapes { path: arguments.at.clone(), reason };
     let points = shapes.points().map_err(refused)?;
     let loaded = LoadedProject::open(&arguments.files)?;
-    let output = loaded.output(&arguments.output)?;
+    let output = Output::open(&arguments.output)?;
     let solution = loaded.solve()?;
     let pose = loaded.pose(&solution)?;
     let places = if arguments.inverse {

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use c2warp_maps::{Map, MapFormat, Maps};
 
 use crate::error::CliError;
-use crate::output::{Output, is_standard_output};
+use crate::files::is_standard_output;
+use crate::output::Output;
 use crate::posed_drawing::PosedDrawing;
 use crate::project::{InputFiles, LoadedProject};
 
@@ -61,14 +62,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let formats = paths.iter().map(|&(_, path)| format(path)).collect::<Result<Vec<_>, _>>()?;
     let loaded = LoadedProject::open(&arguments.files)?;
     arguments.drawing.check(&loaded)?;
-    let mut outputs: Vec<Output> = Vec::new();
-    for &(_, path) in &paths {
-        let output = loaded.output(path)?;
-        if outputs.iter().any(|other| output.is_same(other)) {
-            return Err(CliError::SameMap { path: path.to_owned() });
-        }
-        outputs.push(output);
-    }
+    let outputs = paths.iter().map(|&(_, path)| Output::open(path)).collect::<Result<Vec<_>, _>>()?;
 
     let (solution, picture) = (loaded.solve()?, loaded.picture()?);
     let pose = arguments.drawing.pose(&loaded, &solution)?;

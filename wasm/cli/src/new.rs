@@ -10,7 +10,8 @@ use c2warp::{Picture, Solver};
 use glam::DVec2;
 
 use crate::error::{self, CliError};
-use crate::output::{self, Output, is_same_file};
+use crate::files;
+use crate::output::Output;
 use crate::points;
 use crate::project::remark;
 use crate::{carried, picture};
@@ -57,11 +58,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         None if path == Path::new("-") => PathBuf::from("-"),
         None => path.with_extension("c2warp.json"),
     };
-    if !arguments.force && !output::is_standard_output(&target) && target.is_file() {
+    if !arguments.force && !files::is_standard_output(&target) && target.is_file() {
         return Err(CliError::Exists { path: target });
-    }
-    if is_same_file(&target, path) {
-        return Err(CliError::NewOverPicture { path: target });
     }
     let output = Output::open(&target)?;
     let mut project = Project::new(ImageRef::new(source(path, &target), width, height));
@@ -115,7 +113,7 @@ fn source(picture: &Path, project: &Path) -> String {
         fs::canonicalize(parent).ok()
     };
     // A project on standard output is looked up in the current folder.
-    let project = if output::is_standard_output(project) { Path::new("project") } else { project };
+    let project = if files::is_standard_output(project) { Path::new("project") } else { project };
     let relative = folder(picture).zip(folder(project)).zip(picture.file_name());
     let path = relative.map(|((picture, project), name)| from_folder(&project, &picture.join(name)));
     let path = path.unwrap_or_else(|| picture.to_owned());

@@ -7,7 +7,7 @@ use c2warp::deform::Pose;
 use c2warp::{Canvas, Filter, ResampleOptions, Solution, raster};
 
 use crate::error::CliError;
-use crate::output;
+use crate::files;
 use crate::progress;
 use crate::project::LoadedProject;
 
@@ -82,7 +82,7 @@ impl PosedDrawing {
         }
         let origin = format!("{left},{top}\n");
         progress::clear();
-        let printed = if written.any(output::is_standard_output) {
+        let printed = if written.any(files::is_standard_output) {
             io::stderr().write_all(origin.as_bytes())
         } else {
             io::stdout().write_all(origin.as_bytes())

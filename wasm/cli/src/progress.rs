@@ -78,6 +78,13 @@ pub(crate) fn clear() {
     line().clear(io::stderr());
 }
 
+/// The same where the line may be in use: for the end of the program.
+pub(crate) fn clear_if_free() {
+    if let Ok(mut line) = LINE.try_lock() {
+        line.clear(io::stderr());
+    }
+}
+
 fn line() -> MutexGuard<'static, Line> {
     LINE.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }

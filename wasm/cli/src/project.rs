@@ -12,9 +12,9 @@ use c2warp_vector::{Drawing, VectorError};
 
 use crate::carried;
 use crate::error::{self, CliError};
+use crate::files;
 use crate::fitting::{Fit, FittingProject};
 use crate::input;
-use crate::output::{Output, is_same_file};
 use crate::picture::{self, PictureFile};
 use crate::progress;
 
@@ -50,7 +50,6 @@ impl InputFiles {
 #[derive(Debug)]
 pub(crate) struct LoadedProject {
     pub(crate) project: Project,
-    /// Path of the project, which no output may replace.
     project_path: PathBuf,
     image: Arc<PictureFile>,
     /// Path of the picture, for errors about its pixels. If the project holds it, the project's path and the key.
@@ -159,17 +158,9 @@ impl LoadedProject {
         })
     }
 
-    /// Prepares an output. It must not replace the project file.
-    pub(crate) fn output(&self, path: &Path) -> Result<Output, CliError> {
-        if is_same_file(path, &self.project_path) {
-            return Err(CliError::OverProject { path: path.to_owned() });
-        }
-        Output::open(path)
-    }
-
     /// Returns whether a path is that of the project's picture.
     pub(crate) fn is_picture(&self, path: &Path) -> bool {
-        is_same_file(path, &self.image_path)
+        files::is_same_file(path, &self.image_path)
     }
 
     /// Returns the name of the picture's file, without its folder.

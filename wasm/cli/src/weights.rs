@@ -71,8 +71,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     if let Some(name) = &arguments.handle {
         Weights::check_handle(&loaded.project, name).map_err(refused)?;
     }
-    let output = loaded.output(path)?;
-    let sites = arguments.sites.as_deref().map(|path| sites_output(&loaded, path, &output)).transpose()?;
+    let output = Output::open(path)?;
+    let sites = arguments.sites.as_deref().map(Output::open).transpose()?;
     let solution = loaded.solve()?;
     let weights = Weights::new(&solution, &loaded.project, arguments.handle.as_deref()).map_err(refused)?;
     let quiet = &mut |_| {};
@@ -109,13 +109,4 @@ fn every(number: f64) -> Result<u32, CliError> {
     } else {
         Err(CliError::Every { found: number })
     }
-}
-
-/// Prepares the output of the sites. It must differ from that of the weights.
-fn sites_output(loaded: &LoadedProject, path: &Path, weights: &Output) -> Result<Output, CliError> {
-    let output = loaded.output(path)?;
-    if output.is_same(weights) {
-        return Err(CliError::SitesOverWeights { path: path.to_owned() });
-    }
-    Ok(output)
 }

@@ -24,7 +24,8 @@ pub(super) fn decoded(decoder: impl ImageDecoder, format: ImageFormat) -> ImageR
     HOOK.call_once(|| {
         let usual = take_hook();
         set_hook(Box::new(move |panic| {
-            if !IS_DECODING.get() {
+            // WebAssembly ends at a panic.
+            if !IS_DECODING.get() || cfg!(panic = "abort") {
                 usual(panic);
             }
         }));

@@ -5,6 +5,7 @@
 //! lost. `web/docs/pictures.md` compares the command with the editor.
 
 mod apng;
+mod bounds;
 mod decoding;
 mod drawing;
 #[cfg(not(target_family = "wasm"))]
@@ -22,7 +23,7 @@ use c2warp::Picture;
 use c2warp_vector::{Drawing, MAX_BYTES};
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
 
-use crate::error::CliError;
+use crate::error::{self, CliError};
 use crate::input;
 
 /// Memory limit of decoders: enough for the largest picture at 16 bits per channel and a decoder's own copy.
@@ -69,7 +70,12 @@ pub(crate) fn read_from(file: impl Read, path: &Path, size: Option<(u32, u32)>) 
             jpeg::End::Unmarked(end_of_scan) => return read_unmarked(path, jpeg::probes(&bytes, end_of_scan)),
             jpeg::End::Missing => return Err(truncated(path)),
         },
-        ImageFormat::WebP => webp::clear_stale_flags(&mut bytes),
+        ImageFormat::WebP => webp::mend(&mut bytes),
+        ImageFormat::Png => {
+            if bounds::remove_large_profiles(&mut bytes) {
+                tell_large_profile(path);
+            }
+        }
         _ => {}
     }
     decode(path, format, bytes)
@@ -121,6 +127,13 @@ fn pixels(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<Pixels, CliE
         image.apply_orientation(orientation);
     }
     let described = if format == ImageFormat::Png { profile::png_profile(Cursor::new(bytes)) } else { None };
+    let embedded = embedded.filter(|profile| {
+        let is_small = profile.len() <= bounds::MAX_PROFILE_BYTES;
+        if !is_small {
+            tell_large_profile(path);
+        }
+        is_small
+    });
     let profile = described.or_else(|| profile::rgb_profile(embedded?));
     Ok((image.into_rgba8(), profile))
 }
@@ -143,6 +156,11 @@ fn read_bytes(mut file: impl Read, path: &Path) -> Result<Contents, CliError> {
     })?;
     file.read_to_end(&mut bytes).map_err(CliError::read(path))?;
     Ok(Contents::Pixels(format, bytes))
+}
+
+fn tell_large_profile(path: &Path) {
+    let most = bounds::MAX_PROFILE_BYTES >> 20;
+    error::tell(format_args!("{}: the colour profile has more than {most} MiB, and is left out", path.display()));
 }
 
 fn truncated(path: &Path) -> CliError {
