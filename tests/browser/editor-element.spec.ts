@@ -320,7 +320,7 @@ test('a rejected handle is named, and removed from document and history', async 
   await page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).addHandle({ kind: 'point', rest: [512, 260.001], posed: [30, 30] });
   });
-  await expect(editor.notice).toContainText('handle-1');
+  await expect(editor.notice).toContainText('handle 1');
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Redo')).toBeDisabled();
   await editor.button('Undo: move right hand').click();

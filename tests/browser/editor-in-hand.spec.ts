@@ -1,5 +1,5 @@
 /**
- * What is shown as selected is what the keyboard is about, whatever was pressed before.
+ * The keyboard is about the shown selection, whichever control was pressed before.
  *
  * The walk finds the controls in the page, so it also presses new ones. After each press that leaves the selection
  * as it was, Delete must delete what is shown as selected, and undo must bring it back.
@@ -8,7 +8,7 @@ import type { Page } from '@playwright/test';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
-/** What can be pressed, but for text fields, whose keys are their own. */
+/** Controls that can be pressed, except text fields, whose keys are their own. */
 const PRESSABLE = 'button, select, summary, input:not([type=text], [type=url]), [role=slider], [role=switch]';
 
 /** Adds handles, a while after its press. */
@@ -60,7 +60,7 @@ const look = (page: Page, pressed: readonly string[]): Promise<Seen> =>
       );
       const isOpen = (control: Element) => control.closest('[popover]') !== null;
       const waiting = controls.filter((control) => !pressed.includes(nameOf(control)));
-      // What a press beside it closes comes first.
+      // A press beside an open card would close it: its controls come first.
       waiting.sort((a, b) => Number(isOpen(b)) - Number(isOpen(a)));
       let next: Seen['next'] = null;
       for (const control of waiting) {
@@ -99,7 +99,7 @@ const look = (page: Page, pressed: readonly string[]): Promise<Seen> =>
 interface Walked {
   /** Controls after whose press Delete was checked. */
   readonly checked: readonly string[];
-  /** Controls that change what is selected. */
+  /** Controls that change the selection. */
   readonly changing: readonly string[];
   /** Controls that were there once, or only after a press of those. */
   readonly missed: readonly string[];
@@ -123,7 +123,7 @@ async function walk(editor: Editor, select: () => Promise<void>): Promise<Walked
   };
   note(wanted.controls, '');
 
-  /** Undoes whatever a press has done. */
+  /** Undoes the last press. */
   const restore = async (): Promise<Seen> => {
     let seen = await look(page, pressed);
     if (seen.picture !== wanted.picture) {
@@ -166,7 +166,7 @@ async function walk(editor: Editor, select: () => Promise<void>): Promise<Walked
       const next = await reach(name);
       const { selected } = await look(page, pressed);
       if (next && String(selected) === String(wanted.selected)) return next;
-      // It was there once, as the buttons of notices are, or what leads to it changes what is selected.
+      // It was there once, as the buttons of notices are, or the way to it changes the selection.
       pressed.push(name);
       missed.push(name);
       await restore();
@@ -206,7 +206,7 @@ async function walk(editor: Editor, select: () => Promise<void>): Promise<Walked
   throw new Error('the walk does not end');
 }
 
-/** What may change the selection: tools that draw, clips, lists of handles, samples, and commands of the selected. */
+/** Controls that may change the selection: tools that draw, clips, lists of handles, samples, and commands. */
 const CHANGING = new RegExp(
   [
     'Document › (undo|redo|timeline)',
@@ -244,7 +244,7 @@ test.beforeEach(async ({ page }) => {
   page.on('download', (download) => download.cancel());
 });
 
-test('after a press on any control, Delete deletes the keys that are shown as selected', async ({ page }) => {
+test('after a press on any control, Delete deletes the keys shown as selected', async ({ page }) => {
   const editor = await Editor.open(page);
   const timeline = page.getByRole('region', { name: 'Timeline' });
   const key = timeline.getByRole('button', { name: /^head, key at/ }).nth(1);

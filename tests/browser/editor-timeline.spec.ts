@@ -283,7 +283,7 @@ test('the keyboard deletes, moves, copies and cuts a pressed key', async ({ page
   expect(await times(editor, 'head')).toHaveLength(before.length + 1);
 });
 
-test('keys that are dragged, boxed or reached by Tab are what the keyboard is about', async ({ page }) => {
+test('the keyboard is about keys that were dragged, boxed or reached by Tab', async ({ page }) => {
   const editor = await Editor.open(page);
   const key = await sway(editor);
   const count = (await times(editor, 'head')).length;

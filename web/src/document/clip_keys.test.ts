@@ -50,7 +50,7 @@ describe('keys', () => {
     expect(moveKeys(clip, [], 1).clip).toBe(clip);
   });
 
-  it('keep the order in which they were chosen when they move', () => {
+  it('keep the order of their choice when they move', () => {
     const refs = [
       { handle: 'b', time: 0.5 },
       { handle: 'a', time: 1 },

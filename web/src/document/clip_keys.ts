@@ -104,8 +104,8 @@ export const newKeys = (clip: Clip, before: Clip): readonly KeyRef[] =>
   );
 
 /**
- * Returns the key beside another one: in time for a step of x, and nearest in time of the next handle that has keys for
- * a step of y. Null if there is none.
+ * Returns the key beside another one, or null. A step of x goes to the next key in time. A step of y goes to the next
+ * handle that has keys, and there to the nearest in time.
  *
  * @param handles all of them, from the top.
  */

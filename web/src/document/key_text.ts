@@ -15,8 +15,8 @@ export const keysText = (placed: readonly PlacedKey[]): string =>
 export const isKeys = (text: string): boolean => saysFormat(text, 'c2warp-keys');
 
 /**
- * Returns the keys of a text, or `null` if it does not say that it is of keys. Their values are those of handles, which
- * `withKey` checks.
+ * Returns the keys of a text, or `null` if it does not say that it is of keys. `withKey` checks their
+ * values.
  * @throws RangeError with the reason if a key is invalid.
  */
 export const parseKeys = (text: string): readonly PlacedKey[] | null =>

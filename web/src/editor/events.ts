@@ -222,7 +222,7 @@ type NoticeEvent =
   | { readonly type: 'timer-elapsed'; readonly timer: Timer };
 
 type ClipboardEvent =
-  /** What the keyboard is about was copied by the browser. */
+  /** The browser copied the selection. */
   { readonly type: 'selection-copied' } | { readonly type: 'text-pasted'; readonly text: string };
 
 type FileEvent =

@@ -1,8 +1,8 @@
 /**
  * Numbers as people, input methods and locales write them.
  *
- * Full-width and Arabic digits, all kinds of minus, a decimal comma, and thousands in groups count. What can be read in
- * two ways is read as the editor writes it: `1,024` is a thousand, `1.024` is about one.
+ * Full-width and Arabic digits, all kinds of minus, a decimal comma, and thousands in groups count. A text that
+ * can be read in two ways is read as the editor writes it: `1,024` is a thousand, `1.024` is about one.
  */
 
 /** Full-width signs, from `！` to `～`, follow the order of ASCII. */

@@ -80,7 +80,7 @@ export class Clipboard {
     }
   }
 
-  /** Returns whether the event copies what the keyboard is about. Otherwise it is left to the browser. */
+  /** Copies the selection. Returns false for an event that is left to the browser. */
   #onCopy(event: ClipboardEvent): boolean {
     const { state, dispatch } = this.#editor;
     const text = this.#concerns(event) && !this.#focus.isOnText ? copiedText(state) : null;
@@ -96,7 +96,7 @@ export class Clipboard {
     return true;
   }
 
-  /** Cuts keys. Handles stay: what is copied of them is their pose. */
+  /** Cuts keys. Handles stay, since a copy is one of their pose. */
   #onCut(event: ClipboardEvent): void {
     if (!holdsKeys(this.#editor.state)) last.newest = false;
     else if (this.#onCopy(event)) this.#editor.dispatch({ type: 'command-run', command: 'remove-keys' });

@@ -22,7 +22,7 @@ export class Focus {
     return text !== '' && !this.#root.activeElement?.closest('.stage, .clip-key') && !this.#isOfField(text);
   }
 
-  /** Whether a text is the selection of a field that has lost the focus, which no longer shows it. */
+  /** Whether a text is the selection of a field without the focus. Nobody sees that one. */
   #isOfField(text: string): boolean {
     return [...this.#root.querySelectorAll('input')].some(
       (field) =>

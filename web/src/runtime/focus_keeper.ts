@@ -1,6 +1,8 @@
-/** The bars with all their contents, and other controls that are pressed rather than typed into. */
+import { isField } from '../ui/untyped';
+
+/** The bars with all their contents except text fields, and other controls that are pressed rather than typed into. */
 const CONTROLS = '.top, .tools, .status, .draft-bar, .switch, button, summary';
-/** The stage and the keys of the timeline: what is selected there has the focus, so that it keeps it. */
+/** Places where the selected element has the focus, and keeps it. */
 const SELECTABLE = '.stage, .clip-key';
 
 /**
@@ -44,10 +46,11 @@ export class FocusKeeper {
     this.#listening.abort();
   }
 
-  /** A pressed control does not take the focus: it stays on what is selected, or moves to the editor from elsewhere. */
+  /** A pressed control does not take the focus: that stays on the selection, or comes to the editor from elsewhere. */
   #press(event: MouseEvent): void {
     const target = event.composedPath()[0];
-    if (!(target instanceof Element) || target.closest(SELECTABLE) || !target.closest(CONTROLS)) return;
+    if (!(target instanceof Element) || isField(target)) return;
+    if (target.closest(SELECTABLE) || !target.closest(CONTROLS)) return;
     event.preventDefault();
     if (!this.#held?.closest(SELECTABLE)) this.#host.focus({ preventScroll: true });
   }

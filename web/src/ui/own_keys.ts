@@ -1,4 +1,4 @@
-/** Keys that a control uses itself. All others are about what is selected, wherever the focus is. */
+/** Keys that a control uses itself. All others are about the selection, wherever the focus is. */
 
 const MOVES: readonly string[] = [
   'ArrowLeft',
@@ -11,7 +11,7 @@ const MOVES: readonly string[] = [
   'PageDown',
 ];
 
-/** Text fields, which keep all their keys, are not asked. */
+/** Not for text fields: they keep all their keys. */
 export function usesKey(target: Element, { key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
   if (ctrlKey || metaKey) return false;
   // Letters choose an option, and Alt opens the list.

@@ -92,7 +92,7 @@ function focusLead(state: EditorState, emit: Emit): EditorState {
   return state;
 }
 
-/** The focus goes along with what the keyboard is about, from a key to a handle and back. */
+/** The focus goes along with the selection, from a key to a handle and back. */
 export function followSelection(state: EditorState, emit: Emit): EditorState {
   const { on } = state.focus;
   const key = keysInHand(state).at(-1);
@@ -111,8 +111,8 @@ export function selectAllKeys(state: EditorState, emit: Emit): EditorState {
 }
 
 /**
- * Sets keys of the selected handles at the playhead, in the pose that they have. The keyboard stays with what it was
- * about: the handles, or keys.
+ * Sets keys of the selected handles at the playhead, in the pose that they have. The keyboard stays with the
+ * handles, or with keys.
  */
 export function setKeys(before: EditorState, emit: Emit): EditorState {
   const state = withClip(before, emit);

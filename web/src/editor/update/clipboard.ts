@@ -33,7 +33,7 @@ function copiedKeys(state: EditorState): readonly PlacedKey[] {
   return chosen.map(({ handle, key }) => ({ handle, key: { ...key, time: roundedTime(key.time - first) } }));
 }
 
-/** What the keyboard copies, as text; null for nothing. */
+/** The text that the keyboard copies; null for nothing. */
 export function copiedText(state: EditorState): string | null {
   if (holdsKeys(state)) return keysText(copiedKeys(state));
   const handles = copiedHandles(state);

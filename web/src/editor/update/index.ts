@@ -147,8 +147,8 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
 }
 
 /**
- * Follows from any state: the pose at the playhead, the hover under a moved camera, content of cards, the focus on
- * what is selected, input to be released, guides that end, the title, the tool.
+ * Follows from any state: the pose at the playhead, the hover under a moved camera, content of cards. So do the focus
+ * on the selection, input to be released, guides that end, the title, and the tool.
  */
 const settled = (before: EditorState, emit: Emit): EditorState => {
   const posed = withoutStaleSuggestion(followClip(withoutGuides(before), emit), emit);

@@ -34,7 +34,7 @@ const times = (handle: string) =>
     ?.keys.map(({ time }) => time) ?? [];
 const held = () => keysInHand(runtime.state);
 
-/** Presses a key of the keyboard, which runs the command of what is in hand. */
+/** Presses a key of the keyboard, for a command of the selection. */
 function press(key: string): void {
   const { page, tools } = runtime.state;
   const commands = commandsFor(page.posable, page.readonly, tools.tool, held().length > 0);
@@ -64,7 +64,7 @@ beforeEach(() => {
 });
 
 describe('selected keys', () => {
-  it('are what Delete deletes, and their handle stays', () => {
+  it('are deleted by Delete, and their handle stays', () => {
     expect(held()).toEqual(KEYS);
     expect(selectionOf(runtime.state)).toEqual(['a']);
     press('Delete');
@@ -137,7 +137,7 @@ describe('selected keys', () => {
     expect(held()).toEqual(KEYS);
   });
 
-  it('are not taken by S, which is about handles, and stay where it sets keys', () => {
+  it('are not taken by S for handles, and stay where S sets keys', () => {
     send({ type: 'handles-selected', ids: ['b'] }, { type: 'playhead-moved', time: 0.4 }, run('set-key'));
     expect(held()).toEqual([]);
     send({ type: 'keys-selected', keys: KEYS }, run('set-key'));
@@ -216,7 +216,7 @@ describe('the clipboard', () => {
     expect(spokenText(runtime.state)).toBe('Copied 2 keys');
     press('Escape');
     expect(copiedText(runtime.state)).toContain('c2warp-pose/1');
-    // What is pasted is what was copied, whatever is selected.
+    // Whatever is selected now.
     send({ type: 'playhead-moved', time: 0.5 });
     paste(keys);
     expect(times('a')).toEqual([0, 0.5, 1, 1.5]);
@@ -226,7 +226,7 @@ describe('the clipboard', () => {
     ]);
   });
 
-  it('gives keys to another editor, which leaves out those that do not fit', () => {
+  it('gives keys to another editor, but for those that do not fit', () => {
     const keys = copiedText(runtime.state);
     send({ type: 'handle-removed', id: 'a' });
     paste(keys);
@@ -236,7 +236,7 @@ describe('the clipboard', () => {
     expect(englishNotice(runtime.state)?.text).toBe('No clip is open.');
   });
 
-  it('says what is wrong with keys', () => {
+  it('names the fault of keys', () => {
     paste('{"format": "c2warp-keys/1", "keys": [{"handle": "a", "time": 0, "posed": ["x", 1]}]}');
     expect(englishNotice(runtime.state)?.text).toBe(
       'These keys cannot be pasted: handle "a", posed: expected a point [x, y].',

@@ -21,7 +21,7 @@ import { closeTimeline, returnToMoment } from './playhead';
 import { applyTools, endPress, endPressKeepingChanges } from './press';
 import { select } from './selection';
 
-/** Opens work: a document with its history and its unfinished drawing, which brings its tool. */
+/** Opens work: a document with its history and its unfinished drawing. The drawing brings its tool. */
 export function openWork(
   state: EditorState,
   { record, drawings = [], saved }: Work,

@@ -280,11 +280,11 @@ export const timelineStyle = css`
     border-color: var(--_accent);
     background: var(--_accent);
   }
-  /* A press focuses the key, which its colour shows. */
+  /* A press focuses the key, and its colour shows that. */
   :host(:not(.keyed)) .clip-key:focus-visible {
     outline: none;
   }
-  /* The keyboard is about keys: what is marked of their handles steps back. */
+  /* The keyboard is about keys: the marks of their handles step back. */
   .of-keys .handle[aria-pressed='true']:not(.middle-mark, .behind)::before {
     background: var(--_casing);
     border: 3.5px solid var(--_handle);
