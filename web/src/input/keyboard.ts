@@ -42,6 +42,9 @@ export class KeyboardInput {
     // :focus-visible also matches elements that a script focused before the first click.
     const keyed = (on: boolean) => root.host.classList.toggle('keyed', on);
     root.addEventListener('keydown', () => keyed(true), { signal });
+    const compose = (event: Event) => this.#compose(event as KeyboardEvent);
+    root.addEventListener('keydown', compose, { signal, capture: true });
+    root.addEventListener('keyup', compose, { signal, capture: true });
     root.addEventListener('pointerdown', () => keyed(false), { signal });
     root.addEventListener('keydown', (event) => this.#hold(event as KeyboardEvent, true), { signal });
     root.addEventListener('keyup', (event) => this.#hold(event as KeyboardEvent, false), { signal });
@@ -57,6 +60,13 @@ export class KeyboardInput {
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
     if (event.defaultPrevented || this.#editor.state.page.disabled) return;
+  /** Keys of an input method are for its text. Safari sends the last one after the composition, with code 229. */
+  #compose(event: KeyboardEvent): void {
+    const { isComposing, keyCode, target } = event;
+    if ((isComposing || keyCode === 229) && !this.#root.host.contains(target as Node))
+      event.stopImmediatePropagation();
+  }
+
     // Controls of the page, in the slots, have keys of their own.
     if (this.#root.host.contains(target)) return;
     // With Ctrl the menu has just closed, and the key goes on.
