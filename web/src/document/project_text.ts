@@ -1,12 +1,17 @@
-/** Writes a project or a pose as text, with one line per key, per handle and per key of a clip: diffs are readable. */
-import type { Handle, Project } from './project';
+/** Writes a project, a pose or keys as text, with one line per key, handle and key of a clip: diffs are readable. */
+import type { Handle, Key, Project } from './project';
 
 export interface Pose {
   readonly format: string;
   readonly handles: readonly Handle[];
 }
 
-export function projectText(project: Project | Pose): string {
+export interface Keys {
+  readonly format: string;
+  readonly keys: readonly (Key & { readonly handle: string })[];
+}
+
+export function projectText(project: Project | Pose | Keys): string {
   const lines = Object.entries(project).map(
     ([key, value]) => `  ${JSON.stringify(key)}: ${valueText(value)}`,
   );

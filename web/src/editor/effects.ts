@@ -1,5 +1,6 @@
 /** What the runtime does for the editor: everything that takes time or touches the page. */
 
+import type { KeyRef } from '../document/clip_keys';
 import type { RingCorner } from '../document/lasso_corners';
 import type { MapFile } from '../document/map_file';
 import type { Clip, Project, ProjectFile } from '../document/project';
@@ -18,12 +19,14 @@ import type { FigureName } from './study_state';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
 
-/** An element to focus: a handle, one of its corners, a corner of the selection's outline, or the stage. */
+/** An element to focus: a handle, one of its corners, a corner of the selection's outline, a key, or the stage. */
 export interface FocusTarget {
   readonly handle: string | null;
   readonly corner: number | null;
   /** A corner of the selection's outline. */
   readonly ring?: RingCorner;
+  /** A key of the timeline. */
+  readonly key?: KeyRef;
 }
 
 /** Controls that the editor focuses by itself. */
@@ -195,7 +198,8 @@ export type EditorEffect =
   | { readonly type: 'cancel-export' }
   /** Loads the encoder and the part of the solver that draws, while the person looks at the picture. */
   | { readonly type: 'prepare-export' }
-  | { readonly type: 'copy-pose' | 'paste-pose' }
+  | { readonly type: 'copy'; readonly text: string }
+  | { readonly type: 'paste' }
   | { readonly type: 'use-storage'; readonly key: string | null }
   | { readonly type: 'read-storage' }
   | {

@@ -184,7 +184,8 @@ type ClipEvent =
   | { readonly type: 'keys-drag-cancelled' }
   | { readonly type: 'keys-stepped'; readonly frames: number }
   | { readonly type: 'keys-eased'; readonly ease: Ease }
-  | { readonly type: 'keys-removed' | 'keys-copied' | 'keys-pasted' | 'keys-mirrored' };
+  /** From the last of the selected keys to the one beside it. `extends`: the others stay selected. */
+  | { readonly type: 'keys-walked'; readonly by: Vec; readonly extends: boolean };
 
 /** Null if it cannot be read. */
 type LuminanceEvent = {
@@ -203,7 +204,7 @@ type ToolEvent =
   | { readonly type: 'lasso-drawn'; readonly ring: readonly Vec[]; readonly hole: boolean };
 
 type FocusEvent =
-  | { readonly type: 'stage-focused' | 'field-focused' | 'control-focused' | 'focus-lost' }
+  | { readonly type: 'stage-focused' | 'field-focused' | 'control-focused' | 'key-focused' | 'focus-lost' }
   | { readonly type: 'handle-focused'; readonly id: string }
   | { readonly type: 'corner-focused'; readonly corner: Corner }
   /** A corner of the selection's outline. */
@@ -221,8 +222,8 @@ type NoticeEvent =
   | { readonly type: 'timer-elapsed'; readonly timer: Timer };
 
 type ClipboardEvent =
-  | { readonly type: 'pose-copied' }
-  | { readonly type: 'text-pasted'; readonly text: string };
+  /** The browser copied the selection. */
+  { readonly type: 'selection-copied' } | { readonly type: 'text-pasted'; readonly text: string };
 
 type FileEvent =
   | { readonly type: 'files-received'; readonly files: readonly NamedFile[] }

@@ -81,11 +81,18 @@ const STEPS: readonly Step[] = [
     runtime.dispatch({ type: 'keys-selected', keys: keys.filter(() => random() < 0.5) });
   },
   event((random) => ({
-    type: among(
-      ['keys-copied', 'keys-pasted', 'keys-mirrored', 'keys-removed', 'clip-duplicated', 'clip-removed'],
+    type: 'keys-walked',
+    by: among(
+      [
+        [1, 0],
+        [-1, 0],
+        [0, 1],
+      ] as const,
       random,
     ),
+    extends: random() < 0.5,
   })),
+  event((random) => ({ type: among(['selection-copied', 'clip-duplicated', 'clip-removed'], random) })),
   event(() => ({ type: 'drawing-finished' })),
   event(() => ({ type: 'lasso-removed' })),
   event(() => ({ type: 'notice-answered' })),

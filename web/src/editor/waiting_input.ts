@@ -39,6 +39,7 @@ const AT_ONCE: ReadonlySet<CommandName> = new Set([
   'export-all',
   'export-whole',
   'copy',
+  'copy-keys',
   'paste',
   'compare',
   'preview',

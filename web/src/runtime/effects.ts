@@ -100,8 +100,8 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     prepareEncoder();
     solver.prepareDrawing();
   },
-  'copy-pose': (_, { clipboard }) => clipboard.copy(),
-  'paste-pose': (_, { clipboard }) => clipboard.paste(),
+  copy: (effect, { clipboard }) => clipboard.copy(effect.text),
+  paste: (_, { clipboard }) => clipboard.paste(),
   'use-storage': (effect, { storage }) => storage.use(effect.key),
   'read-storage': (_, { storage }) => storage.read(),
   store: (effect, { storage }) => storage.store(effect.work, effect.recent, effect.changed),

@@ -77,7 +77,7 @@ describe.each(KINDS)('a %s that is being drawn', (kind) => {
     },
   );
 
-  it('ends where a handle is selected in a list, which keys are about then', () => {
+  it('ends where a handle is selected in a list', () => {
     run('point');
     drag([300, 200], [300, 200]);
     draw(kind);

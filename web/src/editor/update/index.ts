@@ -10,8 +10,9 @@ import type { EditorState } from '../state';
 import { waits } from '../waiting_input';
 import { autosaveHandlers } from './autosave';
 import { brushHandlers } from './brush';
-import { clipKeyHandlers } from './clip_keys';
+import { clipKeyHandlers, followSelection } from './clip_keys';
 import { followClip } from './clip_slice';
+import { clipboardHandlers } from './clipboard';
 import { clipHandlers } from './clips';
 import { commandHandlers } from './command';
 import { controlHandlers } from './controls';
@@ -80,6 +81,7 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
 const HANDLERS: Handlers<EditorEvent['type']> = {
   ...autosaveHandlers,
   ...brushHandlers,
+  ...clipboardHandlers,
   ...clipHandlers,
   ...clipKeyHandlers,
   ...commandHandlers,
@@ -144,13 +146,13 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
 }
 
 /**
- * Follows from any state: the pose at the playhead, the hover under a moved camera, content of cards, input to be
- * released, guides that end, the title, the tool.
+ * Follows from any state: the pose at the playhead, the hover under a moved camera, content of cards. So do the focus
+ * on the selection, input to be released, guides that end, the title, and the tool.
  */
 const settled = (before: EditorState, emit: Emit): EditorState => {
   const posed = withoutStaleSuggestion(followClip(withoutGuides(before), emit), emit);
   const shown = requestStudy(requestBorders(followCamera(posed), emit), emit);
-  return reportTool(reportTitle(askForRelease(shown, emit), emit), emit);
+  return reportTool(reportTitle(askForRelease(followSelection(shown, emit), emit), emit), emit);
 };
 
 /** Guides end with their press. */

@@ -24,7 +24,7 @@ import { releaseByKeys } from './held_by_keys';
 import { closeMenu } from './menu_closing';
 import { noteKind } from './pointer';
 import { applyTools } from './press';
-import { select } from './selection';
+import { select, withoutKeys } from './selection';
 
 /** Whether there is a menu now: not during a drawing or a preview, nor where nothing can be changed. */
 function hasMenu(state: EditorState): boolean {
@@ -61,7 +61,7 @@ export function focusedPart({ focus: { on, handle, corner } }: EditorState): Hit
 function openMenu(before: EditorState, under: Hit | null, at: Vec, emit: Emit): EditorState {
   const selects = under && !selectionOf(before).includes(under.id);
   const closed = closeMenu(before, emit);
-  const state = selects ? select(closed, [under.id], emit) : closed;
+  const state = selects ? select(closed, [under.id], emit) : under ? withoutKeys(closed) : closed;
   const selection = selectionOf(state);
   // With several handles selected the menu is about all of them: a corner then stands for its handle.
   const alone = selection.length === 1;

@@ -1,6 +1,7 @@
 /** Undo steps: edits, undo and redo, and changes by the page. */
 
 import { type ModeReturn, modeOf } from '../../document/bending';
+import { type KeyRef, newKeys } from '../../document/clip_keys';
 import { type Document, handleById, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
@@ -8,8 +9,10 @@ import type { Handle, PoseMode } from '../../document/project';
 import { say, type Wording } from '../../texts/wording';
 import { cancelPress, forgetTakenCorners, isPressing, restoreDrawing } from '../../tools/machine';
 import type { Emit } from '../effects';
+import { openClip } from '../open_clip';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import type { Work } from '../work';
+import { withTimeline } from './clip_slice';
 import { guardEnded, landed, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { announce } from './notices';
@@ -18,7 +21,7 @@ import { closeTimeline, returnToMoment } from './playhead';
 import { applyTools, endPress, endPressKeepingChanges } from './press';
 import { select } from './selection';
 
-/** Opens work: a document with its history and its unfinished drawing, which brings its tool. */
+/** Opens work: a document with its history and its unfinished drawing. The drawing brings its tool. */
 export function openWork(
   state: EditorState,
   { record, drawings = [], saved }: Work,
@@ -97,7 +100,8 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
   const [label, move] =
     way === 'undo' ? [history.undoLabel(present), history.undo] : [history.redoLabel(present), history.redo];
   if (label === null) return state;
-  const travelled = returnToMoment(withDocument(state, { history: move(present), travelled: way }));
+  const moved = returnToMoment(withDocument(state, { history: move(present), travelled: way }));
+  const travelled = withTimeline(moved, { selected: keysOfStep(label, state, moved) });
   const { handle } = state.focus;
   // The focused handle may have another name now: keys go on at the selected one.
   if (handle !== null && !handleById(documentOf(travelled), handle))
@@ -106,6 +110,22 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
     edited(travelled, 'change', emit),
     say(way === 'undo' ? 'spoken.undone' : 'spoken.redone', label),
   );
+}
+
+/** Steps about selected keys. */
+const OF_KEYS: readonly string[] = ['moveKeys', 'pasteKeys', 'mirrorKeys', 'deleteKeys'].map(
+  (name) => `steps.${name}`,
+);
+
+/**
+ * The keys that are selected after undo or redo: those that a step about keys brings, as the document selects the
+ * handles of others. Another step leaves them as long as it selects no other handles.
+ */
+function keysOfStep({ key }: Wording, before: EditorState, after: EditorState): readonly KeyRef[] {
+  const [old, clip] = [openClip(before), openClip(after)];
+  if (!old || !clip) return [];
+  if (OF_KEYS.includes(key) || key.startsWith('steps.ease.')) return newKeys(clip, old);
+  return String(selectionOf(before)) === String(selectionOf(after)) ? before.timeline.selected : [];
 }
 
 /** The last project in a mode other than the present one, and the project after it; null if there is none. */

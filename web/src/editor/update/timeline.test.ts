@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { anchor } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
 import { en } from '../../texts/en';
+import type { CommandName } from '../commands';
 import type { EditorEvent } from '../events';
 import { FakeRuntime } from '../fake_runtime';
 import { documentOf, filedProject, isUnsaved, projectOf } from '../state';
@@ -42,6 +43,7 @@ function drag(runtime: FakeRuntime, ...way: readonly Vec[]): void {
   for (const to of others) send(runtime, { type: 'press-moved', pointer: to });
   send(runtime, { type: 'press-ended', pointer: others.at(-1) ?? from });
 }
+const run = (command: CommandName): EditorEvent => ({ type: 'command-run', command });
 const move = (time: number): EditorEvent => ({ type: 'playhead-moved', time });
 const clip = (runtime: FakeRuntime) => filedProject(runtime.state).clips?.[0];
 const keys = (runtime: FakeRuntime, handle: string) =>
@@ -177,9 +179,9 @@ describe('the timeline', () => {
         { handle: 'a', time: 1 },
       ],
     });
-    send(runtime, { type: 'keys-copied' }, move(0.5), { type: 'keys-pasted' });
+    send(runtime, run('copy-keys'), move(0.5), run('paste-keys'));
     expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.5]);
-    send(runtime, move(1.2), { type: 'keys-pasted' });
+    send(runtime, move(1.2), run('paste-keys'));
     expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.2, 1.5]);
     expect(toldNotice(runtime.state)?.text).toContain('1 key was left out');
   });
@@ -194,7 +196,7 @@ describe('the timeline', () => {
       { type: 'keys-eased', ease: 'hold' },
     );
     expect(clip(runtime)?.tracks[0]?.keys[0]?.ease).toBe('hold');
-    send(runtime, { type: 'keys-removed' });
+    send(runtime, run('remove-keys'));
     expect(keys(runtime, 'a')).toEqual([[1, 160]]);
   });
 
@@ -207,7 +209,7 @@ describe('the timeline', () => {
       { type: 'command-run', command: 'set-key' },
     );
     drag(runtime, [100, 150], [120, 150]);
-    send(runtime, { type: 'keys-selected', keys: [{ handle: 'a', time: 1 }] }, { type: 'keys-mirrored' });
+    send(runtime, { type: 'keys-selected', keys: [{ handle: 'a', time: 1 }] }, run('mirror-keys'));
     expect(keys(runtime, 'b')).toEqual([[1, 280]]);
   });
 

@@ -66,10 +66,11 @@ export const notices: Texts['notices'] = {
 
   noPose: 'In der Zwischenablage ist keine Pose: zuerst eine kopieren.',
   badPose: (detail) => `Diese Pose kann nicht eingefügt werden: ${detail}.`,
+  badKeys: (detail) => `Diese Keyframes können nicht eingefügt werden: ${detail}.`,
   notCopied:
-    'Der Browser hat die Zwischenablage gesperrt: Die Pose kann nur auf dieser Seite eingefügt werden.',
+    'Der Browser hat die Zwischenablage gesperrt: Die Kopie kann nur auf dieser Seite eingefügt werden.',
   notCopiedByMenu: (keys) =>
-    `Der Browser hat die Zwischenablage gesperrt: Die Pose kann nur auf dieser Seite eingefügt werden. ${keys} kopiert sie für andere Seiten.`,
+    `Der Browser hat die Zwischenablage gesperrt: Die Kopie kann nur auf dieser Seite eingefügt werden. ${keys} kopiert sie für andere Seiten.`,
   notRead: 'Der Browser hat die Zwischenablage gesperrt: sie zum Einfügen freigeben.',
   notReadByMenu: (keys) => `Der Browser hat die Zwischenablage gesperrt: zum Einfügen ${keys} drücken.`,
 

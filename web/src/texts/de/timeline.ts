@@ -34,10 +34,6 @@ export const timeline: Texts['timeline'] = {
   ease: 'Verlauf',
   easeTip: 'Weg zum nächsten Keyframe',
   eases: { smooth: 'Weich', linear: 'Gleichmäßig', hold: 'Halten' },
-  copyKeys: 'Keyframes kopieren',
-  pasteKeys: 'Keyframes am Abspielkopf einfügen',
-  mirrorKeys: 'Keyframes auf die andere Seite spiegeln',
-  deleteKeys: 'Keyframes löschen',
   playhead: 'Abspielkopf',
   key: {
     smooth: (handle, time) => `${handle}, Keyframe bei ${time}, weich`,

@@ -66,10 +66,11 @@ export const notices = {
   noPose: 'There is no pose on the clipboard: copy one first.',
   /** @param detail the fault, in English. */
   badPose: (detail: string) => `This pose cannot be pasted: ${detail}.`,
-  notCopied: 'The browser blocked the clipboard: the pose can be pasted on this page only.',
+  badKeys: (detail: string) => `These keys cannot be pasted: ${detail}.`,
+  notCopied: 'The browser blocked the clipboard: the copy can be pasted on this page only.',
   /** @param keys that copy. */
   notCopiedByMenu: (keys: string) =>
-    `The browser blocked the clipboard: the pose can be pasted on this page only. ${keys} copies it for other pages.`,
+    `The browser blocked the clipboard: the copy can be pasted on this page only. ${keys} copies it for other pages.`,
   notRead: 'The browser blocked the clipboard: allow it to paste.',
   /** @param keys that paste. */
   notReadByMenu: (keys: string) => `The browser blocked the clipboard: press ${keys} to paste.`,

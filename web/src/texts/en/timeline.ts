@@ -33,10 +33,6 @@ export const timeline = {
   ease: 'Ease',
   easeTip: 'Way to the next key',
   eases: { smooth: 'Smooth', linear: 'Steady', hold: 'Hold' },
-  copyKeys: 'Copy the keys',
-  pasteKeys: 'Paste keys at the playhead',
-  mirrorKeys: 'Mirror the keys to the other side',
-  deleteKeys: 'Delete the keys',
   playhead: 'Playhead',
   /** @param time such as 1.00 s. */
   key: {

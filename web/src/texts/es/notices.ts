@@ -64,9 +64,10 @@ export const notices: Texts['notices'] = {
 
   noPose: 'No hay ninguna pose en el portapapeles: primero hay que copiar una.',
   badPose: (detail) => `Esta pose no se puede pegar: ${detail}.`,
-  notCopied: 'El navegador ha bloqueado el portapapeles: la pose solo se puede pegar en esta página.',
+  badKeys: (detail) => `Estas claves no se pueden pegar: ${detail}.`,
+  notCopied: 'El navegador ha bloqueado el portapapeles: la copia solo se puede pegar en esta página.',
   notCopiedByMenu: (keys) =>
-    `El navegador ha bloqueado el portapapeles: la pose solo se puede pegar en esta página. ${keys} la copia para otras páginas.`,
+    `El navegador ha bloqueado el portapapeles: la copia solo se puede pegar en esta página. ${keys} la copia para otras páginas.`,
   notRead: 'El navegador ha bloqueado el portapapeles: hay que permitirlo para pegar.',
   notReadByMenu: (keys) => `El navegador ha bloqueado el portapapeles: pulsar ${keys} para pegar.`,
 

@@ -35,10 +35,6 @@ export const timeline: Texts['timeline'] = {
   ease: 'Paso',
   easeTip: 'Paso a la siguiente clave',
   eases: { smooth: 'Suave', linear: 'Constante', hold: 'Fijo' },
-  copyKeys: 'Copiar las claves',
-  pasteKeys: 'Pegar claves en el cursor',
-  mirrorKeys: 'Reflejar las claves al otro lado',
-  deleteKeys: 'Eliminar las claves',
   playhead: 'Cursor de reproducción',
   key: {
     smooth: (handle, time) => `${handle}, clave en ${time}, paso suave`,

@@ -67,9 +67,10 @@ export const notices: Texts['notices'] = {
 
   noPose: 'Il n’y a pas de pose dans le presse-papiers : copiez-en une d’abord.',
   badPose: (detail) => `Cette pose ne peut pas être collée : ${detail}.`,
-  notCopied: 'Le navigateur a bloqué le presse-papiers : la pose ne peut être collée que sur cette page.',
+  badKeys: (detail) => `Ces clés ne peuvent pas être collées : ${detail}.`,
+  notCopied: 'Le navigateur a bloqué le presse-papiers : la copie ne peut être collée que sur cette page.',
   notCopiedByMenu: (keys) =>
-    `Le navigateur a bloqué le presse-papiers : la pose ne peut être collée que sur cette page. ${keys} la copie pour d’autres pages.`,
+    `Le navigateur a bloqué le presse-papiers : la copie ne peut être collée que sur cette page. ${keys} la copie pour d’autres pages.`,
   notRead: 'Le navigateur a bloqué le presse-papiers : autorisez-le pour coller.',
   notReadByMenu: (keys) => `Le navigateur a bloqué le presse-papiers : appuyez sur ${keys} pour coller.`,
 

@@ -35,10 +35,6 @@ export const timeline: Texts['timeline'] = {
   ease: 'Transition',
   easeTip: 'Passage à la clé suivante',
   eases: { smooth: 'Douce', linear: 'Régulière', hold: 'Figée' },
-  copyKeys: 'Copier les clés',
-  pasteKeys: 'Coller des clés à la tête de lecture',
-  mirrorKeys: 'Refléter les clés de l’autre côté',
-  deleteKeys: 'Supprimer les clés',
   playhead: 'Tête de lecture',
   key: {
     smooth: (handle, time) => `${handle}, clé à ${time}, douce`,

@@ -35,10 +35,6 @@ export const timeline: Texts['timeline'] = {
   ease: '緩急',
   easeTip: '次のキーフレームへの動き方',
   eases: { smooth: '滑らか', linear: '等速', hold: '保持' },
-  copyKeys: 'キーフレームをコピー',
-  pasteKeys: '再生ヘッドにキーフレームを貼り付け',
-  mirrorKeys: 'キーフレームを反対側に反転',
-  deleteKeys: 'キーフレームを削除',
   playhead: '再生ヘッド',
   key: {
     smooth: (handle, time) => `${handle}、${time}のキーフレーム、滑らか`,

@@ -43,8 +43,10 @@ export const notices: Texts['notices'] = {
 
   noPose: '剪贴板上没有姿势：请先复制一个。',
   badPose: (detail) => `无法粘贴此姿势：${detail}。`,
-  notCopied: '浏览器阻止了剪贴板：姿势只能粘贴到本页面。',
-  notCopiedByMenu: (keys) => `浏览器阻止了剪贴板：姿势只能粘贴到本页面。按 ${keys} 复制则可用于其他页面。`,
+  badKeys: (detail) => `无法粘贴这些关键帧：${detail}。`,
+  notCopied: '浏览器阻止了剪贴板：复制的内容只能粘贴到本页面。',
+  notCopiedByMenu: (keys) =>
+    `浏览器阻止了剪贴板：复制的内容只能粘贴到本页面。按 ${keys} 复制则可用于其他页面。`,
   notRead: '浏览器阻止了剪贴板：请允许访问以便粘贴。',
   notReadByMenu: (keys) => `浏览器阻止了剪贴板：请按 ${keys} 粘贴。`,
 

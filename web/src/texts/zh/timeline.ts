@@ -35,10 +35,6 @@ export const timeline: Texts['timeline'] = {
   ease: '缓动',
   easeTip: '到下一个关键帧的过渡方式',
   eases: { smooth: '平滑', linear: '匀速', hold: '保持' },
-  copyKeys: '复制关键帧',
-  pasteKeys: '在播放头处粘贴关键帧',
-  mirrorKeys: '将关键帧镜像到另一侧',
-  deleteKeys: '删除关键帧',
   playhead: '播放头',
   key: {
     smooth: (handle, time) => `${handle}，${time} 处的关键帧，平滑`,

@@ -15,6 +15,9 @@ import { type IconName, icon } from '../icons';
 import { nameInput } from '../name_input';
 import { numberField } from '../number_field';
 
+/** The commands of the selected keys. */
+const OF_KEYS = ['copy-keys', 'paste-keys', 'mirror-keys', 'remove-keys'] as const;
+
 export function clipBar(timeline: TimelineModel, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { clip } = timeline;
   const { timeline: words } = model.texts;
@@ -45,8 +48,7 @@ function clipTools(
   dispatch: Dispatch,
 ): TemplateResult {
   const small = button(dispatch);
-  const { playing, recordHeld, recording, selectedKeys: count } = timeline;
-  const none = count === 0;
+  const { playing, recordHeld, recording } = timeline;
   const { timeline: words } = model.texts;
   return html`
     ${commandButton('play', model, dispatch, { label: playing ? words.stop : words.play, icon: playing ? 'pause' : 'play' })}
@@ -72,26 +74,22 @@ function clipTools(
         timeline.ease ?? '',
         { ...(timeline.ease ? {} : { '': words.ease }), ...words.eases },
         (ease) => ease !== '' && dispatch({ type: 'keys-eased', ease: ease as Ease }),
-        none,
+        timeline.lead === null,
       )}
-      ${small(words.copyKeys, 'copy', { type: 'keys-copied' }, none)}
-      ${small(words.pasteKeys, 'paste', { type: 'keys-pasted' }, !timeline.canPaste)}
-      ${small(words.mirrorKeys, 'mirror', { type: 'keys-mirrored' }, none)}
-      ${small(words.deleteKeys, 'remove', { type: 'keys-removed' }, none)}
+      ${OF_KEYS.map((name) => commandButton(name, model, dispatch))}
     </span>`;
 }
 
 /** Makes buttons with an icon that dispatch an event. */
 const button =
   (dispatch: Dispatch) =>
-  (label: string, name: IconName, event: Parameters<Dispatch>[0], disabled = false): TemplateResult =>
+  (label: string, name: IconName, event: Parameters<Dispatch>[0]): TemplateResult =>
     html`<button
     type="button"
     class="button"
     part="button"
     data-tip=${label}
     aria-label=${label}
-    ?disabled=${disabled}
     @click=${() => dispatch(event)}
   >
     ${icon(name)}

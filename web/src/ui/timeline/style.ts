@@ -30,6 +30,8 @@ export const timelineStyle = css`
     min-height: 44px;
     padding: 0 8px;
     overflow-x: auto;
+    /* The button that closes lies above the end of the bar. */
+    scroll-padding-inline-end: 56px;
     scrollbar-width: none;
     border-bottom: 1px solid var(--_line);
   }
@@ -277,6 +279,27 @@ export const timelineStyle = css`
   .clip-key[aria-pressed='true']::before {
     border-color: var(--_accent);
     background: var(--_accent);
+  }
+  /* A press focuses the key, and its colour shows that. */
+  :host(:not(.keyed)) .clip-key:focus-visible {
+    outline: none;
+  }
+  /* The keyboard is about keys: the marks of their handles step back. */
+  .of-keys .handle[aria-pressed='true']:not(.middle-mark, .behind)::before {
+    background: var(--_casing);
+    border: 3.5px solid var(--_handle);
+    box-shadow:
+      0 0 0 1.5px var(--_casing),
+      0 1px 5px 1px #0007;
+  }
+  .of-keys :is(.ring, .line-handle.selected) {
+    opacity: 0.45;
+  }
+  .of-keys :is(.item[aria-pressed='true'], .item[aria-pressed='true'] .dot, .key-row.selected .lane) {
+    background: none;
+  }
+  .of-keys .key-row.selected .track-name {
+    box-shadow: none;
   }
   .key-box {
     position: absolute;
