@@ -241,7 +241,7 @@ test('a picture without handles shows a hint; own pictures get the point tool', 
 
   await warp(page).evaluate((element) => element.setAttribute('tool', 'select'));
   await bring();
-  await expect(page.getByText('choose the point tool')).toBeVisible();
+  await expect(page.getByText('choose the point tool, then click')).toBeVisible();
   await pressed('Select and move');
 });
 

@@ -104,7 +104,7 @@ export class Editor {
   }
 
   field(name: 'x' | 'y' | 'rotation' | 'scale' | 'depth'): Locator {
-    return this.page.getByRole('spinbutton', { name: `${name === 'rotation' ? 'turn' : name} (` });
+    return this.page.getByRole('spinbutton', { name: `${name} (` });
   }
 
   async shownPose(name: string): Promise<ShownPose> {
