@@ -211,7 +211,7 @@ const CHANGING = new RegExp(
   [
     'Document › (undo|redo|timeline)',
     'Tools › (bar|polygon|lasso|brush)',
-    'Selected handle › (head: rename|mirror|remove)',
+    'Selected handle › (head: rename|Rename head|mirror|remove)',
     'Clips › (Duplicate the clip|Delete the clip|Close the timeline)',
     'Keys › (set-key|cut-keys|paste-keys|remove-keys)',
     '(Properties|head|left hand|right hand|left foot|right foot) › (head|left hand|right hand|left foot|right foot)',
@@ -226,11 +226,11 @@ function expectWhole({ checked, changing }: Walked): void {
   expect(changing.filter((name) => !CHANGING.test(name))).toEqual([]);
   const everywhere = [
     'Document › Overlays',
-    'Document › Keys',
+    'Document › Keyboard shortcuts',
     'Tools › hand',
     'View › zoom-in',
-    'Bending › By hand',
-    'Kind › Film',
+    'Bending › Elastic',
+    'Type › Film',
     'Format › GIF',
     'Page › Rounds',
   ];

@@ -291,6 +291,6 @@ describe('a rig', () => {
     const file = Buffer.concat([head, stored]);
     file.writeUInt32LE(file.length, 12);
     file.writeUInt32LE(crc32(file.subarray(20)), 16);
-    await expect(readRig(new Uint8Array(file))).rejects.toThrow(/more than 512 MiB/);
+    await expect(readRig(new Uint8Array(file))).rejects.toThrow(/longer than 512 MiB/);
   });
 });

@@ -233,13 +233,13 @@ describe('the clipboard', () => {
     expect(englishNotice(runtime.state)?.text).toContain('2 keys were left out');
     send({ type: 'timeline-opened', open: false });
     paste(keys);
-    expect(englishNotice(runtime.state)?.text).toBe('No clip is open.');
+    expect(englishNotice(runtime.state)?.text).toBe('Open a clip first');
   });
 
   it('names the fault of keys', () => {
     paste('{"format": "c2warp-keys/1", "keys": [{"handle": "a", "time": 0, "posed": ["x", 1]}]}');
     expect(englishNotice(runtime.state)?.text).toBe(
-      'These keys cannot be pasted: handle "a", posed: expected a point [x, y].',
+      'Could not paste these keys: handle "a", posed: expected a point [x, y].',
     );
   });
 });
