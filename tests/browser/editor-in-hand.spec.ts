@@ -211,7 +211,7 @@ const CHANGING = new RegExp(
   [
     'Document › (undo|redo|timeline)',
     'Tools › (bar|polygon|lasso|brush)',
-    'Selected handle › (head: rename|Rename head|mirror|remove)',
+    'Selected handle › (Rename head|mirror|remove)',
     'Clips › (Duplicate the clip|Delete the clip|Close the timeline)',
     'Keys › (set-key|cut-keys|paste-keys|remove-keys)',
     '(Properties|head|left hand|right hand|left foot|right foot) › (head|left hand|right hand|left foot|right foot)',

@@ -6,13 +6,13 @@ export const saysFormat = (text: string, name: string): boolean =>
 
 /**
  * Returns the items of the list.
- * @throws RangeError with the reason if the text is not whole, of another version or without items.
+ * @throws RangeError with the reason if the text is incomplete, of another version or without items.
  */
 export function listIn(text: string, format: string, list: string): readonly unknown[] {
   const content = parsed(text);
   const items = content[list];
   if (content.format !== format) throw new RangeError(`format: expected "${format}"`);
-  if (!Array.isArray(items) || items.length === 0) throw new RangeError(`${list}: expected a list of them`);
+  if (!Array.isArray(items) || items.length === 0) throw new RangeError(`${list}: expected a list`);
   return items;
 }
 
@@ -20,6 +20,6 @@ function parsed(text: string): Readonly<Record<string, unknown>> {
   try {
     return JSON.parse(text);
   } catch (cause) {
-    throw new RangeError('its text is not whole', { cause });
+    throw new RangeError('its text is incomplete', { cause });
   }
 }
