@@ -124,7 +124,7 @@ for (const pointer of ['fine', 'coarse'] as const)
           lasso: /^Lasso/,
           brush: 'Brush',
           hand: 'Pan',
-          lens: /^Look at the weights/,
+          lens: /^Inspect the weights/,
         };
         for (const [name, label] of Object.entries(words)) {
           const tool = page.locator(`c2-warp .tools [data-command='${name}']`);

@@ -304,7 +304,7 @@ test('a draft ends with its tool, and its notice continues it', async ({ page })
   for (const [key, tool] of [
     ['b', 'Draw a bar'],
     ['g', 'Draw a polygon'],
-    ['l', 'Lasso: draw around the part that bends'],
+    ['l', 'Lasso: draw around the part to bend'],
   ] as const) {
     for (const other of ['v', 'p', 'f', 'h', 'i']) {
       await page.keyboard.press(key);

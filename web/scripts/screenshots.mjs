@@ -84,7 +84,7 @@ async function takeLens(page) {
   const head = await page.getByRole('button', { name: 'Handle head' }).boundingBox();
   if (!head) throw new Error('the handle head is not on screen');
   await page.mouse.click(head.x - 70, head.y + 150);
-  await page.getByRole('region', { name: 'Weights' }).getByText('Virtual handles', { exact: true }).waitFor();
+  await page.getByRole('region', { name: 'Weights' }).getByText('Helper points', { exact: true }).waitFor();
   const path = join(FOLDER, 'lens.png');
   await page.screenshot({ path });
   console.log(path);
