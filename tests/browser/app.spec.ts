@@ -256,6 +256,7 @@ test('a shared picture opens, without a network too', async ({ page, context }) 
   await goOffline(context);
   await share(page, [png('größe 1.png', disc(80))]);
   const editor = new Editor(page);
+  await editor.ready();
   await takeOffer(page, 'größe 1.png');
   await expect(editor.status).toContainText('80 × 80 px');
   await expect(page).toHaveTitle('größe 1.png – c2warp');
