@@ -51,6 +51,6 @@ describe('the text of keys', () => {
   it('of another version, or cut off, is refused', () => {
     expect(() => parseKeys('{"format": "c2warp-keys/2", "keys": [1]}')).toThrow('format: expected');
     expect(() => parseKeys('{"format": "c2warp-keys/1", "keys": []}')).toThrow('keys: expected a list');
-    expect(() => parseKeys(keysText(keys).slice(0, -9))).toThrow('its text is not whole');
+    expect(() => parseKeys(keysText(keys).slice(0, -9))).toThrow('its text is incomplete');
   });
 });
