@@ -196,12 +196,7 @@ test('a version that cannot be stored whole is not used, and is tried again', as
 });
 
 test('files opened with the editor open as those of its own button do', async ({ page }) => {
-  await page.addInitScript(() => {
-    const launchQueue = {
-      setConsumer: (consume: unknown) => Reflect.set(globalThis, 'launched', consume),
-    };
-    Object.defineProperty(globalThis, 'launchQueue', { value: launchQueue });
-  });
+  await holdLaunchQueue(page);
   const editor = await opened(page);
   await editor.dragHandle('right hand', { x: 10, y: -40 });
   const saved = await bytes(await editor.download('Save the project file'));
@@ -228,12 +223,7 @@ test('opening a deleted file is reported', async ({ page }) => {
 });
 
 test('files of the system that lie leave the work as it is', async ({ page }) => {
-  await page.addInitScript(() => {
-    const launchQueue = {
-      setConsumer: (consume: unknown) => Reflect.set(globalThis, 'launched', consume),
-    };
-    Object.defineProperty(globalThis, 'launchQueue', { value: launchQueue });
-  });
+  await holdLaunchQueue(page);
   const editor = await opened(page);
   const hostile = [
     png('text.png', Buffer.from('<html>')),
@@ -370,6 +360,15 @@ test('an element in another page registers no worker', async ({ page, baseURL })
   await new Editor(page).ready();
   expect(await page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length)).toBe(0);
 });
+
+/** Keeps the function that receives files of the system, for {@link launch}. */
+const holdLaunchQueue = (page: Page): Promise<unknown> =>
+  page.addInitScript(() => {
+    const launchQueue = {
+      setConsumer: (consume: unknown) => Reflect.set(globalThis, 'launched', consume),
+    };
+    Object.defineProperty(globalThis, 'launchQueue', { value: launchQueue });
+  });
 
 /** Gives a file to the page as the system does: by a handle, here one of the browser's own file system. */
 const launch = (page: Page, { name, mimeType, buffer }: GivenFile): Promise<void> =>

@@ -120,7 +120,7 @@ impl PosedPicture {
         Some(self.0.layer_under(&pairs(corners))?.into_iter().flat_map(numbers).collect())
     }
 
-    /// The nearest position for a handle, at most `within` away, as six numbers; `undefined` if there is none.
+    /// The nearest position for a handle, at most `within` away, as six numbers. Without one, `undefined`.
     pub fn placement(&self, x: f64, y: f64, within: f64) -> Option<Vec<f64>> {
         self.0.placement(DVec2::new(x, y), within).map(numbers)
     }

@@ -22,7 +22,7 @@ function sizeOf(text: string): Vec {
 }
 
 /**
- * The place of a hint; null if there is none.
+ * The place of a hint. Without one, null.
  *
  * @param at the handle, CSS pixels of the stage.
  * @param free the area free of cards.

@@ -214,7 +214,7 @@ export const projectOf = (state: EditorState): Project => documentOf(state).proj
 export const isUnsaved = (state: EditorState): boolean =>
   state.picture !== null && filedProject(state) !== state.document.saved;
 export const selectionOf = (state: EditorState): readonly string[] => documentOf(state).selection;
-/** The only selected handle; null if there is not exactly one. */
+/** The selected handle; null unless exactly one is selected. */
 export function onlySelected(state: EditorState): Handle | null {
   const [only = null, ...others] = selectedHandles(documentOf(state));
   return others.length === 0 ? only : null;

@@ -55,7 +55,7 @@ function resolved(text: string, base: string): string {
   }
 }
 
-/** Whether a text is none of an attribute's words. Without a word, an attribute may have a value of its own. */
+/** Whether an attribute rejects a text. An attribute without a list of words accepts any text. */
 export const isUnknown = ({ words, invalid }: PropertyOptions, text: string): boolean =>
   words !== undefined && wordOf(words, text) === undefined && !(text === '' && invalid !== undefined);
 
