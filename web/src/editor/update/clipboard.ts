@@ -19,7 +19,7 @@ import type { Handlers } from './handlers';
 import { announce, notify } from './notices';
 
 /** The selected handles, or else all, whose pose is copied. */
-export function copiedHandles(state: EditorState): readonly Handle[] {
+function copiedHandles(state: EditorState): readonly Handle[] {
   if (!mayEdit(state)) return [];
   const selected = selectedHandles(documentOf(state));
   return selected.length > 0 ? selected : projectOf(state).handles;
