@@ -1,4 +1,4 @@
-/** Elements, pictures and drags, again and again: memory stays as it is. */
+/** Elements, pictures and drags, repeatedly: memory does not grow. */
 import { type CDPSession, expect, type Page, test } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { times } from './attacks';
@@ -30,7 +30,7 @@ async function memory(devtools: CDPSession) {
   return { heap: usedSize, buffers: backingStorageSize, nodes };
 }
 
-/** Compares memory after the first rounds with that after all. `rounds` makes so many more. */
+/** Compares memory after the first rounds with that after all rounds. `rounds` runs a number of them. */
 async function expectNoGrowth(
   page: Page,
   first: number,

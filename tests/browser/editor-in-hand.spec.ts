@@ -1,5 +1,5 @@
 /**
- * The keyboard is about the shown selection, whichever control was pressed before.
+ * Keyboard commands apply to the selection that is shown, whichever control was pressed before.
  *
  * The walk finds the controls in the page, so it also presses new ones. After each press that leaves the selection
  * as it was, Delete must delete what is shown as selected, and undo must bring it back.
@@ -43,7 +43,7 @@ const look = (page: Page, pressed: readonly string[]): Promise<Seen> =>
       // Input waits for a picture that is being opened.
       while (root.querySelector('.stage.awaiting')) await new Promise(requestAnimationFrame);
       const all = (selector: string) => [...root.querySelectorAll<HTMLElement>(selector)];
-      /** Numbers, and the state that a summary tells, are no part of a name. */
+      /** Names leave out numbers, and the state in a summary. */
       const nameOf = (control: HTMLElement) => {
         const place = control.parentElement?.closest('[aria-label]')?.getAttribute('aria-label') ?? '';
         const { textContent } =

@@ -177,7 +177,7 @@ test('a walk made by dragging has whole depths, in the keys of drags that cross'
       [1, 1],
       [1.5, null],
     ]);
-  // A depth that a person sets is not automatic, and in its key alone.
+  // A depth that a person sets is not automatic, and belongs only to its key.
   await page.keyboard.press('[');
   await expect(editor.field('depth')).toHaveValue('0');
   await expect(page.getByRole('spinbutton', { name: 'Depth (Auto)' })).toHaveCount(0);

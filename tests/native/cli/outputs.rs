@@ -82,7 +82,7 @@ fn no_output_replaces_an_input() {
                 assert!(contents(&folder) == before, "{arguments}, {output}: {line}");
                 line
             };
-            // Its extension may be refused before.
+            // Its extension may be rejected first.
             for name in [input.to_owned(), format!("./{input}"), folder.file(input).to_string_lossy().into_owned()] {
                 if arguments.contains("OUT") {
                     refuse(&name);

@@ -13,7 +13,7 @@ use crate::progress;
 #[derive(Debug)]
 pub struct Memory;
 
-// SAFETY: every call is passed to `System` as it is, and its answer is returned unless it is null.
+// SAFETY: every call is passed to `System` unchanged, and its result is returned unless it is null.
 unsafe impl GlobalAlloc for Memory {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: the caller keeps the promises that `System` asks for.

@@ -61,7 +61,7 @@ function checkPixels(chunks: readonly Chunk[]): void {
   try {
     inflateSync(deflated, { maxOutputLength });
   } catch (error) {
-    // The decoder tells of any other fault.
+    // The decoder reports any other fault.
     if ((error as NodeJS.ErrnoException).code === 'ERR_BUFFER_TOO_LARGE')
       throw new Error('its pixels unfold to more than its size', { cause: error });
   }

@@ -11,12 +11,11 @@ const EASES = ['smooth', 'linear', 'hold'] as const satisfies readonly Ease[];
 export const keysText = (placed: readonly PlacedKey[]): string =>
   projectText({ format: FORMAT, keys: placed.map(({ handle, key }) => ({ handle, ...key })) });
 
-/** Whether a text says that it is of keys. */
+/** Whether a text has the format of keys. */
 export const isKeys = (text: string): boolean => saysFormat(text, 'c2warp-keys');
 
 /**
- * Returns the keys of a text, or `null` if it does not say that it is of keys. `withKey` checks their
- * values.
+ * Returns the keys of a text, or `null` if the text has another format. `withKey` checks their values.
  * @throws RangeError with the reason if a key is invalid.
  */
 export const parseKeys = (text: string): readonly PlacedKey[] | null =>

@@ -110,7 +110,7 @@ const WHILE_BRUSHING_WITH_KEYS = commandsWithout(OF_DEPTH, OF_HANDLES);
 /**
  * The available commands: none for a picture that plays and is readonly, because it acts as a plain image.
  *
- * @param keys whether keys of a clip are in hand.
+ * @param keys whether keyboard commands apply to keys of a clip.
  */
 export function commandsFor(
   posable: boolean,

@@ -13,7 +13,7 @@ export interface HintPlace {
   readonly along: number;
 }
 
-/** The size of a hint with a text, CSS pixels: close enough to tell where there is room. */
+/** The approximate size of a hint with a text, in CSS pixels. */
 function sizeOf(text: string): Vec {
   const [beside, over] = TYPE.around;
   const long = [...text].reduce((sum, letter) => sum + (letter > '\u2e80' ? TYPE.wide : TYPE.letter), 0);

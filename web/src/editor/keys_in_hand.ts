@@ -4,8 +4,8 @@ import { mayEdit } from './permissions';
 import type { EditorState } from './state';
 
 /**
- * The selected keys of the open clip, the last chosen one last. As long as there are some, the keyboard is about them,
- * and else about the selected handles. Whoever takes a handle lets go of them.
+ * The selected keys of the open clip, the last selected one last. Keyboard commands apply to them. Without selected
+ * keys, they apply to the selected handles. Selecting a handle deselects the keys.
  */
 export function keysInHand(state: EditorState): readonly KeyRef[] {
   const clip = mayEdit(state) && !state.page.posable ? openClip(state) : null;

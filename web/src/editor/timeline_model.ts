@@ -25,7 +25,7 @@ export interface TimelineModel {
   readonly zoom: number | null;
   readonly onion: boolean;
   readonly rows: readonly TimelineRow[];
-  /** The selected key that arrows go from; null if the keyboard is about no keys. */
+  /** The selected key that arrow keys start from; null if keyboard commands apply to handles. */
   readonly lead: KeyRef | null;
   /** The ease of the selected keys, if they have the same. */
   readonly ease: Ease | null;

@@ -5,7 +5,7 @@
  * goes around twice, or makes a small loop at a turn, loses nothing. A middle that lines leave out is a hole.
  *
  * Lines are cut where they cross or touch, and edges that go to and fro cancel. An edge is a border if the lines wind
- * around one of its sides alone. Rings that would share a corner there are moved apart.
+ * around only one of its sides. Rings that would share a corner there are moved apart.
  *
  * Cost: quadratic in corners and crossings.
  */
@@ -49,7 +49,7 @@ export const unionOf = (a: Ring, b: Ring): Ring =>
 
 const clockwise = (ring: Ring): Ring => (signedAreaOf(ring) < 0 ? ring.toReversed() : ring);
 
-/** The lines as edges that meet at their ends alone. */
+/** The lines as edges that meet only at their ends. */
 function cutLines(lines: readonly Ring[]): { places: readonly Vec[]; edges: readonly Edge[] } {
   const places: Vec[] = [];
   const place = (at: Vec): number => {
@@ -114,7 +114,7 @@ function crossingOf(a: Vec, b: Vec, c: Vec, d: Vec): Vec | null {
   return s > 0 && s < 1 && t > 0 && t < 1 ? lerp(a, b, s) : null;
 }
 
-/** The edges with the inside of the lines on one side alone, which is to their right. */
+/** The edges with the inside of the lines only on their right side. */
 function bordersOf(places: readonly Vec[], edges: readonly Edge[]): readonly Edge[] {
   const times = new Map<number, number>();
   for (const [from, to] of edges) {

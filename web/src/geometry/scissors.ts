@@ -32,7 +32,7 @@ const PIECE = 60;
 /** Paths lose corners within these distances, in nodes as fine as the luminance and in coarser ones. */
 const TOLERANCE = { fine: 1.2, coarse: 0.9 } as const;
 
-/** In nodes: a path keeps this far from the outline that is there. Edges that near are those of the outline. */
+/** In nodes: the distance that a path keeps from the existing outline. Edges closer than this belong to the outline. */
 const CLEARANCE = 1.5;
 const OWN_EDGE = 3;
 
@@ -179,7 +179,7 @@ function stepCosts({ width, steepness }: EdgeWindow, from: number, to: number): 
   return costs;
 }
 
-/** The nodes of the cheapest path, both ends included; these alone if there is no way between them. */
+/** The nodes of the cheapest path, including both ends. If no path connects them, only the ends. */
 function cheapestPath(search: Search): readonly number[] {
   const { width, height } = search;
   const [from, to] = [nodeAt(search, search.from), nodeAt(search, search.to)];

@@ -90,7 +90,7 @@ export class PlayerAttributes extends Base {
   }
 
   /**
-   * The width in pixels of the page, for the shape before the rig is there. It needs `height`.
+   * The width in CSS pixels, for the shape before the rig is loaded. It requires `height`.
    *
    * @attr
    * @default 0
@@ -104,7 +104,7 @@ export class PlayerAttributes extends Base {
   }
 
   /**
-   * The height in pixels of the page, for the same.
+   * The height in CSS pixels, for the same purpose.
    *
    * @attr
    * @default 0

@@ -81,7 +81,7 @@ export class StoredWork {
     this.#stored = stored;
   }
 
-  /** Null if nothing is stored that this version can read, or the browser refuses to read. */
+  /** Null if this version can read nothing in the storage, or if the browser denies access. */
   async read(): Promise<{ readonly work: WorkSnapshot; readonly recent: readonly WorkSnapshot[] } | null> {
     const reading = inTransaction('readonly', async (values) => ({
       ...(await this.#current(values)),

@@ -1,11 +1,11 @@
 /**
- * Names for people: of handles, clips, pictures and files. Characters that are not drawn are seen, as in messages of
+ * Names of handles, clips, pictures and files, as people see them. Invisible characters are escaped, as in messages of
  * the command: `wasm/core/src/display_name.rs` has the same rule.
  *
- * A control character, or one that turns the direction of writing, could change how the words around the name read.
+ * A control character, or one that changes the direction of text, could change the words around the name.
  */
 
-/** Control characters, marks of direction, ends of lines and paragraphs, and the byte order mark. */
+/** Control characters, direction marks, ends of lines and paragraphs, and the byte order mark. */
 const NOT_DRAWN = /[\p{Cc}\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]/gu;
 
 const SHORT: Readonly<Record<string, string>> = { '\n': '\\n', '\r': '\\r', '\t': '\\t' };

@@ -1,4 +1,4 @@
-/** Keys that a control uses itself. All others are about the selection, wherever the focus is. */
+/** Keys that a control uses itself. All other keys apply to the selection. */
 
 const MOVES: readonly string[] = [
   'ArrowLeft',

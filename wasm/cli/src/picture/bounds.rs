@@ -1,6 +1,6 @@
-//! Colour profiles of PNG files, bounded before a decoder unfolds them: two megabytes may hold gigabytes.
+//! Limits colour profiles of PNG files before a decoder decompresses them: two megabytes can contain gigabytes.
 //!
-//! Every other part that decoders copy or unfold is as long as in the file, or of the size of the picture.
+//! All other parts are no longer than in the file, or have the size of the picture.
 
 use fdeflate::BoundedDecompressionError::OutputTooLarge;
 
@@ -30,7 +30,7 @@ fn is_too_large(data: &[u8]) -> bool {
 mod tests {
     use super::*;
 
-    /// A PNG of one grey pixel with a profile of so many zeros.
+    /// A PNG of one grey pixel with a profile of this many zeros.
     fn with_profile(bytes: usize) -> Vec<u8> {
         let mut file = Vec::new();
         let mut info = png::Info::with_size(1, 1);

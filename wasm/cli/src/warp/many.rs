@@ -132,7 +132,7 @@ impl Batch<'_> {
         }
     }
 
-    /// A job for each input. Inputs whose result would replace another file are told of and left out.
+    /// A job for each input. Inputs whose result would replace another file are reported and left out.
     fn jobs(&self, images: &[PathBuf], report: impl Fn(CliError)) -> Vec<Job> {
         let projects = self.arguments.projects();
         let inputs: Vec<(&PathBuf, Option<&PathBuf>)> = if self.has_many_images && !images.is_empty() {

@@ -124,7 +124,7 @@ fn inflated(stored: &[u8], length: u32) -> Option<Vec<u8>> {
 mod tests {
     use super::*;
 
-    /// A file of sections that claim to unpack to so many bytes.
+    /// A file whose sections claim to unpack to this many bytes.
     fn claiming(lengths: &[u32]) -> Vec<u8> {
         let stored = vec![0; 300_000];
         let section = |_: &u32| Section { tag: *b"CLIP", bytes: stored.clone() };

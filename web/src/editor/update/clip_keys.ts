@@ -85,7 +85,7 @@ function walk(state: EditorState, by: Vec, extend: boolean, emit: Emit): EditorS
   return focusLead(movePlayhead(selectKeys(state, [...others, to], emit), to.time, emit), emit);
 }
 
-/** Where a key has the focus, it goes on to the last selected one. */
+/** If a key has the focus, moves the focus to the last selected key. */
 function focusLead(state: EditorState, emit: Emit): EditorState {
   const key = keysInHand(state).at(-1);
   if (key && state.focus.on === 'key') focusKey(key, emit);

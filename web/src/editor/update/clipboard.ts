@@ -25,7 +25,7 @@ function copiedHandles(state: EditorState): readonly Handle[] {
   return selected.length > 0 ? selected : projectOf(state).handles;
 }
 
-/** The keys in hand, with the first of them at time 0. */
+/** The selected keys, with the first of them at time 0. */
 function copiedKeys(state: EditorState): readonly PlacedKey[] {
   const clip = openClip(state);
   const chosen = clip ? keysAt(clip, keysInHand(state)) : [];

@@ -58,7 +58,7 @@ const solves = ({ solution }: EditorState, kind: ChangeKind): boolean =>
   kind === 'input' ? !solution.failed : kind !== 'selection' && kind !== 'pose';
 
 function selected(state: EditorState, emit: Emit): EditorState {
-  // The lasso hides the handles, and during a drawing the keyboard is about its corners.
+  // The lasso hides the handles. During a drawing, keyboard commands apply to its corners.
   if ((isLassoing(state) || draftOf(state.tools)) && selectionOf(state).length > 0) {
     emit({ type: 'follow-up', event: { type: 'tool-set', tool: 'select' } });
   }

@@ -60,7 +60,7 @@ function end(before: EditorState, pointer: StagePointer, emit: Emit): EditorStat
   // Focusing a handle selects it: not one that a Shift-click has just deselected.
   const keeps = held !== null && held.part !== 'ring' && held.part !== 'grip' && selection.includes(held.id);
   if (keeps && held.part === 'corner') focus(emit, held.id, held.index);
-  // A key stays in hand where the press has only panned.
+  // A press that only pans deselects no keys.
   else focus(emit, keeps ? held.id : holdsKeys(state) ? null : selection[0]);
   return state;
 }

@@ -8,7 +8,7 @@ import { withTimeline } from './clip_slice';
 import { guardEnded, withHistory } from './document_slice';
 import { edited } from './edited';
 
-/** Lets go of selected keys: the keyboard is about the handles again. */
+/** Deselects the keys: keyboard commands apply to the handles again. */
 export const withoutKeys = (state: EditorState): EditorState =>
   state.timeline.selected.length > 0 ? withTimeline(state, { selected: [] }) : state;
 

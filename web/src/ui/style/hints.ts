@@ -67,7 +67,7 @@ export const hintsStyle = css`
       overflow: hidden;
     }
   }
-  /* The button or the switch alone. */
+  /* Only the button or the switch. */
   @container ${lowHints} and (width < ${NARROW}px) {
     .hint.suggests {
       padding: 0;

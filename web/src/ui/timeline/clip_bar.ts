@@ -167,7 +167,7 @@ function nameField(clip: Clip, words: Texts['timeline'], dispatch: Dispatch): Te
     control: 'clip-name',
     label: words.nameOfClip,
     name: shown,
-    // Left as it is, it stays.
+    // Without a change, the name is kept.
     given: (name) => dispatch({ type: 'clip-named', name: name === shown ? clip.name : name }),
     ended: () => dispatch({ type: 'clip-renaming-switched', on: false }),
   });

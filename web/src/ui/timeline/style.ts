@@ -284,7 +284,7 @@ export const timelineStyle = css`
   :host(:not(.keyed)) .clip-key:focus-visible {
     outline: none;
   }
-  /* The keyboard is about keys: the marks of their handles step back. */
+  /* Keyboard commands apply to keys, so the marks of their handles are less prominent. */
   .of-keys .handle[aria-pressed='true']:not(.middle-mark, .behind)::before {
     background: var(--_casing);
     border: 3.5px solid var(--_handle);
