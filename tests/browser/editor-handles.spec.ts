@@ -7,7 +7,7 @@ test('the sample opens with five handles, a hint and the solver’s report', asy
   const editor = await Editor.open(page);
   await expect(editor.handles).toHaveCount(5);
   await expect(page.getByText('Drag a hand')).toBeVisible();
-  await expect(editor.status).toContainText(/[\d,]+ samples/);
+  await expect(editor.status).toContainText(/[\d,]+ mesh points/);
   await expect(editor.status).toContainText(/helper point/);
 });
 

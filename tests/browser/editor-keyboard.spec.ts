@@ -60,9 +60,10 @@ test('Control A selects all, and Escape deselects', async ({ page }) => {
 
 test('O shows the original while held', async ({ page }) => {
   const editor = await Editor.open(page);
-  const hand = await editor.position('right hand');
+  // The shadow of the hint lies on the right hand.
+  const hand = await editor.position('left hand');
   const before = await editor.screenshot(hand, 16);
-  await editor.dragHandle('right hand', { x: 0, y: -90 });
+  await editor.dragHandle('left hand', { x: 0, y: -90 });
   let bent = before;
   const bend = async () => {
     bent = await editor.screenshot(hand, 16);

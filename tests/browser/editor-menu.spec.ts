@@ -336,7 +336,7 @@ test('without clipboard access the menu pastes only poses of this page', async (
   await expect(page.getByText('Press Ctrl + V to paste')).toBeVisible();
   await rightClick(page, await editor.position('left hand'));
   await entry(page, 'Copy the pose').click();
-  await expect(page.getByText('You can paste the pose on this page only')).toBeVisible();
+  await expect(page.getByText('You can paste the copy on this page only')).toBeVisible();
   await page.keyboard.press('r');
   await expect.poll(() => posed(editor, 'left-hand')).toEqual([124, 516]);
   // Something else may have been copied meanwhile. The browser refuses to read it.

@@ -171,7 +171,7 @@ for (const [what, files] of [
     const first = await editor.shownPose('left hand');
     const free = await captive(page, files);
     await page.reload();
-    await expect(editor.notice).toContainText('The solver');
+    await expect(editor.notice).toContainText(/Could not (load|start) the solver/);
     // The end of the drag requests the solver again, without success.
     const failed = warp(page).evaluate(
       (element) =>
@@ -199,7 +199,7 @@ test('the next edit retries a failed solver', async ({ page }) => {
   const free = await captive(page, '**/worker-*.js');
   await page.goto('/');
   const editor = new Editor(page);
-  await expect(editor.notice).toContainText('The solver failed');
+  await expect(editor.notice).toContainText('Could not start the solver');
   await free();
   await editor.dragHandle('left hand', { x: 0, y: -40 });
   await editor.ready();

@@ -405,7 +405,7 @@ test('the page opens another picture, and errors are shown', async ({ page }) =>
   await rig.element.evaluate((element) => {
     (element as C2Warp).addHandle({ kind: 'point', rest: [512, 260.001] });
   });
-  await expect(rig.element.getByRole('alert')).toContainText('handle-1');
+  await expect(rig.element.getByRole('alert')).toContainText('“head” and “handle 1” are in the same place');
   await rig.element.getByRole('button', { name: 'Dismiss' }).click();
   await expect(rig.element.getByRole('alert')).toHaveCount(0);
   await rig.element.evaluate((element) => (element as C2Warp).load('/samples/gingerbread.png'));

@@ -587,7 +587,7 @@ test('new projects have the settings of the page, and nonsense is refused', asyn
     support: 'smooth',
     held: true,
     harmonic: ['paper', 0, 10000],
-    refusal: expect.stringContaining('found "handles"'),
+    refusal: expect.stringContaining('unknown key "handles"'),
     kept: { pose: { mode: 'harmonic' } },
   });
   const defaults = () => page.locator('c2-warp').evaluate((element) => (element as C2Warp).defaults);
