@@ -98,7 +98,7 @@ pub(crate) fn compute_weights(
     let SampleWeights { mut weights, phi_sums, nearest } = functions.of_samples(navigation, &samples)?;
     let quadrature =
         (input.mode == PoseMode::Rigid).then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
-    let poser = Poser::new(PoserInput {
+    let mut poser = Poser::new(PoserInput {
         sites: &sites,
         graph: &graph,
         harmonic: &harmonic,
@@ -120,11 +120,16 @@ pub(crate) fn compute_weights(
     }
     weights.push_copies(&samples.skirt.owners);
     leading.extend(samples.skirt.owners.iter().map(|&owner| leading[owner as usize]).collect::<Vec<_>>());
+    let count = samples.len();
+    let feather = samples.feather.clone();
+    let background = prepared.background_size.map(|size| StaticBackground::new(&samples, size)).unwrap_or_default();
+    let mesh = RenderMesh::new(samples, &leading);
+    poser.set_mesh(&mesh.vertices[..count], &mesh.triangles, &weights);
     Ok(Solution {
-        background: prepared.background_size.map(|size| StaticBackground::new(&samples, size)).unwrap_or_default(),
-        samples: samples.len(),
-        feather: samples.feather.clone(),
-        mesh: RenderMesh::new(samples, &leading),
+        background,
+        samples: count,
+        feather,
+        mesh,
         weights,
         phi_sums,
         solved: SolvedSites { sites, graph, harmonic, poser, nearest },

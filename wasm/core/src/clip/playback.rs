@@ -1,21 +1,13 @@
-//! Poses of a solution along a clip, without the jumps of the rigid mode.
+//! Poses of a solution along a clip: each continues the one before, as in a drag.
 //!
-//! The rigid mode converges to one of several minima. A small move of the handles can lead to another minimum, and the
-//! picture would jump between two frames. So the clip is followed from its beginning in steps of 1/60 s. A step usually
-//! has the plain pose of its handles. If that pose differs more from the previous step than the handles account for,
-//! the previous pose is continued to the nearest minimum. The continued pose is used unless it jumps too. The same rule
-//! applies from the last step before a time to that time. Only coarse poses are followed: a pose is refined when it is
-//! shown. A pose depends only on the clip and the time, not on earlier requests.
+//! The clip is followed from its beginning in steps of 1/60 s. So a pose depends only on the clip and the time, not on
+//! earlier requests. A clip that repeats is first followed for two seconds before its beginning, which then continues
+//! that end. So it does not jump at its seam if rounds end in the same pose.
 //!
-//! A clip that repeats is first followed for two seconds before its beginning, which then continues that end. So it
-//! does not jump at its seam if rounds end in the same minimum.
+//! Cost: a frame of a drag for each step that is passed for the first time. After that, a pose near any step takes one or
+//! two frames. Memory: up to 64 MiB of motions.
 //!
-//! Cost: a plain pose for each step that is passed for the first time. A continued step costs two to ten times as much.
-//! The first pose of a clip that repeats takes two seconds of steps. After that, a pose near any step takes one or two
-//! poses. Memory: one byte per step, and up to 64 MiB of motions.
-//!
-//! Known limits: a minimum that vanishes makes the picture jump. So does a seam if no two rounds end in the same
-//! minimum.
+//! Known limit: a clip jumps at its seam if no two rounds end in the same pose.
 
 use super::clock;
 use crate::{
@@ -32,14 +24,6 @@ const STEPS_PER_SECOND: f64 = 60.0;
 /// shorter. With more, the first frame of a clip takes longer after each edit. With one round, a strip whose end turns
 /// in a second and a half jumps at its seam.
 const LEADING_STEPS: usize = 120;
-
-/// Sites may move farther than the handles carry them by this factor of the handles' move, plus the tolerance. Larger
-/// moves are jumps.
-const LEVER: f64 = 4.0;
-/// Tolerance of a step as a fraction of the scene's extent: descents may stop an iteration earlier or later.
-const TOLERANCE: f64 = 4e-3;
-/// A pose is continued if its jump is then smaller, by this factor.
-const GAIN: f64 = 0.8;
 
 /// Memory for motions of continued steps, in bytes.
 const MEMORY: usize = 64 << 20;
@@ -67,27 +51,12 @@ pub struct Playback {
     poser: Poser,
     clip: Clip,
     handles: Vec<Handle>,
-    /// The steps from the beginning that are known.
-    steps: Vec<Step>,
-    /// Interval between continued steps that are kept.
+    /// The motions of steps from the beginning, each [`stride`](Self::stride)-th; `None` for handles without a pose.
+    steps: Vec<Option<Vec<Motion>>>,
+    /// Interval between steps that are kept.
     stride: usize,
-    /// The motions of the last step that was computed.
+    /// The last step that was computed.
     last: Option<(usize, Option<Vec<Motion>>)>,
-}
-
-/// How the pose of a step is found.
-#[derive(Debug)]
-enum Step {
-    /// The plain pose of the handles, if it exists.
-    Plain,
-    /// A continuation of the previous step's pose. Motions of some steps are kept.
-    Continued(Option<Vec<Motion>>),
-}
-
-/// The motions of handles after those of a step, and whether they continue the step's motions.
-struct Followed {
-    motions: Vec<Motion>,
-    is_continued: bool,
 }
 
 impl Playback {
@@ -118,38 +87,48 @@ impl Playback {
     /// The errors of [`Poser::pose`] for the handles at that time.
     pub fn pose(&mut self, time: f64, blend: Blend) -> Result<Pose, Error> {
         let time = clock::time_in_clip(time, self.clip.duration, self.clip.looping);
-        let handles = self.handles(time);
-        let motions = if self.poser.is_rigid() {
-            let step = (time * STEPS_PER_SECOND) as usize;
-            let before = self.step(step);
-            let motions = if step_time(step) == time
-                && let Some(motions) = before
-            {
-                motions
-            } else {
-                follow(&self.poser, &handles, before.as_deref())?.motions
-            };
-            self.poser.refined(&handles, motions)
-        } else {
-            self.poser.motions(&handles)?
+        let step = (time * STEPS_PER_SECOND) as usize;
+        let before = self.step(step);
+        let motions = match before {
+            Some(motions) if step_time(step) == time => motions,
+            before => self.next(before.as_deref(), time)?,
         };
         Ok(self.poser.pose_of(motions, blend))
     }
 
+    /// The motions at a time that follows others.
+    fn next(&self, before: Option<&[Motion]>, time: f64) -> Result<Vec<Motion>, Error> {
+        let handles = self.handles(time);
+        match before {
+            Some(before) => self.poser.followed(before, &handles),
+            None => self.poser.motions(&handles),
+        }
+    }
+
     /// The motions of a step; `None` if its handles have no pose.
     fn step(&mut self, step: usize) -> Option<Vec<Motion>> {
-        while self.steps.len() <= step {
-            let next = self.steps.len();
-            let before = if next == 0 { self.lead() } else { self.known_step(next - 1) };
-            let followed = follow(&self.poser, &self.handles(step_time(next)), before.as_deref()).ok();
-            let is_kept = next.is_multiple_of(self.stride);
-            self.steps.push(match &followed {
-                Some(Followed { motions, is_continued: true }) => Step::Continued(is_kept.then(|| motions.clone())),
-                _ => Step::Plain,
-            });
-            self.last = Some((next, followed.map(|followed| followed.motions)));
+        let kept = (step / self.stride).min(self.steps.len().saturating_sub(1));
+        let start = self.last.take().filter(|(last, _)| (kept * self.stride..=step).contains(last));
+        let start = start.or_else(|| self.steps.get(kept).map(|motions| (kept * self.stride, motions.clone())));
+        let (mut at, mut motions) = match start {
+            Some(start) => start,
+            None => (0, self.keep(0, self.next(self.lead().as_deref(), 0.0).ok())),
+        };
+        while at < step {
+            at += 1;
+            motions = self.next(motions.as_deref(), step_time(at)).ok();
+            motions = self.keep(at, motions);
         }
-        self.known_step(step)
+        self.last = Some((at, motions.clone()));
+        motions
+    }
+
+    /// Keeps the motions of a step if it is one of those that are kept.
+    fn keep(&mut self, step: usize, motions: Option<Vec<Motion>>) -> Option<Vec<Motion>> {
+        if step == self.steps.len() * self.stride {
+            self.steps.push(motions.clone());
+        }
+        motions
     }
 
     /// The motions at the end of a clip that repeats. `None` for other clips.
@@ -160,58 +139,12 @@ impl Playback {
         // The last step is before the end, which is the beginning.
         let end = ((self.clip.duration * STEPS_PER_SECOND).ceil() as usize).max(1);
         let steps = (0..LEADING_STEPS).rev().map(|more| end - 1 - more % end);
-        steps.fold(None, |before: Option<Vec<Motion>>, step| {
-            let followed = follow(&self.poser, &self.handles(step_time(step)), before.as_deref()).ok()?;
-            Some(followed.motions)
-        })
-    }
-
-    /// The motions of a step that was passed before.
-    fn known_step(&mut self, step: usize) -> Option<Vec<Motion>> {
-        if let Some((last, motions)) = &self.last
-            && *last == step
-        {
-            return motions.clone();
-        }
-        // Back to motions that are known, then forward.
-        let from = (0..=step).rev().find(|&at| !matches!(self.steps[at], Step::Continued(None)))?;
-        let mut motions = match &self.steps[from] {
-            Step::Continued(motions) => motions.clone(),
-            Step::Plain => self.poser.coarse_motions(&self.handles(step_time(from))).ok(),
-        };
-        for next in from + 1..=step {
-            let handles = self.handles(step_time(next));
-            motions = self.poser.settled(&handles, &self.poser.carried(&handles, &motions?)).ok();
-        }
-        self.last = Some((step, motions.clone()));
-        motions
+        steps.fold(None, |before: Option<Vec<Motion>>, step| self.next(before.as_deref(), step_time(step)).ok())
     }
 }
 
 fn step_time(step: usize) -> f64 {
     step as f64 / STEPS_PER_SECOND
-}
-
-/// The plain motions of handles, or the motions that continue `before` if the plain ones jump.
-fn follow(poser: &Poser, handles: &[Handle], before: Option<&[Motion]>) -> Result<Followed, Error> {
-    let plain = poser.coarse_motions(handles)?;
-    if let Some(before) = before {
-        let carried = poser.carried(handles, before);
-        // Handles that others follow by long levers carry these far, with or without a turn of the whole picture.
-        let jump_to = |motions: &[Motion]| {
-            let [from_carried, _] = poser.apart(handles, &carried, motions);
-            let [from_before, of_handles] = poser.apart(handles, before, motions);
-            (from_carried.min(from_before), of_handles)
-        };
-        let (jump, of_handles) = jump_to(&plain);
-        if jump > LEVER * of_handles + TOLERANCE * poser.extent() {
-            let continued = poser.settled(handles, &carried)?;
-            if jump_to(&continued).0 < GAIN * jump {
-                return Ok(Followed { motions: continued, is_continued: true });
-            }
-        }
-    }
-    Ok(Followed { motions: plain, is_continued: false })
 }
 
 #[cfg(test)]
@@ -251,13 +184,10 @@ mod tests {
                 .map(|&time| (time.to_bits(), playback.pose(time, Blend::Linear).unwrap().motions().to_vec()))
                 .collect();
             poses.sort_by_key(|&(time, _)| time);
-            let continued = playback.steps.iter().filter(|step| !matches!(step, super::Step::Plain)).count();
-            (poses, continued)
+            poses
         };
         let forward: Vec<f64> = (0..=40).map(|at| f64::from(at) / 80.0).collect();
         let backward: Vec<f64> = forward.iter().copied().rev().collect();
-        let (all, continued) = poses(1, &forward);
-        assert!(continued > 3, "{continued} steps are continued");
-        assert!(poses(4, &backward) == (all, continued));
+        assert!(poses(4, &backward) == poses(1, &forward));
     }
 }

@@ -60,6 +60,30 @@ impl Poser {
         Ok(self.pose_of(self.motions(handles)?, blend))
     }
 
+    /// The next frame of a drag: the pose of handles that have moved a little since `pose`, which this poser made. Nothing
+    /// moves much farther than they do. In the harmonic mode, same as [`pose`](Self::pose).
+    ///
+    /// # Errors
+    /// The errors of [`pose`](Self::pose), and [`Error::PoseOfAnotherSolution`].
+    pub fn follow(&self, pose: &Pose, handles: &[Handle]) -> Result<Pose, Error> {
+        self.check_own(pose)?;
+        Ok(self.pose_of(self.followed(&pose.motions, handles)?, pose.blend()))
+    }
+
+    /// The pose in which a drag comes to rest: the nearest one at rest, or that of [`pose`](Self::pose) if it is much
+    /// better. In the harmonic mode, same as [`pose`](Self::pose).
+    ///
+    /// # Errors
+    /// The errors of [`follow`](Self::follow).
+    pub fn settle(&self, pose: &Pose, handles: &[Handle]) -> Result<Pose, Error> {
+        self.check_own(pose)?;
+        Ok(self.pose_of(self.settled(&pose.motions, handles)?, pose.blend()))
+    }
+
+    fn check_own(&self, pose: &Pose) -> Result<(), Error> {
+        if self.has_made(pose) { Ok(()) } else { Err(Error::PoseOfAnotherSolution) }
+    }
+
     /// The pose from the motions of all sites.
     pub(crate) fn pose_of(&self, motions: Vec<Motion>, blend: Blend) -> Pose {
         let displacement = self.displacement().cloned();
@@ -74,6 +98,10 @@ impl Poser {
 }
 
 impl Pose {
+    fn blend(&self) -> Blend {
+        if self.duals.is_some() { Blend::Rigid } else { Blend::Linear }
+    }
+
     /// A pose without a displacement.
     pub(crate) fn new(rest: Arc<[DVec2]>, motions: Vec<Motion>, blend: Blend) -> Self {
         let sites = || rest.iter().zip(&motions);

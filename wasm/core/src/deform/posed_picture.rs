@@ -96,7 +96,7 @@ impl PosedPicture {
     ///
     /// # Errors
     /// [`Error::PoserBytes`] if these do not belong to one solution.
-    pub fn new(mesh: PictureMesh, poser: Poser, handles: Vec<Handle>) -> Result<Self, Error> {
+    pub fn new(mesh: PictureMesh, mut poser: Poser, handles: Vec<Handle>) -> Result<Self, Error> {
         let vertices = mesh.vertices.len();
         let is_whole = mesh.weights.len() == vertices
             && mesh.samples <= vertices
@@ -105,6 +105,7 @@ impl PosedPicture {
         if !is_whole {
             return Err(Error::PoserBytes);
         }
+        poser.set_mesh(&mesh.vertices[..mesh.samples], &mesh.triangles, &mesh.weights);
         let folding = FoldingMesh::new(&mesh.vertices, &mesh.triangles, mesh.samples);
         let background = Bounds::new(&mesh.background);
         let adjacency = Adjacency::new(&mesh.triangles);

@@ -36,19 +36,12 @@ impl Automatic {
 
     /// Sets the automatic rotations among the motions of real sites.
     pub(super) fn turn(&self, rest: &[DVec2], kinds: &[SiteKind], handles: &[Handle], motions: &mut [Motion]) {
-        self.turn_to_fit(rest, rest, kinds, handles, motions);
+        self.turn_to_fit(rest, kinds, handles, motions);
         self.turn_alike(kinds, handles, motions);
     }
 
     /// The best fit of the pseudo-edges to neighbouring real sites, from rest to pose. Translations are from there.
-    pub(super) fn turn_to_fit(
-        &self,
-        rest: &[DVec2],
-        places: &[DVec2],
-        kinds: &[SiteKind],
-        handles: &[Handle],
-        motions: &mut [Motion],
-    ) {
+    pub(super) fn turn_to_fit(&self, rest: &[DVec2], kinds: &[SiteKind], handles: &[Handle], motions: &mut [Motion]) {
         let is_auto = |kind: &SiteKind| match *kind {
             SiteKind::Point { handle } => handles[handle as usize].rotation == Rotation::Auto,
             SiteKind::Bone { .. } | SiteKind::Boundary | SiteKind::Virtual => false,
@@ -58,11 +51,10 @@ impl Automatic {
         for &(i, j, weight) in &self.edges {
             let (i, j) = (i as usize, j as usize);
             if is_auto[i] || is_auto[j] {
-                let before = places[j] - places[i];
+                let before = rest[j] - rest[i];
                 let after = before + (motions[j].translation - motions[i].translation);
                 // Seen from the other end both edges are reversed, and the rotation between them is the same.
-                let turn = weight / (rest[j] - rest[i]).length_squared()
-                    * DVec2::new(before.dot(after), before.perp_dot(after));
+                let turn = weight / before.length_squared() * DVec2::new(before.dot(after), before.perp_dot(after));
                 turns[i] += turn;
                 turns[j] += turn;
             }
@@ -163,7 +155,7 @@ mod tests {
             solution.sites().iter().map(|site| (site.rest, site.kind)).unzip();
         let still = solution.poser().real_motions(&project.handles);
         let mut turned = still.clone();
-        automatic.turn_to_fit(&rest, &rest, &kinds, &project.handles, &mut turned);
+        automatic.turn_to_fit(&rest, &kinds, &project.handles, &mut turned);
         for (site, kind) in kinds.iter().enumerate() {
             let is_auto = matches!(*kind, SiteKind::Point { handle } if handle != 1);
             let own = automatic.edges.iter().filter(|&&(i, j, _)| [i, j].contains(&(site as u32)));

@@ -87,8 +87,11 @@ pub(crate) fn turn(angle: f64) -> DVec2 {
     DVec2::new(cos, sin)
 }
 
+/// The least stretch of a map over its greatest.
+const LEAST_RATIO: f64 = 1e-3;
+
 /// Polar decomposition: the rotation nearest to a map, and the logarithm of the remaining stretch, at least
-/// [`MIN_STRETCH_RATIO`] of its greatest.
+/// [`LEAST_RATIO`] of its greatest.
 pub(super) fn polar(map: DMat2) -> (f64, Strain) {
     let [a, b, c, d] = map.to_cols_array();
     let (cos, sin) = (a + d, b - c);
@@ -102,7 +105,7 @@ pub(super) fn polar(map: DMat2) -> (f64, Strain) {
     let (half, across) = ((x.x - y.y) / 2.0, f64::midpoint(x.y, y.x));
     let radius = libm::hypot(half, across);
     let most = mean + radius;
-    let (long, short) = (libm::log(most), libm::log((mean - radius).max(MIN_STRETCH_RATIO * most)));
+    let (long, short) = (libm::log(most), libm::log((mean - radius).max(LEAST_RATIO * most)));
     let middle = f64::midpoint(long, short);
     let excess = if radius > 0.0 { (long - short) / (2.0 * radius) } else { 0.0 };
     let strain = Strain { xx: middle + excess * half, xy: excess * across, yy: middle - excess * half };

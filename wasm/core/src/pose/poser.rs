@@ -1,13 +1,13 @@
 //! The motions of all sites from the posed handles, once per frame.
 
-use std::{borrow::Cow, collections::HashMap, f64::consts::TAU, sync::Arc};
+use std::{borrow::Cow, collections::HashMap, sync::Arc};
 
 use glam::{DMat2, DVec2};
 
 use super::{
     DisplacementField, HarmonicFields, Motion, Quadrature, SolvedHandle,
     automatic::Automatic,
-    rigid::{Freedom, Rigid, StiffnessField, extent},
+    rigid::{Freedom, Rigid, StiffnessField, Target},
     unwrap::unwrap_angles,
 };
 use crate::{
@@ -15,6 +15,7 @@ use crate::{
     error::Error,
     project::{Handle, PoseMode, Rotation, Shape, ShapeKind, check_handles},
     site::{Site, SiteGraph, SiteKind},
+    weight::SparseWeights,
 };
 
 /// Poses a solved scene. It contains the sites and their dependencies, but no picture and no samples. Its
@@ -120,71 +121,47 @@ impl Poser {
         &self.rest
     }
 
-    /// The motions of all sites, with the handles posed as given, in any order.
+    /// The motions of all sites, with the handles posed as given, in any order. They do not depend on earlier poses.
     ///
     /// # Errors
     /// The errors of [`Poser::pose`].
     pub(crate) fn motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
-        Ok(self.refined(handles, self.coarse_motions(handles)?))
+        let target = self.target(handles)?;
+        Ok(self.rigid(target, |rigid, target| rigid.from_rest(&self.rest, target)))
     }
 
-    /// Motions without the last step of the rigid mode, [`refined`](Self::refined).
+    /// The motions of the next frame of a drag, from those of the frame before. In the harmonic mode, same as
+    /// [`motions`](Self::motions).
     ///
     /// # Errors
     /// The errors of [`Poser::pose`].
-    pub(crate) fn coarse_motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
-        self.motions_from(handles, None)
+    pub(crate) fn followed(&self, motions: &[Motion], handles: &[Handle]) -> Result<Vec<Motion>, Error> {
+        let target = self.target(handles)?;
+        Ok(self.rigid(target, |rigid, target| rigid.follow(&self.rest, motions, target)))
     }
 
-    /// The coarse motions at the local minimum of the rigid mode near motions that were [carried](Self::carried) to
-    /// these handles. In the harmonic mode, same as [`motions`](Self::motions).
+    /// The motions of a drag that has ended, once the picture rests. In the harmonic mode, same as
+    /// [`motions`](Self::motions).
     ///
     /// # Errors
     /// The errors of [`Poser::pose`].
-    pub(crate) fn settled(&self, handles: &[Handle], carried: &[Motion]) -> Result<Vec<Motion>, Error> {
-        self.motions_from(handles, Some(carried))
+    pub(crate) fn settled(&self, motions: &[Motion], handles: &[Handle]) -> Result<Vec<Motion>, Error> {
+        let target = self.target(handles)?;
+        Ok(self.rigid(target, |rigid, target| rigid.settle(&self.rest, motions, target)))
     }
 
-    /// The last step of the rigid mode: coarse motions of these handles, with less distortion.
-    ///
-    /// # Panics
-    /// If the handles have no pose.
-    pub(crate) fn refined(&self, handles: &[Handle], mut motions: Vec<Motion>) -> Vec<Motion> {
-        if let Some(rigid) = &self.rigid {
-            let handles = &*self.as_solved(handles).expect("handles with a pose");
-            let is_free = self.are_free(handles);
-            rigid.refine(&self.rest, &mut motions, &is_free, &self.scales(handles));
-            unwrap(rigid, &is_free, &mut motions);
-        }
+    /// The motions of the rigid mode; in the harmonic mode, those of the target.
+    fn rigid(&self, target: Target, pose: impl FnOnce(&Rigid, &Target) -> Vec<Motion>) -> Vec<Motion> {
+        let Some(rigid) = self.rigid.as_ref().filter(|_| !self.rest.is_empty()) else { return target.motions };
+        let mut motions = pose(rigid, &target);
+        let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
+        unwrap_angles(&mut angles, &target.is_free, rigid.links().map(|(i, j, _)| (i, j)));
+        motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
         motions
     }
 
-    /// The motions of a pose, updated for handles that have moved slightly: each site moves like the handles around it.
-    ///
-    /// # Panics
-    /// If the handles have no pose.
-    pub(crate) fn carried(&self, handles: &[Handle], from: &[Motion]) -> Vec<Motion> {
-        let handles = &*self.as_solved(handles).expect("handles with a pose");
-        let mut moves: Vec<Motion> = self.real_motions(handles);
-        let is_auto = |handle: u32| handles[handle as usize].rotation == Rotation::Auto;
-        for ((motion, from), kind) in moves.iter_mut().zip(from).zip(&self.kinds) {
-            if kind.is_real() {
-                *motion = Motion::blended([(*motion, 1.0), (*from, -1.0)].into_iter());
-                motion.angle -= TAU * libm::round(motion.angle / TAU);
-                if matches!(*kind, SiteKind::Point { handle } if is_auto(handle)) {
-                    (motion.angle, motion.strain) = Default::default();
-                }
-            }
-        }
-        let places: Vec<DVec2> = self.rest.iter().zip(from).map(|(&rest, from)| rest + from.translation).collect();
-        self.automatic.turn_to_fit(&self.rest, &places, &self.kinds, handles, &mut moves);
-        self.blend_virtual(&places, &mut moves);
-        let both = moves.into_iter().zip(from);
-        both.map(|(by, &from)| Motion::blended([(from, 1.0), (by, 1.0)].into_iter())).collect()
-    }
-
-    fn motions_from(&self, handles: &[Handle], carried: Option<&[Motion]>) -> Result<Vec<Motion>, Error> {
-        let given = handles;
+    /// What the handles request: the harmonic pose.
+    fn target(&self, given: &[Handle]) -> Result<Target, Error> {
         let handles = &*self.as_solved(given)?;
         for (handle, &SolvedHandle { shape: solved, .. }) in handles.iter().zip(&self.solved) {
             if let Some(posed) = ShapeKind::of(&handle.shape).into_iter().find(|&kind| kind != solved) {
@@ -203,26 +180,8 @@ impl Poser {
             }
         }
         self.automatic.turn(&self.rest, &self.kinds, handles, &mut motions);
-        self.blend_virtual(&self.rest, &mut motions);
-        if let Some(rigid) = &self.rigid {
-            let is_free = self.are_free(handles);
-            let scales = self.scales(handles);
-            match carried {
-                None => rigid.minimize(&self.rest, &mut motions, &is_free, &scales),
-                Some(carried) => {
-                    for site in (0..motions.len()).filter(|&site| is_free[site]) {
-                        let Motion { angle, strain, translation, .. } = carried[site];
-                        (motions[site].angle, motions[site].strain) = (angle, strain);
-                        if self.kinds[site] == SiteKind::Virtual {
-                            motions[site].translation = translation;
-                        }
-                    }
-                    rigid.minimize_nearby(&self.rest, &mut motions, &is_free, &scales);
-                }
-            }
-            unwrap(rigid, &is_free, &mut motions);
-        }
-        Ok(motions)
+        self.blend_virtual(&mut motions);
+        Ok(Target { motions, is_free: self.are_free(handles), scales: self.scales(handles) })
     }
 
     /// Whether data read from bytes is consistent.
@@ -289,37 +248,16 @@ impl Poser {
     }
 
     /// Whether the rigid mode is used.
+    #[cfg(feature = "rig")]
     pub(crate) fn is_rigid(&self) -> bool {
         self.rigid.is_some()
     }
 
-    /// The distance between corners of the box around all sites, in pixels.
-    pub(crate) fn extent(&self) -> f64 {
-        extent(&self.rest)
-    }
-
-    /// The maximum distance between the same site in two poses, and the same handle, in pixels.
-    ///
-    /// A turn is weighted by half the mean distance of neighbouring sites. Turns that handles leave free do not count
-    /// for handles.
-    pub(crate) fn apart(&self, handles: &[Handle], a: &[Motion], b: &[Motion]) -> [f64; 2] {
-        let handles = self.as_solved(handles).unwrap_or(Cow::Borrowed(&[]));
-        let radius = self.extent() / (self.rest.len() as f64).sqrt() / 2.0;
-        let is_auto =
-            |handle: u32| handles.get(handle as usize).is_some_and(|handle| handle.rotation == Rotation::Auto);
-        let mut apart = [0.0_f64; 2];
-        for ((kind, a), b) in self.kinds.iter().zip(a).zip(b) {
-            let moved = a.translation.distance(b.translation);
-            let (before, after) = (a.linear(), b.linear());
-            let turned = radius * (after.x_axis - before.x_axis).length().max((after.y_axis - before.y_axis).length());
-            apart[0] = apart[0].max(moved + turned);
-            apart[1] = apart[1].max(match *kind {
-                SiteKind::Virtual => 0.0,
-                SiteKind::Point { handle } if is_auto(handle) => moved,
-                SiteKind::Point { .. } | SiteKind::Bone { .. } | SiteKind::Boundary => moved + turned,
-            });
+    /// Adds the mesh that is drawn. The rigid mode then sees folds of single triangles.
+    pub(crate) fn set_mesh(&mut self, vertices: &[DVec2], triangles: &[[u32; 3]], weights: &SparseWeights) {
+        if let Some(rigid) = &mut self.rigid {
+            rigid.set_mesh(&self.rest, vertices, triangles, weights);
         }
-        apart
     }
 
     /// The handles in the order in which they were solved.
@@ -348,9 +286,8 @@ impl Poser {
         self.rest.iter().zip(&self.kinds).map(motion).collect()
     }
 
-    /// Blends the motions of virtual sites from those of real ones, by their harmonic weights (eq. 4). `places` are the
-    /// positions of the moving sites.
-    fn blend_virtual(&self, places: &[DVec2], motions: &mut [Motion]) {
+    /// Blends the motions of virtual sites from those of real ones, by their harmonic weights (eq. 4).
+    fn blend_virtual(&self, motions: &mut [Motion]) {
         // The identity adds nothing. A held outline has it, and usually most handles.
         let passed_on = |motion: &Motion| {
             (*motion != Motion::default()).then(|| {
@@ -362,7 +299,7 @@ impl Poser {
         for site in (0..motions.len()).filter(|&site| !self.kinds[site].is_real()) {
             let here = |&(real, weight): &(u32, f64)| {
                 let real = real as usize;
-                let from = places[site] - places[real];
+                let from = self.rest[site] - self.rest[real];
                 passed_on[real].map(|(motion, linear)| (motion.seen_from(from, linear), weight))
             };
             motions[site] = Motion::blended(self.harmonic[site].iter().filter_map(here));
@@ -410,11 +347,4 @@ fn of_point(rest: DVec2, handle: &Handle) -> Motion {
 fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
     let motion = Motion::of_bone(bone.angle, bone.along, bone.stretch, bone.across, DVec2::ZERO, depth);
     Motion { translation: bone.posed + motion.linear() * (rest - bone.rest) - rest, ..motion }
-}
-
-/// Adjusts the turns of free sites, so that neighbours differ by less than half a turn.
-fn unwrap(rigid: &Rigid, is_free: &[bool], motions: &mut [Motion]) {
-    let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
-    unwrap_angles(&mut angles, is_free, rigid.links().map(|(i, j, _)| (i, j)));
-    motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
 }

@@ -132,8 +132,9 @@ impl Posing {
             [columns, rows].iter().for_each(|&&side| to.varint(side));
             values.iter().for_each(|&value| to.byte(value));
         }
-        nodes.iter().for_each(|level| to.count(level.len()));
-        let nodes = || nodes.iter().flatten();
+        // Formats before had nodes of a coarse level only, and of a fine level only.
+        [0, nodes.len(), 0].into_iter().for_each(|count| to.count(count));
+        let nodes = || nodes.iter();
         write_places(&nodes().map(|node| steps_of(node.at, bits.node)).collect::<Vec<_>>(), to);
         write_logs(nodes().map(|node| node.area), bits.log, to);
         write_rows(nodes().map(|node| node.influences.iter().map(|one| one.site as u32)), to);
@@ -251,9 +252,8 @@ fn read_rigid(
             node.influences[0].gradient[axis] = left;
         }
     }
-    let fine = nodes.split_off(levels[0] + levels[1]);
-    let both = nodes.split_off(levels[0]);
-    Ok(RigidParts { links, nodes: [nodes, both, fine], stiffness })
+    nodes.drain(..levels[0]);
+    Ok(RigidParts { links, nodes, stiffness })
 }
 
 fn read_mask(from: &mut Reader<'_>) -> Result<StiffnessMask, RigError> {
@@ -314,11 +314,8 @@ impl Rounding<'_> {
         let link = |weight: f64| (weight * whole(bits.link)).round().max(1.0) / whole(bits.link);
         let mut links: Vec<_> = rigid.links.iter().map(|&(i, j, weight)| (i, j, link(weight))).collect();
         sort_by_rank(&mut links, |&(i, j, _)| [i.into(), j.into()]);
-        let mut levels = [const { Vec::new() }; 3];
-        for (rounded, nodes) in levels.iter_mut().zip(&rigid.nodes) {
-            *rounded = nodes.iter().map(|node| self.node(node)).collect::<Option<_>>()?;
-        }
-        Some(RigidParts { links, nodes: levels, stiffness: rigid.stiffness.clone() })
+        let nodes = rigid.nodes.iter().map(|node| self.node(node)).collect::<Option<_>>()?;
+        Some(RigidParts { links, nodes, stiffness: rigid.stiffness.clone() })
     }
 
     fn node(&self, node: &Node) -> Option<Node> {

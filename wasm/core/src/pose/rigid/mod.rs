@@ -1,55 +1,52 @@
-//! The rigid pose mode: virtual sites move so that the picture distorts as little as possible.
+//! The rigid pose mode: the picture is an elastic sheet that handles move.
 //!
-//! First the cell graph [bends](bending) as rigidly as possible, using only the sites. From there, the picture itself
-//! is [relaxed](relaxation): its [distortion] is measured at the nodes of a [quadrature], first coarse and then fine,
-//! and minimised over everything that the handles leave free. So the user need not set rotations, the picture bends
-//! like a limb, and it seldom folds. A point cloud has no picture between its sites, so it keeps the result of the
-//! graph.
+//! The [energy] of the sheet is the symmetric Dirichlet energy of the blended map (eq. 1), at the nodes of a
+//! [quadrature] and at the few triangles of the [drawn mesh](sheet) that are flattened. It is minimised over all that
+//! the handles leave free. So the user need not set rotations, and the picture bends like a limb. A point cloud has no
+//! picture between its sites; the sites themselves then take part in the energy.
 //!
-//! Every pose starts from the harmonic pose, so it depends only on the handles, not on the drag. Two iterations from
-//! the last frame's pose would take six tenths of the time, but depend on the drag. A twisted cross would end six
-//! pixels away, and a spiral that is unrolled in 60 frames would keep windings, at 400 times the energy. Only clips
-//! continue poses, and only where poses jump: see [`Playback`](crate::clip::Playback).
+//! The energy has several minima, and a minimum can vanish while a handle moves, as a buckled sheet snaps. A pose that is
+//! a function of the handles alone would jump there. So a drag [follows](Rigid::follow) the frame before, and nothing
+//! moves much farther than the handles. Without a frame before, the sheet is pulled [from rest](Rigid::from_rest)
+//! along a straight way.
 //!
-//! Cost: one to four milliseconds for a pose of 150 virtual sites.
+//! Cost: some 4 ms for a frame with 150 virtual sites, and 10 to 20 times as much from rest.
 //!
-//! Limits: both energies have several local minima, and the descent from the harmonic pose leads to one of them. If two
-//! of them are equally near, a drag jumps from one to the other. If handles are moved past one another, the descent
-//! ends earlier, with folds. Between nodes, close to handles, single triangles may fold; a denser mesh of sites would
-//! prevent that. The quadrature depends on the samples. So poses differ by some thousandths of the picture's size with
-//! the number of samples, and by up to two hundredths if the picture is rotated.
+//! Limits: handles that are moved past one another fold the picture until it can unfold in later frames. The quadrature
+//! depends on the samples, so poses differ by some thousandths of the picture's size with their number.
 
-mod bending;
-mod distortion;
-mod jacobians;
+mod energy;
+mod freedom;
+mod model;
+mod points;
 mod quadrature;
-mod relaxation;
+mod shape;
+mod sheet;
 mod stiffness;
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
-use glam::DVec2;
+use glam::{DMat2, DVec2};
 
 use self::{
-    bending::bend,
-    relaxation::{Relaxation, areas_around},
+    freedom::Parts,
+    model::{Model, Request, Scene},
+    shape::Shape,
+    sheet::Sheet,
 };
-use super::{Motion, numeric::Laplacian};
+use super::{Motion, motion::polar};
+use crate::weight::SparseWeights;
 
 pub(crate) use self::{
+    freedom::Freedom,
     quadrature::{Node, Quadrature},
-    relaxation::Freedom,
     stiffness::{StiffnessField, StiffnessMask},
 };
 
-/// The descent of the graph ends with an iteration that moves no site by more than this fraction of the scene's extent:
-/// a tenth of a pixel. With a pixel, the relaxation would be hardly worse, but would jump whenever a drag changes the
-/// number of iterations.
-const BENDING_TOLERANCE: f64 = 1e-4;
-/// The same if no relaxation follows: a ten-thousandth of a pixel.
-const GRAPH_TOLERANCE: f64 = 1e-7;
-/// The same for the relaxation: a hundredth of a pixel.
-const RELAXATION_TOLERANCE: f64 = 1e-5;
+/// A drag ends in the nearest pose unless its energy is over this many times that of the pose from rest.
+const KEPT: f64 = 1.1;
+/// Frames on the way from rest.
+const WAY: u32 = 10;
 
 /// The links between sites, and the picture between them.
 #[derive(Debug, Clone)]
@@ -59,15 +56,12 @@ pub(super) struct Rigid {
     freedom: Vec<Freedom>,
     quadrature: Option<Quadrature>,
     stiffness: StiffnessField,
-    /// Computed for the first pose: several times the size of the links, and as quick to compute as to read.
+    /// The drawn mesh. Bytes do not hold it, since a page has it anyway.
     #[cfg_attr(feature = "poser-bytes", serde(skip))]
-    laplacian: OnceLock<Laplacian>,
-    /// Likewise.
+    sheet: Option<Arc<Sheet>>,
+    /// Computed for the first pose.
     #[cfg_attr(feature = "poser-bytes", serde(skip))]
-    relaxation: OnceLock<Relaxation>,
-    /// Likewise, if parts of the picture are stiff.
-    #[cfg_attr(feature = "poser-bytes", serde(skip))]
-    stiff_links: OnceLock<Vec<(u32, u32, f64)>>,
+    model: OnceLock<Model>,
 }
 
 /// The parts of the rigid mode besides the sites.
@@ -75,9 +69,19 @@ pub(super) struct Rigid {
 pub(crate) struct RigidParts {
     /// Pairs of sites, the lesser first, with their weights.
     pub(crate) links: Vec<(u32, u32, f64)>,
-    /// Nodes of the coarse level alone, of both levels, and of the fine level alone.
-    pub(crate) nodes: [Vec<Node>; 3],
+    pub(crate) nodes: Vec<Node>,
     pub(crate) stiffness: StiffnessField,
+}
+
+/// What the handles request of a pose.
+#[derive(Debug, Clone)]
+pub(super) struct Target {
+    /// The motions of real sites. Those of others have no meaning.
+    pub(super) motions: Vec<Motion>,
+    /// Whether the rotation of each site is free.
+    pub(super) is_free: Vec<bool>,
+    /// The scale at each site.
+    pub(super) scales: Vec<f64>,
 }
 
 impl Rigid {
@@ -88,20 +92,12 @@ impl Rigid {
         stiffness: StiffnessField,
     ) -> Self {
         let links = links.map(|(i, j, weight)| (i as u32, j as u32, weight)).collect();
-        Self {
-            links,
-            freedom,
-            quadrature,
-            stiffness,
-            stiff_links: OnceLock::new(),
-            laplacian: OnceLock::new(),
-            relaxation: OnceLock::new(),
-        }
+        Self { links, freedom, quadrature, stiffness, sheet: None, model: OnceLock::new() }
     }
 
     /// `None` without a picture between the sites.
     pub(super) fn parts(&self) -> Option<RigidParts> {
-        let nodes = self.quadrature.as_ref()?.nodes();
+        let nodes = self.quadrature.as_ref()?.nodes().collect();
         Some(RigidParts { links: self.links.clone(), nodes, stiffness: self.stiffness.clone() })
     }
 
@@ -119,11 +115,22 @@ impl Rigid {
             && self.stiffness.is_whole()
     }
 
-    /// Changes the stiffness of the picture. Results of the first pose are recomputed.
+    /// Changes the stiffness of the picture.
     pub(super) fn set_stiffness(&mut self, stiffness: StiffnessField) {
         self.stiffness = stiffness;
-        self.stiff_links = OnceLock::new();
-        (self.laplacian, self.relaxation) = (OnceLock::new(), OnceLock::new());
+        self.model = OnceLock::new();
+    }
+
+    /// Adds the mesh that is drawn.
+    pub(super) fn set_mesh(
+        &mut self,
+        rest: &[DVec2],
+        vertices: &[DVec2],
+        triangles: &[[u32; 3]],
+        weights: &SparseWeights,
+    ) {
+        self.sheet = Some(Arc::new(Sheet::new(vertices, triangles, weights, rest, self.unit(rest))));
+        self.model = OnceLock::new();
     }
 
     /// The links, with their weights.
@@ -131,77 +138,103 @@ impl Rigid {
         self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
-    /// Replaces harmonic motions by rigid ones. `is_free` states for each site whether its rotation is free. `scales`
-    /// are the requested scales at the sites.
-    pub(super) fn minimize(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
-        if rest.is_empty() {
-            return;
+    /// The pose of a target without a pose before it. The way from rest is straight: rotations and the logarithms of
+    /// scales grow steadily.
+    pub(super) fn from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
+        let model = self.model(rest);
+        let way: Vec<Target> = (1..=WAY).map(|step| target.at(f64::from(step) / f64::from(WAY))).collect();
+        let mut shape = Shape::new(model, target.request(), parts_of(model, &vec![Motion::default(); rest.len()]));
+        for next in &way {
+            shape.follow(next.request(), &parts_of(model, &next.motions));
         }
-        let extent = extent(rest);
-        let relaxation = self.relaxation(rest);
-        let tolerance = if relaxation.is_some() { BENDING_TOLERANCE } else { GRAPH_TOLERANCE };
-        self.bend(rest, motions, is_free, scales, tolerance * extent);
-        if let Some(relaxation) = relaxation {
-            relaxation.minimize(motions, is_free, scales, RELAXATION_TOLERANCE * extent);
-        }
+        shape.settle();
+        motions_of(model, target, &shape.into_parts())
     }
 
-    /// Lowers the distortion of motions, taken from a pose with nearby handles, to the nearest minimum.
-    ///
-    /// The graph does not bend again: its minima differ from those of the picture, and jump where these do not.
-    pub(super) fn minimize_nearby(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
-        if rest.is_empty() {
-            return;
-        }
-        let extent = extent(rest);
-        match self.relaxation(rest) {
-            Some(relaxation) => relaxation.minimize_nearby(motions, is_free, scales, RELAXATION_TOLERANCE * extent),
-            None => self.bend(rest, motions, is_free, scales, GRAPH_TOLERANCE * extent),
-        }
+    /// The next frame of a drag: `motions` are those of the frame before.
+    pub(super) fn follow(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
+        let model = self.model(rest);
+        let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
+        shape.follow(target.request(), &parts_of(model, &target.motions));
+        motions_of(model, target, &shape.into_parts())
     }
 
-    /// Refines motions that [`minimize`](Self::minimize) or [`minimize_nearby`](Self::minimize_nearby) found.
-    pub(super) fn refine(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
-        if let Some(relaxation) = self.relaxation(rest).filter(|_| !rest.is_empty()) {
-            relaxation.refine(motions, is_free, scales, RELAXATION_TOLERANCE * extent(rest));
-        }
+    /// The pose in which a drag comes to rest: the nearest one at rest, unless that from rest is much better.
+    pub(super) fn settle(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
+        let model = self.model(rest);
+        let energy = |motions: &[Motion]| Shape::new(model, target.request(), parts_of(model, motions)).energy();
+        let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
+        shape.settle();
+        let near = motions_of(model, target, &shape.into_parts());
+        let from_rest = self.from_rest(rest, target);
+        let is_better = energy(&near) > KEPT * energy(&from_rest);
+        if is_better { from_rest } else { near }
     }
 
-    fn relaxation(&self, rest: &[DVec2]) -> Option<&Relaxation> {
-        let quadrature = self.quadrature.as_ref()?;
-        Some(self.relaxation.get_or_init(|| Relaxation::new(quadrature, &self.stiffness, rest, &self.freedom)))
-    }
-
-    /// The links of the graph. Stiff parts of the picture increase their weight: by the geometric mean of two factors,
-    /// each the mean over the picture that a site moves.
-    fn stiff_links(&self) -> &[(u32, u32, f64)] {
-        let Some(quadrature) = self.quadrature.as_ref().filter(|_| !self.stiffness.is_soft()) else {
-            return &self.links;
-        };
-        self.stiff_links.get_or_init(|| {
-            let sites = self.freedom.len();
-            let mut nodes: Vec<_> = quadrature.coarse().collect();
-            let around = areas_around(&nodes, sites);
-            let factors = self.stiffness.factors(&nodes);
-            nodes.iter_mut().zip(factors).for_each(|(node, factor)| node.area *= factor);
-            let stiff = areas_around(&nodes, sites);
-            let factor = |site: usize| if around[site] > 0.0 { stiff[site] / around[site] } else { 1.0 };
-            let stiff_link =
-                |&(i, j, weight): &(u32, u32, f64)| (i, j, weight * (factor(i as usize) * factor(j as usize)).sqrt());
-            self.links.iter().map(stiff_link).collect()
+    fn model(&self, rest: &[DVec2]) -> &Model {
+        self.model.get_or_init(|| {
+            let nodes: Vec<Node> = self.quadrature.iter().flat_map(Quadrature::nodes).collect();
+            Model::new(Scene {
+                rest,
+                freedom: &self.freedom,
+                links: &self.links,
+                stiffness: self.stiffness.factors(&nodes),
+                nodes,
+                sheet: self.sheet.clone(),
+                unit: self.unit(rest),
+            })
         })
     }
 
-    fn bend(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
-        let is_real = || self.freedom.iter().map(|freedom| *freedom != Freedom::Whole).collect::<Vec<_>>();
-        let links = || self.stiff_links().iter().map(|&(i, j, weight)| (i as usize, j as usize, weight));
-        let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), links()));
-        bend(laplacian, links(), rest, motions, is_free, scales, tolerance);
+    /// The unit of length: the mean width of a cell.
+    fn unit(&self, rest: &[DVec2]) -> f64 {
+        let area: f64 = self.quadrature.iter().flat_map(Quadrature::nodes).map(|node| node.area).sum();
+        let width = (area / rest.len().max(1) as f64).sqrt();
+        if width > 0.0 { width } else { extent(rest).max(1.0) / (rest.len().max(1) as f64).sqrt() }
     }
 }
 
+impl Target {
+    fn request(&self) -> Request<'_> {
+        let is_scaled = self.scales.iter().any(|&scale| scale != 1.0);
+        Request { is_free: &self.is_free, scales: is_scaled.then_some(&self.scales) }
+    }
+
+    /// A part of the way from rest.
+    fn at(&self, share: f64) -> Self {
+        Self {
+            motions: self.motions.iter().map(|&motion| Motion::blended([(motion, share)].into_iter())).collect(),
+            is_free: self.is_free.clone(),
+            scales: self.scales.iter().map(|&scale| libm::exp(share * libm::log(scale))).collect(),
+        }
+    }
+}
+
+fn parts_of(model: &Model, motions: &[Motion]) -> Vec<Parts> {
+    let parts = |(motion, &rest): (&Motion, &DVec2)| {
+        let linear = motion.linear();
+        [rest + motion.translation / model.unit(), linear.x_axis, linear.y_axis]
+    };
+    motions.iter().zip(model.rest()).map(parts).collect()
+}
+
+/// The motions of parts. What the handles set is exactly as in the target.
+fn motions_of(model: &Model, target: &Target, parts: &[Parts]) -> Vec<Motion> {
+    let mut motions = target.motions.clone();
+    let sites = model.freedom().iter().zip(&target.is_free).zip(model.rest());
+    for ((motion, &[place, x, y]), ((freedom, &is_free), &rest)) in motions.iter_mut().zip(parts).zip(sites) {
+        if *freedom == Freedom::Whole {
+            motion.translation = model.unit() * (place - rest);
+        }
+        if matches!(freedom, Freedom::Whole | Freedom::Across(_)) || (*freedom == Freedom::Linear && is_free) {
+            (motion.angle, motion.strain) = polar(DMat2::from_cols(x, y));
+        }
+    }
+    motions
+}
+
 /// The distance between corners of the box around all sites.
-pub(super) fn extent(rest: &[DVec2]) -> f64 {
+fn extent(rest: &[DVec2]) -> f64 {
     let box_of = rest.iter().fold(None, |bounds: Option<(DVec2, DVec2)>, &h| {
         Some(bounds.map_or((h, h), |(low, high)| (low.min(h), high.max(h))))
     });

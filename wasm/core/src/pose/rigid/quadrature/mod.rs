@@ -1,10 +1,8 @@
 //! The nodes all over the picture at which the rigid mode measures distortion, with their weights.
 //!
-//! There are two levels. A cell is divided by its next two dominant sites. On the coarse level every part has a node at
-//! its centroid. In a triangle of neighbouring sites, these are three nodes, each near a different corner, like Gauss's
-//! rule of degree 2. A part that is long compared with its supports has two nodes with its second moment along it. On
-//! the fine level, a part that is large compared with its supports has four nodes with its second moments; other parts
-//! keep their nodes.
+//! A cell is divided by its next two dominant sites. A part has a node at its centroid. In a triangle of neighbouring
+//! sites, these are three nodes, each near a different corner, like Gauss's rule of degree 2. A part that is long compared
+//! with its supports has two nodes with its second moment along it, and one that is large has four.
 //!
 //! Nodes are dense where many sites meet in a narrow space. A site whose cell has no node becomes a node. A symmetric
 //! scene has symmetric nodes.
@@ -33,7 +31,7 @@ use crate::{
 /// reaches it. With one node for each part, a small support between two bars would be missed, and fold. With 0.15, a
 /// twisted cross distorts by 2 % more; with 0.1, poses take 10 % longer.
 const LONG: f64 = 0.12;
-/// A part has four nodes on the fine level if the root of its area is above this fraction of the smallest support that
+/// A part has four nodes if the root of its area is above this fraction of the smallest support that
 /// reaches it. With 0.2, the same number of folds is missed.
 const LARGE: f64 = 0.3;
 /// A node is dropped if weights change by more than this within the width of its part: such a node is next to a joint
@@ -56,15 +54,11 @@ pub(crate) struct Node {
     pub(crate) influences: Vec<Influence>,
 }
 
-/// All nodes, as they are stored: those of the coarse level alone, those of both levels, those of the fine level alone.
+/// All nodes, as they are stored.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Quadrature {
     nodes: Vec<PackedNode>,
-    /// Number of nodes that only the coarse level has.
-    coarse_alone: u32,
-    /// Number of nodes of the coarse level.
-    coarse: u32,
 }
 
 #[derive(Debug, Clone)]
@@ -95,7 +89,7 @@ impl Quadrature {
         let held = HeldOutline::of(sites);
         let areas = areas(samples);
         let placing = Placing { navigation, sites, functions, held };
-        let (mut coarse, mut both, mut fine) = (Vec::new(), Vec::new(), Vec::new());
+        let mut nodes = Vec::new();
         let mut has_node = vec![false; sites.len()];
         for part in parts(sites, samples, &areas, weights, held) {
             let Some(at_centroid) = placing.centroid_node(&part) else { continue };
@@ -103,57 +97,30 @@ impl Quadrature {
                 has_node[site] = true;
             }
             let support = placing.smallest_support(&at_centroid);
-            let quarters = placing.quarters(&part, support);
-            let of_part = placing.halves(&part, support).unwrap_or_else(|| vec![at_centroid]);
-            match quarters {
-                Some(quarters) => {
-                    coarse.extend(of_part);
-                    fine.extend(quarters);
-                }
-                None => both.extend(of_part),
-            }
+            let several = placing.quarters(&part, support).or_else(|| placing.halves(&part, support));
+            nodes.extend(several.unwrap_or_else(|| vec![at_centroid]));
         }
         let is_alone = |&site: &usize| !has_node[site] && sites[site].kind != SiteKind::Boundary;
         let around = areas_around(sites.len(), &areas, weights);
         let alone = (0..sites.len()).filter(is_alone);
-        both.extend(
+        nodes.extend(
             alone.filter_map(|site| placing.node(sites[site].rest, functions.fields()[site].triangle, around[site])),
         );
-        let coarse_alone = coarse.len();
-        let of_coarse = coarse_alone + both.len();
-        let nodes = [coarse, both, fine].concat();
-        Self { nodes, coarse_alone: coarse_alone as u32, coarse: of_coarse as u32 }
+        Self { nodes }
     }
 
-    /// The quadrature of nodes of the coarse level alone, of both levels, and of the fine level alone.
-    pub(super) fn from_nodes([coarse, both, fine]: &[Vec<Node>; 3]) -> Self {
-        let nodes = [coarse, both, fine].into_iter().flatten().map(PackedNode::new).collect();
-        let coarse_alone = coarse.len() as u32;
-        Self { nodes, coarse_alone, coarse: coarse_alone + both.len() as u32 }
+    pub(super) fn from_nodes(nodes: &[Node]) -> Self {
+        Self { nodes: nodes.iter().map(PackedNode::new).collect() }
     }
 
-    /// The nodes of the coarse level alone, of both levels, and of the fine level alone.
-    pub(super) fn nodes(&self) -> [Vec<Node>; 3] {
-        let (of_coarse, fine) = self.nodes.split_at(self.coarse as usize);
-        let (coarse, both) = of_coarse.split_at(self.coarse_alone as usize);
-        [coarse, both, fine].map(|nodes| nodes.iter().map(PackedNode::unpacked).collect())
+    /// All nodes, with the influences there.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = Node> + '_ {
+        self.nodes.iter().map(PackedNode::unpacked)
     }
 
     /// Whether data read from bytes is consistent for this number of sites.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
-        self.coarse_alone <= self.coarse
-            && self.coarse as usize <= self.nodes.len()
-            && self.nodes.iter().all(|node| node.is_whole(sites))
-    }
-
-    /// The nodes of the coarse level, with the influences there.
-    pub(super) fn coarse(&self) -> impl Iterator<Item = Node> + '_ {
-        self.nodes[..self.coarse as usize].iter().map(PackedNode::unpacked)
-    }
-
-    /// The nodes of the fine level, with the influences there.
-    pub(super) fn fine(&self) -> impl Iterator<Item = Node> + '_ {
-        self.nodes[self.coarse_alone as usize..].iter().map(PackedNode::unpacked)
+        self.nodes.iter().all(|node| node.is_whole(sites))
     }
 }
 

@@ -1,0 +1,324 @@
+//! Newton steps from one shape of the sheet to the next.
+//!
+//! A step that carries handles moves them to their new places inside the linearised equations, so that the picture
+//! comes along. Damping is added while anything would move much farther than the handles. Then the picture relaxes
+//! around them. No step takes more than [`TAKEN`] of the area of any triangle, so nothing folds while a step can end
+//! early. Only a handle that does not arrive in a few steps is forced, and the energy is then the one that is finite for
+//! folds.
+//!
+//! Second derivatives are exact if the matrix is positive definite with them: the last steps then converge
+//! quadratically. Else they are projected.
+
+use glam::{DMat2, DVec2};
+
+use super::{
+    super::numeric::Blocks,
+    freedom::{Freedom, Parts},
+    model::{Model, Request},
+    points::Points,
+};
+
+/// The share of its area that a step can take from a triangle, or from a node.
+const TAKEN: f64 = 0.8;
+/// Regularisation ε of the energy at folds: at least the first, and half of the deepest fold up to the second.
+const FOLDED: [f64; 2] = [0.15, 0.3];
+/// In a frame of a drag nothing moves farther than this many times the handles.
+const CAP: f64 = 2.8;
+/// Damping if the picture would move too far with the handles.
+const DAMPINGS: [f64; 4] = [0.0, 1e-2, 0.3, 10.0];
+/// Steps in which handles arrive before they are forced.
+const CARRIES: usize = 2;
+/// Steps after handles were carried, by the same factor.
+const CORRECTIONS: usize = 2;
+/// Sufficient decrease (Armijo).
+const DECREASE: f64 = 1e-4;
+const HALVINGS: usize = 12;
+/// A shape rests once a step moves nothing farther than this, in units.
+const REST: f64 = 1e-4;
+/// Most steps until it rests. Few shapes need over ten.
+const MOST_STEPS: usize = 40;
+
+/// The sheet in one shape.
+pub(super) struct Shape<'a> {
+    model: &'a Model,
+    request: Request<'a>,
+    parts: Vec<Parts>,
+    /// The Jacobian at each node.
+    jacobians: Vec<DMat2>,
+    /// The places of all vertices, or of all nodes without a mesh.
+    places: Vec<DVec2>,
+    /// The places when the frame began.
+    before: Vec<DVec2>,
+    /// Triangles that take part in the energy.
+    watched: Vec<u32>,
+    /// The same as points, with their Jacobians.
+    points: Points,
+    watched_jacobians: Vec<DMat2>,
+    matrix: Blocks,
+    /// ε of the energy: 0 unless something is folded.
+    epsilon: f64,
+}
+
+/// A step of all sites.
+struct Direction {
+    /// Change of each site's parts.
+    parts: Vec<Parts>,
+    /// The change of J at each node.
+    jacobians: Vec<DMat2>,
+    /// The change of each vertex, or of each node without a mesh.
+    places: Vec<DVec2>,
+}
+
+impl<'a> Shape<'a> {
+    pub(super) fn new(model: &'a Model, request: Request<'a>, parts: Vec<Parts>) -> Self {
+        let places = model.places(&parts);
+        let mut shape = Self {
+            model,
+            request,
+            jacobians: model.nodes().jacobians(&parts),
+            before: places.clone(),
+            places,
+            watched: Vec::new(),
+            points: Points::default(),
+            watched_jacobians: Vec::new(),
+            matrix: model.zeros(),
+            epsilon: 0.0,
+            parts,
+        };
+        shape.watch(false);
+        shape
+    }
+
+    pub(super) fn into_parts(self) -> Vec<Parts> {
+        self.parts
+    }
+
+    /// The energy; infinite if anything is folded.
+    pub(super) fn energy(&self) -> f64 {
+        if self.epsilon > 0.0 { f64::INFINITY } else { self.own_energy() }
+    }
+
+    fn own_energy(&self) -> f64 {
+        self.energy_of(&self.jacobians, &self.watched_jacobians, &self.parts)
+    }
+
+    fn energy_of(&self, jacobians: &[DMat2], watched: &[DMat2], parts: &[Parts]) -> f64 {
+        self.model.nodes().energy(jacobians, &self.request, self.epsilon)
+            + self.points.energy(watched, &self.request, self.epsilon)
+            + self.model.link_energy(parts)
+    }
+
+    /// Finds the triangles to watch. Those that are watched can be kept.
+    fn watch(&mut self, keeps: bool) {
+        if let Some(sheet) = self.model.sheet() {
+            let kept: &[u32] = if keeps { &self.watched } else { &[] };
+            self.watched = sheet.flattened(&self.places, kept);
+            self.model.points_of(&self.watched, &mut self.points);
+            self.watched_jacobians = self.points.jacobians(&self.parts);
+        }
+        let dets = self.jacobians.iter().chain(&self.watched_jacobians).map(DMat2::determinant);
+        let least = dets.fold(f64::INFINITY, f64::min);
+        self.epsilon = if least > 0.0 { 0.0 } else { (-least / 2.0).clamp(FOLDED[0], FOLDED[1]) };
+    }
+
+    /// One frame of a drag: the handles move to a target, and nothing moves much farther than they do.
+    pub(super) fn follow(&mut self, request: Request<'a>, target: &[Parts]) {
+        self.request = request;
+        self.before.clone_from(&self.places);
+        let cap = CAP * self.way_to(target);
+        self.carry(target, cap);
+        for _ in 0..CORRECTIONS {
+            let forces = self.forces();
+            self.descend(forces, cap);
+        }
+        self.watch(false);
+    }
+
+    /// Moves the handles to their target.
+    fn carry(&mut self, target: &[Parts], cap: f64) {
+        for attempt in 0..=CARRIES {
+            let is_forced = attempt == CARRIES;
+            if is_forced {
+                self.epsilon = self.epsilon.max(FOLDED[0]);
+            }
+            let driven = self.driven(target);
+            let direction = self.carrying(&driven, cap);
+            let length = if is_forced { 1.0 } else { self.longest(&direction) };
+            self.advance(&direction, length);
+            if length == 1.0 {
+                return;
+            }
+            self.watch(false);
+        }
+    }
+
+    fn carrying(&mut self, driven: &[Parts], cap: f64) -> Direction {
+        let forces = self.assemble(Some(driven), true);
+        let assembled = self.matrix.clone();
+        for damping in DAMPINGS {
+            if damping > 0.0 {
+                self.matrix.clone_from(&assembled);
+            }
+            self.model.factorise(&mut self.matrix, damping);
+            let direction = self.direction(self.model.solve(&self.matrix, &forces, Some(driven), &self.request));
+            if self.is_within(&direction, cap) {
+                return direction;
+            }
+        }
+        self.direction(driven.to_vec())
+    }
+
+    /// Moves until the picture rests. The handles stay.
+    pub(super) fn settle(&mut self) {
+        for _ in 0..MOST_STEPS {
+            let mut forces = self.assemble(None, false);
+            if !self.model.factorise(&mut self.matrix, 0.0) {
+                forces = self.assemble(None, true);
+                self.model.factorise(&mut self.matrix, 0.0);
+            }
+            let moved = self.descend(forces, f64::INFINITY);
+            // A triangle that comes and goes would change the energy forever.
+            self.watch(true);
+            if moved < REST {
+                return;
+            }
+        }
+    }
+
+    fn direction(&self, parts: Vec<Parts>) -> Direction {
+        Direction { jacobians: self.model.nodes().jacobians(&parts), places: self.model.places(&parts), parts }
+    }
+
+    /// Sets the matrix to the second derivatives. Returns the forces once the driven parts have moved.
+    fn assemble(&mut self, driven: Option<&[Parts]>, is_projected: bool) -> Vec<f64> {
+        let mut forces = vec![0.0; self.model.unknowns()];
+        self.model.begin(&mut self.matrix);
+        let all = [(self.model.nodes(), &self.jacobians), (&self.points, &self.watched_jacobians)];
+        for (points, jacobians) in all {
+            let values = self.matrix.values_mut();
+            points.assemble(values, jacobians, driven, &self.request, self.epsilon, is_projected, &mut forces);
+        }
+        match driven {
+            Some(driven) => {
+                let sum = |(at, by): (&Parts, &Parts)| std::array::from_fn(|k| at[k] + by[k]);
+                let moved: Vec<Parts> = self.parts.iter().zip(driven).map(sum).collect();
+                self.model.add_link_forces(&moved, &self.request, &mut forces);
+            }
+            None => self.model.add_link_forces(&self.parts, &self.request, &mut forces),
+        }
+        self.model.finish(&mut self.matrix, &self.request);
+        forces
+    }
+
+    fn forces(&self) -> Vec<f64> {
+        let mut forces = vec![0.0; self.model.unknowns()];
+        self.model.nodes().add_forces(&self.jacobians, &self.request, self.epsilon, &mut forces);
+        self.points.add_forces(&self.watched_jacobians, &self.request, self.epsilon, &mut forces);
+        self.model.add_link_forces(&self.parts, &self.request, &mut forces);
+        forces
+    }
+
+    /// One step with the factor that is there, to a lower energy. Returns the farthest that a place has moved.
+    fn descend(&mut self, forces: Vec<f64>, cap: f64) -> f64 {
+        let parts = self.model.solve(&self.matrix, &forces, None, &self.request);
+        let slope = -self.model.along(&parts, &forces, &self.request);
+        if slope.is_nan() || slope >= 0.0 {
+            return 0.0;
+        }
+        let direction = self.direction(parts);
+        let mut length = self.longest(&direction).min(self.longest_within(&direction, cap));
+        let before = self.own_energy();
+        let of_watched = self.points.jacobians(&direction.parts);
+        for _ in 0..HALVINGS {
+            let along = |(&at, &by): (&DMat2, &DMat2)| at + length * by;
+            let jacobians: Vec<DMat2> = self.jacobians.iter().zip(&direction.jacobians).map(along).collect();
+            let watched: Vec<DMat2> = self.watched_jacobians.iter().zip(&of_watched).map(along).collect();
+            let energy = self.energy_of(&jacobians, &watched, &self.moved(&direction, length));
+            if energy <= before + DECREASE * length * slope {
+                self.advance(&direction, length);
+                return length * direction.places.iter().map(|by| by.length()).fold(0.0, f64::max);
+            }
+            length /= 2.0;
+        }
+        0.0
+    }
+
+    fn moved(&self, direction: &Direction, length: f64) -> Vec<Parts> {
+        let along = |(at, by): (&Parts, &Parts)| std::array::from_fn(|k| at[k] + length * by[k]);
+        self.parts.iter().zip(&direction.parts).map(along).collect()
+    }
+
+    fn advance(&mut self, direction: &Direction, length: f64) {
+        self.parts = self.moved(direction, length);
+        self.jacobians.iter_mut().zip(&direction.jacobians).for_each(|(at, &by)| *at += length * by);
+        self.places.iter_mut().zip(&direction.places).for_each(|(at, &by)| *at += length * by);
+        self.watched_jacobians = self.points.jacobians(&self.parts);
+    }
+
+    /// The longest step up to 1 that takes at most [`TAKEN`] of any area. Once something is folded, all steps are
+    /// allowed: triangles may have to turn over to unfold.
+    fn longest(&self, direction: &Direction) -> f64 {
+        if self.epsilon > 0.0 {
+            return 1.0;
+        }
+        let of_nodes = self.jacobians.iter().zip(&direction.jacobians).fold(1.0, |most, (j, by)| {
+            let first = j.x_axis.perp_dot(by.y_axis) + by.x_axis.perp_dot(j.y_axis);
+            first_root(TAKEN * j.determinant(), first, by.determinant(), most)
+        });
+        let sheet = self.model.sheet();
+        sheet.map_or(of_nodes, |sheet| sheet.longest(&self.places, &direction.places, TAKEN, of_nodes))
+    }
+
+    fn is_within(&self, direction: &Direction, cap: f64) -> bool {
+        let places = self.places.iter().zip(&self.before).zip(&direction.places);
+        places.into_iter().all(|((at, before), by)| (*at - *before + *by).length_squared() <= cap * cap)
+    }
+
+    /// The longest step up to 1 with which nothing has moved farther than the cap in this frame.
+    fn longest_within(&self, direction: &Direction, cap: f64) -> f64 {
+        if cap == f64::INFINITY {
+            return 1.0;
+        }
+        let places = self.places.iter().zip(&self.before).zip(&direction.places);
+        places.into_iter().fold(1.0, |most, ((at, before), by)| {
+            let moved = *at - *before;
+            let left = (cap * cap - moved.length_squared()).max(0.0);
+            first_root(left, -2.0 * moved.dot(*by), -by.length_squared(), most)
+        })
+    }
+
+    /// What the handles change on the way to a target.
+    fn driven(&self, target: &[Parts]) -> Vec<Parts> {
+        let sites = self.model.freedom().iter().zip(self.request.is_free);
+        let change = |((at, to), (freedom, &is_free)): ((&Parts, &Parts), (&Freedom, &bool))| {
+            freedom.driven(std::array::from_fn(|k| to[k] - at[k]), is_free)
+        };
+        self.parts.iter().zip(target).zip(sites).map(change).collect()
+    }
+
+    /// How far the handles move, with what they carry by themselves.
+    pub(super) fn way_to(&self, target: &[Parts]) -> f64 {
+        self.length_of(&self.driven(target))
+    }
+
+    fn length_of(&self, driven: &[Parts]) -> f64 {
+        let of_sites = driven.iter().map(|by| by[0].length());
+        let of_places = self.model.places(driven).into_iter().map(DVec2::length);
+        of_sites.chain(of_places).fold(0.0, f64::max)
+    }
+}
+
+/// The least root of c + b t + a t² between 0 and `most`, or `most`; c is at least 0.
+pub(super) fn first_root(c: f64, b: f64, a: f64, most: f64) -> f64 {
+    if b >= 0.0 && a >= 0.0 {
+        return most;
+    }
+    let square = b * b - 4.0 * a * c;
+    if square < 0.0 {
+        return most;
+    }
+    let root = square.sqrt();
+    // Without cancellation: both roots are c / q and q / a.
+    let q = -0.5 * if b >= 0.0 { b + root } else { b - root };
+    [c / q, q / a].into_iter().filter(|root| *root >= 0.0).fold(most, f64::min)
+}
