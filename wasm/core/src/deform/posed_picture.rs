@@ -33,7 +33,7 @@ use super::{
 use crate::{
     cell_borders::BorderPiece,
     error::Error,
-    pose::{Poser, StiffnessField},
+    pose::{Motion, Poser, StiffnessField},
     project::{Blend, Handle, Project},
     weight::SparseWeights,
 };
@@ -116,6 +116,33 @@ impl PosedPicture {
             picture.displace();
         }
         Ok(picture)
+    }
+
+    /// Poses the picture as the next frame of a drag: see [`Poser::follow`]. The frame before is the present pose, or
+    /// rest.
+    ///
+    /// # Errors
+    /// As for [`set_pose`](Self::set_pose).
+    pub fn follow_pose(&mut self, poses: &[HandlePose], blend: Blend) -> Result<&Pose, Error> {
+        let before = self.present_or_rest(blend);
+        let pose = self.poser.follow(&before, &self.posed_handles(poses)?)?;
+        self.show(pose)
+    }
+
+    /// Lets the present pose come to rest: see [`Poser::settle`].
+    ///
+    /// # Errors
+    /// As for [`set_pose`](Self::set_pose).
+    pub fn settle_pose(&mut self, poses: &[HandlePose], blend: Blend) -> Result<&Pose, Error> {
+        let before = self.present_or_rest(blend);
+        let pose = self.poser.settle(&before, &self.posed_handles(poses)?)?;
+        self.show(pose)
+    }
+
+    fn present_or_rest(&self, blend: Blend) -> Pose {
+        let motions = self.present.as_ref().and_then(|present| present.pose.as_ref()).map(Pose::motions);
+        let at_rest = || vec![Motion::default(); self.poser.sites()];
+        self.poser.pose_of(motions.map_or_else(at_rest, <[Motion]>::to_vec), blend)
     }
 
     /// Poses the picture. `poses` are those of the solved handles, in order; additional ones are ignored. Returns the

@@ -45,8 +45,10 @@ pub(crate) use self::{
 
 /// A drag ends in the nearest pose unless its energy is over this many times that of the pose from rest.
 const KEPT: f64 = 1.1;
-/// Frames on the way from rest.
+/// Frames on the way from rest, and on the longest other way.
 const WAY: u32 = 10;
+/// Longest way of a frame, as a fraction of the distance across the sites.
+const LEAP: f64 = 0.05;
 
 /// The links between sites, and the picture between them.
 #[derive(Debug, Clone)]
@@ -142,8 +144,9 @@ impl Rigid {
     /// scales grow steadily.
     pub(super) fn from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
-        let way: Vec<Target> = (1..=WAY).map(|step| target.at(f64::from(step) / f64::from(WAY))).collect();
-        let mut shape = Shape::new(model, target.request(), parts_of(model, &vec![Motion::default(); rest.len()]));
+        let start = vec![Motion::default(); rest.len()];
+        let mut shape = Shape::new(model, target.request(), parts_of(model, &start));
+        let way: Vec<Target> = target.way_from(&start, WAY).collect();
         for next in &way {
             shape.follow(next.request(), &parts_of(model, &next.motions));
         }
@@ -151,11 +154,16 @@ impl Rigid {
         motions_of(model, target, &shape.into_parts())
     }
 
-    /// The next frame of a drag: `motions` are those of the frame before.
+    /// The next frame of a drag: `motions` are those of the frame before. A long way is divided.
     pub(super) fn follow(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
-        shape.follow(target.request(), &parts_of(model, &target.motions));
+        let way = model.unit() * shape.way_to(&parts_of(model, &target.motions));
+        let frames = (way / (LEAP * extent(rest))).ceil().clamp(1.0, f64::from(WAY));
+        let way: Vec<Target> = target.way_from(motions, frames as u32).collect();
+        for next in &way {
+            shape.follow(next.request(), &parts_of(model, &next.motions));
+        }
         motions_of(model, target, &shape.into_parts())
     }
 
@@ -200,13 +208,16 @@ impl Target {
         Request { is_free: &self.is_free, scales: is_scaled.then_some(&self.scales) }
     }
 
-    /// A part of the way from rest.
-    fn at(&self, share: f64) -> Self {
-        Self {
-            motions: self.motions.iter().map(|&motion| Motion::blended([(motion, share)].into_iter())).collect(),
-            is_free: self.is_free.clone(),
-            scales: self.scales.iter().map(|&scale| libm::exp(share * libm::log(scale))).collect(),
-        }
+    /// The way from other motions to these in equal steps.
+    fn way_from<'a>(&'a self, start: &'a [Motion], steps: u32) -> impl Iterator<Item = Self> + 'a {
+        (1..=steps).map(move |step| {
+            let share = f64::from(step) / f64::from(steps);
+            let between = |(&from, &to): (&Motion, &Motion)| match step == steps {
+                true => to,
+                false => Motion::blended([(from, 1.0 - share), (to, share)].into_iter()),
+            };
+            Self { motions: start.iter().zip(&self.motions).map(between).collect(), ..self.clone() }
+        })
     }
 }
 
