@@ -70,6 +70,39 @@ impl PosedPicture {
         Ok(pose.packed())
     }
 
+    /// Poses the picture as the next frame of a drag, from the present pose. Returns the motions, as
+    /// [`set_pose`](Self::set_pose).
+    ///
+    /// # Errors
+    /// As for [`set_pose`](Self::set_pose).
+    pub fn follow_pose(&mut self, poses: &[f64], rigid: bool) -> Result<Vec<f32>, JsValue> {
+        let pose = self.0.follow_pose(&read(poses)?, blend(rigid)).map_err(|error| to_js(&error))?;
+        Ok(pose.packed())
+    }
+
+    /// The pose in which the present one comes to rest. Returns the motions, as [`set_pose`](Self::set_pose).
+    ///
+    /// # Errors
+    /// As for [`set_pose`](Self::set_pose).
+    pub fn settle_pose(&mut self, poses: &[f64], rigid: bool) -> Result<Vec<f32>, JsValue> {
+        let pose = self.0.settle_pose(&read(poses)?, blend(rigid)).map_err(|error| to_js(&error))?;
+        Ok(pose.packed())
+    }
+
+    /// The present pose in full precision, for [`show_shape`](Self::show_shape); `undefined` at rest.
+    pub fn shape(&self) -> Option<Vec<f64>> {
+        self.0.shape()
+    }
+
+    /// Shows a pose that [`shape`](Self::shape) returned. Returns the motions, as [`set_pose`](Self::set_pose).
+    ///
+    /// # Errors
+    /// For a shape of another solution. The present pose then remains.
+    pub fn show_shape(&mut self, shape: &[f64], rigid: bool) -> Result<Vec<f32>, JsValue> {
+        let pose = self.0.show_shape(shape, blend(rigid)).map_err(|error| to_js(&error))?;
+        Ok(pose.packed())
+    }
+
     /// Vertices × 2: the posed mesh.
     pub fn posed_positions(&self) -> Vec<f32> {
         flat(self.0.posed_vertices().iter().copied())
