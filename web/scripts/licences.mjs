@@ -20,7 +20,7 @@ import { ROOT } from './steps.mjs';
 /** @typedef {import('vite').Plugin} Plugin */
 
 const FILE = 'LICENSES.md';
-const MODULES = ['c2warp-bind', 'c2warp-film-bind', 'c2warp-export-bind'];
+const MODULES = ['c2warp-bind', 'c2warp-film-bind', 'c2warp-export-bind', 'c2warp-drawing-bind'];
 const TARGET = 'wasm32-unknown-unknown';
 
 /**

@@ -1,48 +1,32 @@
 //! A drawing with bent paths: the file of `c2warp warp -o bent.svg`.
 
-use c2warp_vector::{BentOptions, Drawing};
+use c2warp_vector::{BentOptions, PlainDrawing};
 use js_sys::Error as JsError;
 use wasm_bindgen::prelude::*;
 
 use crate::solved::{SolvedProject, refused};
 
-/// A bent drawing.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct BentDrawing {
-    svg: String,
-    remarks: Vec<String>,
-}
-
-#[wasm_bindgen]
-impl BentDrawing {
-    /// The SVG file.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn svg(&self) -> String {
-        self.svg.clone()
-    }
-
-    /// Parts that are left out or do not bend, in words.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn remarks(&self) -> Vec<String> {
-        self.remarks.clone()
-    }
-}
-
 #[wasm_bindgen]
 impl SolvedProject {
     /// Bends a drawing over the whole of the picture, by the project's pose or by its clip with a name at a time in
-    /// seconds. `grow`: the frame of the drawing holds all that is bent beyond it.
+    /// seconds. The drawing is plain SVG, as its reader writes it, of this width and height. `grow`: the frame of the
+    /// drawing holds all that is bent beyond it.
     ///
     /// # Errors
-    /// For an unknown clip, and for a drawing that cannot be read.
-    pub fn bent(&self, svg: &str, grow: bool, clip: Option<String>, seconds: f64) -> Result<BentDrawing, JsError> {
-        let drawing = Drawing::read(svg).map_err(refused)?;
+    /// For an unknown clip, and for a drawing with too many nodes.
+    pub fn bent(
+        &self,
+        plain: String,
+        width: f64,
+        height: f64,
+        grow: bool,
+        clip: Option<String>,
+        seconds: f64,
+    ) -> Result<String, JsError> {
+        let drawing = PlainDrawing::new(plain, [width, height]);
         let pose = self.pose(clip, seconds)?;
         let options = BentOptions { grow, ..BentOptions::default() };
         let bent = drawing.bent(&self.solution.continued(&pose), self.size.into(), options).map_err(refused)?;
-        Ok(BentDrawing { svg: bent.svg, remarks: drawing.remarks().iter().map(ToString::to_string).collect() })
+        Ok(bent.svg)
     }
 }

@@ -60,21 +60,23 @@ const LATER: &[&str] = &[
 /// The name of a solver's files, also of its benchmark's.
 pub(crate) const SOLVER: &str = "c2warp";
 
-/// The modules that pages load: the solver, the makers of films and of other exports, and the poser of baked rigs.
-pub(crate) fn page_modules() -> [Module<'static>; 4] {
+/// The modules that pages load: the solver, the makers of films and of other exports, the reader of drawings, and the
+/// poser of baked rigs.
+pub(crate) fn page_modules() -> [Module<'static>; 5] {
     let solver =
         Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER, later: LATER };
     let film =
         Module { package: "c2warp-film-bind", output: Path::new("web/src/io/generated"), name: "film", later: &[] };
     let export = Module { package: "c2warp-export-bind", output: solver.output, name: "c2warp_export", later: &[] };
+    let drawing = Module { package: "c2warp-drawing-bind", output: film.output, name: "drawing", later: &[] };
     let pose =
         Module { package: "c2warp-pose-bind", output: Path::new("web/src/player/generated"), name: "pose", later: &[] };
-    [solver, film, export, pose]
+    [solver, film, export, drawing, pose]
 }
 
 /// The solver and the poser in another folder.
 pub(crate) fn measured_in(output: &Path) -> [Module<'_>; 2] {
-    let [solver, _, _, pose] = page_modules();
+    let [solver, .., pose] = page_modules();
     [solver, pose].map(|module| Module { output, ..module })
 }
 

@@ -44,18 +44,13 @@ export interface MapOrder {
 /** A drawing with bent paths. */
 export interface DrawingOrder {
   readonly kind: 'drawing';
-  readonly svg: string;
+  /** SVG with shapes as paths, and its size in units of its own. */
+  readonly drawing: { readonly svg: string; readonly width: number; readonly height: number };
   /** Whether the frame grows to hold all that is bent beyond it. */
   readonly grow: boolean;
   /** The name of the clip that poses the handles at a time in seconds; null for the pose of the project. */
   readonly clip: string | null;
   readonly time: number;
-}
-
-export interface BentDrawing {
-  readonly svg: string;
-  /** Parts that are left out or do not bend, in words. */
-  readonly remarks: readonly string[];
 }
 
 export interface ExportedFile {
@@ -73,7 +68,7 @@ export interface Exports {
   readonly 'web-rig': { readonly order: WebRigOrder; readonly made: Bytes };
   readonly 'engine-rig': { readonly order: EngineRigOrder; readonly made: EngineRig };
   readonly map: { readonly order: MapOrder; readonly made: Bytes };
-  readonly drawing: { readonly order: DrawingOrder; readonly made: BentDrawing };
+  readonly drawing: { readonly order: DrawingOrder; readonly made: string };
 }
 
 export type ExportOrder = Exports[keyof Exports]['order'];

@@ -1,103 +1,97 @@
 /**
- * SVG drawings as pixels. The page renders them as an image: there, no script runs and no other file is loaded.
+ * SVG drawings as pixels. A worker reads each drawing first, and refuses one that would take too long to draw.
  *
- * Small drawings are enlarged, so that handles find room.
+ * The page renders a drawing of few elements and small filters as an image: there, no script runs and no other file is
+ * loaded. A browser cannot be stopped once it draws, so the worker draws all others, without texts.
  */
+import { C2WarpError } from '../error';
+import { startWorker } from '../start_worker';
 import { say } from '../texts/wording';
+import type {
+  DrawingOrder,
+  DrawingReplies,
+  DrawingReply,
+  DrawingRequest,
+  PlainDrawing,
+} from './drawing_messages';
 import { pictureError } from './picture_error';
-import { readBytes } from './read';
+import drawing from './worker/drawing?worker&url';
 
-/** The longer side of small drawings, in pixels. */
-const LEAST_SIDE = 1024;
-/** The longer side of the largest drawings. */
-const MOST_SIDE = 4096;
-/** Larger files are refused, as in Rust. */
-const MOST_BYTES = 64 << 20;
-
-export const DRAWING_TYPE = 'image/svg+xml';
+const MODULE = new URL('./generated/drawing_bg.wasm', import.meta.url);
 
 /** A drawing, and a picture of it. */
 export interface Drawn {
   readonly file: Blob;
   readonly pixels: Blob;
+  /** Texts of the drawing are missing in the picture. */
+  readonly lacksTexts: boolean;
 }
 
 /**
- * The picture of a drawing.
+ * The picture of a drawing; null for a compressed file that is none.
  *
- * @throws C2WarpError if the drawing cannot be shown; ReadError if the bytes cannot be read.
+ * @param given a drawing, or a compressed file.
+ * @throws C2WarpError if the drawing cannot be shown, or the bytes cannot be read. The reason of the signal.
  */
-export async function drawnPicture(file: Blob): Promise<Drawn> {
-  if (file.size > MOST_BYTES) throw pictureError('picture', say('errors.picture.drawingTooLarge'));
-  const text = new TextDecoder().decode(await readBytes(file));
-  const { sized, width, height } = sizedDrawing(text);
-  return {
-    file: new Blob([text], { type: DRAWING_TYPE }),
-    pixels: await rendered(new Blob([sized], { type: DRAWING_TYPE }), width, height),
-  };
+export async function drawnPicture(given: Blob, signal: AbortSignal): Promise<Drawn | null> {
+  const read = await asked('picture', given, signal);
+  if (!read) return null;
+  const { file, pixels, sized, width, height, lacksTexts } = read;
+  return { file, pixels: pixels ?? (await rendered(sized, width, height)), lacksTexts };
 }
 
-interface SizedDrawing {
-  readonly sized: string;
-  readonly width: number;
-  readonly height: number;
+/**
+ * A drawing in the form that can be bent.
+ *
+ * @throws C2WarpError for a drawing that cannot be read. The reason of the signal.
+ */
+export async function plainDrawing(file: Blob, signal: AbortSignal): Promise<PlainDrawing> {
+  const read = await asked('plain', file, signal);
+  if (!read) throw pictureError('picture', say('errors.picture.drawingDamaged'));
+  return read;
 }
 
-/** A drawing with a size in whole pixels. @throws C2WarpError if it has no size. */
-export function sizedDrawing(text: string): SizedDrawing {
-  const prologue =
-    /^(?:\s|\ufeff|<\?[\s\S]*?\?>|<!--[\s\S]*?-->|<!DOCTYPE(?:[^[>]|\[[\s\S]*?\])*>)*/i.exec(text)?.[0] ?? '';
-  const [tag, name, attributes = ''] =
-    /^<((?:[\w.-]+:)?svg)((?:\s+[\w:.-]+\s*=\s*(?:"[^"]*"|'[^']*'))*\s*)/.exec(text.slice(prologue.length)) ??
-    [];
-  if (tag === undefined) throw pictureError('picture', say('errors.picture.drawingDamaged'));
-  const box =
-    attributeOf(attributes, 'viewBox')
-      ?.trim()
-      .split(/[\s,]+/)
-      .map(Number) ?? [];
-  const [, , boxWidth = Number.NaN, boxHeight = Number.NaN] = box;
-  const [ownWidth, ownHeight] = [lengthOf(attributes, 'width'), lengthOf(attributes, 'height')];
-  const ratio = boxWidth / boxHeight;
-  const across = ownWidth ?? (ownHeight === null ? boxWidth : ownHeight * ratio);
-  const down = ownHeight ?? (ownWidth === null ? boxHeight : ownWidth / ratio);
-  if (!(across > 0 && down > 0 && Number.isFinite(across * down)))
-    throw pictureError('picture', say('errors.picture.drawingWithoutSize'));
-  const side = Math.max(across, down);
-  const scale = Math.min(Math.max(side, LEAST_SIDE), MOST_SIDE) / side;
-  const [width, height] = [across, down].map((length) => Math.max(1, Math.round(length * scale))) as [
-    number,
-    number,
-  ];
-  const kept = attributes.replace(/\s(?:width|height)\s*=\s*(?:"[^"]*"|'[^']*')/g, '');
-  const seen = box.length === 4 ? '' : ` viewBox="0 0 ${across} ${down}"`;
-  const root = `<${name}${kept} width="${width}" height="${height}"${seen}`;
-  return { sized: prologue + root + text.slice(prologue.length + tag.length), width, height };
+/** The answer of a worker that ends with it; of this thread if the page's policy forbids workers. */
+async function asked<K extends DrawingRequest['kind']>(
+  kind: K,
+  file: Blob,
+  signal: AbortSignal,
+): Promise<DrawingReplies[K]> {
+  signal.throwIfAborted();
+  const order: DrawingOrder = { request: { kind, file }, module: MODULE.href };
+  const worker = permittedWorker();
+  if (!worker) {
+    const { readDrawing } = await import('./read_drawing');
+    const read = readDrawing(order, (rgba, width, height) => {
+      const data = new ImageData(new Uint8ClampedArray(rgba.buffer), width, height);
+      return pngOf(width, height, (context) => context.putImageData(data, 0, 0));
+    });
+    return read as Promise<DrawingReplies[K]>;
+  }
+  const ended = new AbortController();
+  try {
+    return await new Promise<DrawingReplies[K]>((resolve, reject) => {
+      signal.addEventListener('abort', () => reject(signal.reason), { signal: ended.signal });
+      worker.onerror = (cause) =>
+        reject(pictureError('engine', say('errors.picture.drawingUnread'), { cause }));
+      worker.onmessage = ({ data }: MessageEvent<DrawingReply>) => {
+        if ('made' in data) resolve(data.made as DrawingReplies[K]);
+        else reject(new C2WarpError(data.code, data.message, { wording: data.wording }));
+      };
+      worker.postMessage(order);
+    });
+  } finally {
+    ended.abort();
+    worker.terminate();
+  }
 }
 
-function attributeOf(attributes: string, name: string): string | undefined {
-  const [, , double, single] =
-    new RegExp(`(^|\\s)${name}\\s*=\\s*(?:"([^"]*)"|'([^']*)')`).exec(attributes) ?? [];
-  return double ?? single;
-}
-
-/** CSS pixels in each unit. */
-const UNITS: Readonly<Record<string, number>> = {
-  '': 1,
-  px: 1,
-  pt: 4 / 3,
-  pc: 16,
-  mm: 96 / 25.4,
-  cm: 96 / 2.54,
-  in: 96,
-};
-
-/** A length in pixels; null if it is relative or left out. */
-function lengthOf(attributes: string, name: string): number | null {
-  const [, number, unit = ''] =
-    /^\s*([\d.e+-]+)\s*([a-z]*)\s*$/i.exec(attributeOf(attributes, name) ?? '') ?? [];
-  const size = UNITS[unit.toLowerCase()];
-  return number === undefined || size === undefined ? null : Number(number) * size;
+function permittedWorker(): Worker | null {
+  try {
+    return startWorker(drawing);
+  } catch {
+    return null;
+  }
 }
 
 async function rendered(file: Blob, width: number, height: number): Promise<Blob> {
@@ -105,14 +99,23 @@ async function rendered(file: Blob, width: number, height: number): Promise<Blob
   image.src = URL.createObjectURL(file);
   try {
     await image.decode();
-    const canvas = Object.assign(document.createElement('canvas'), { width, height });
-    canvas.getContext('2d')?.drawImage(image, 0, 0, width, height);
-    const png = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-    if (!png) throw new Error('no memory for the canvas');
-    return png;
+    return await pngOf(width, height, (context) => context.drawImage(image, 0, 0, width, height));
   } catch (cause) {
     throw pictureError('picture', say('errors.picture.drawingDamaged'), { cause });
   } finally {
     URL.revokeObjectURL(image.src);
   }
+}
+
+async function pngOf(
+  width: number,
+  height: number,
+  draw: (context: CanvasRenderingContext2D) => void,
+): Promise<Blob> {
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
+  const context = canvas.getContext('2d');
+  if (context) draw(context);
+  const png = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
+  if (!png) throw new Error('no memory for the canvas');
+  return png;
 }

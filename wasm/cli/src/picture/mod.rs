@@ -7,6 +7,7 @@
 mod apng;
 mod decoding;
 mod drawing;
+mod encoding;
 #[cfg(not(target_family = "wasm"))]
 mod fonts;
 mod jpeg;
@@ -15,11 +16,12 @@ mod orientation;
 mod profile;
 mod webp;
 
-use std::io::{Cursor, Read};
+use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
 
 use c2warp::Picture;
 use c2warp_vector::{Drawing, MAX_BYTES};
+use flate2::bufread::GzDecoder;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
 
 use crate::error::CliError;
@@ -136,6 +138,11 @@ fn read_bytes(mut file: impl Read, path: &Path) -> Result<Contents, CliError> {
         file.take(MAX_DRAWING_BYTES).read_to_end(&mut bytes).map_err(CliError::read(path))?;
         return Ok(Contents::Drawing(bytes));
     }
+    if bytes.starts_with(kind::GZIP)
+        && let Some(drawing) = unpacked(Cursor::new(bytes.clone()).chain(file.by_ref()), path)?
+    {
+        return Ok(Contents::Drawing(drawing));
+    }
     let format = image::guess_format(&bytes).ok().filter(ImageFormat::reading_enabled);
     let format = format.ok_or_else(|| match kind::name(&bytes) {
         Some(name) => CliError::PictureType { path: path.to_owned(), name },
@@ -143,6 +150,19 @@ fn read_bytes(mut file: impl Read, path: &Path) -> Result<Contents, CliError> {
     })?;
     file.read_to_end(&mut bytes).map_err(CliError::read(path))?;
     Ok(Contents::Pixels(format, bytes))
+}
+
+/// Unpacks a drawing in .svgz. `None` for any other compressed file.
+fn unpacked(file: impl Read, path: &Path) -> Result<Option<Vec<u8>>, CliError> {
+    let damaged = |reason| CliError::DrawingPacked { path: path.to_owned(), reason };
+    let mut unpacked = GzDecoder::new(BufReader::new(file));
+    let mut bytes = Vec::new();
+    unpacked.by_ref().take(kind::SIGNATURE_BYTES as u64).read_to_end(&mut bytes).map_err(damaged)?;
+    if !kind::is_drawing(&bytes) {
+        return Ok(None);
+    }
+    unpacked.by_ref().take(MAX_DRAWING_BYTES).read_to_end(&mut bytes).map_err(damaged)?;
+    Ok(Some(bytes))
 }
 
 fn truncated(path: &Path) -> CliError {

@@ -1,7 +1,7 @@
 //! Attributes as usvg writes them, and as they are written again.
 
 use kurbo::{Affine, Point, Rect};
-use usvg::roxmltree::Node;
+use roxmltree::Node;
 
 use crate::xml::number;
 

@@ -13,12 +13,12 @@ mod rewriter;
 
 use c2warp::ContinuedMap;
 use kurbo::{Affine, Rect};
-use usvg::roxmltree::{Document, Node};
+use roxmltree::{Document, Node};
 
 use self::{attributes::XLINK, follow::Follow, rewriter::Rewriter};
 use crate::{
-    drawing::Drawing,
     error::VectorError,
+    plain::PlainDrawing,
     warp::Warp,
     xml::{Xml, number},
 };
@@ -51,7 +51,7 @@ pub struct Bent {
     pub origin: [f64; 2],
 }
 
-impl Drawing {
+impl PlainDrawing {
     /// Bends the drawing. It lies over the whole picture of the solution, whose size is given in pixels.
     ///
     /// # Errors

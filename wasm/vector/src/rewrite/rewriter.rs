@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use kurbo::{Affine, BezPath, Point, Rect, Shape};
-use usvg::roxmltree::{Document, Node};
+use roxmltree::{Document, Node};
 
 use super::{
     attributes::{matrix, numbers, qualified, rectangle, rectangle_attributes, stroke_width, transform},

@@ -88,6 +88,8 @@ export const notices: Texts['notices'] = {
       ? `Es öffnet sich immer nur ein Bild. Nicht geöffnet: ${file}.`
       : `Es öffnet sich immer nur ein Bild. Nicht geöffnet: ${file} und ${counted(more, 'weitere Datei', 'weitere Dateien')}.`,
   moves: (picture) => `${picture} ist bewegt. Nur das erste Einzelbild ist offen.`,
+  lacksTexts: (picture) =>
+    `${picture} braucht lange zum Zeichnen und ist deshalb ohne Texte geöffnet. Texte in Pfade umwandeln, um sie zu sehen.`,
   isOpen: (picture) => `${picture} ist offen.`,
   saved: (file) => `Gespeichert als ${file}.`,
   savedCut: (file) => `Gespeichert als ${file}. Der Teil außerhalb des Rahmens ist abgeschnitten.`,

@@ -24,6 +24,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'ein JPEG-XL-Bild',
     jpeg2000: 'ein JPEG-2000-Bild',
     svg: 'eine SVG-Zeichnung',
+    compressed: 'eine komprimierte Datei',
   },
   damaged:
     'Das Bild ist beschädigt, oder dieser Browser kann es nicht lesen. Es erneut als PNG, JPEG oder WebP speichern.',
@@ -36,6 +37,21 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingDamaged: 'Die Zeichnung ist beschädigt, oder dieser Browser kann sie nicht zeigen.',
   drawingWithoutSize: 'Die Zeichnung hat keine Größe. Ihr eine Breite und Höhe oder eine viewBox geben.',
   drawingTooLarge: 'Die Zeichnung hat mehr als 64 MB. Sie vereinfachen.',
+  drawingEncoding: (encoding) =>
+    `Die Zeichnung kann nicht als ${encoding} gelesen werden. Als UTF-8 speichern.`,
+  drawingUnread: 'Die Zeichnung konnte nicht gelesen werden. Die Verbindung prüfen und sie erneut öffnen.',
+  drawingTooManyElements: (most) => `Die Zeichnung hat mehr als ${number(most)} Elemente. Sie vereinfachen.`,
+  drawingTooManyAttributes: (most) =>
+    `Ein Element der Zeichnung hat mehr als ${most} Attribute. Einige entfernen.`,
+  drawingTooDeep: (most) =>
+    `Elemente der Zeichnung sind mehr als ${most} Ebenen tief verschachtelt. Gruppen auflösen.`,
+  drawingTooManyCopies:
+    'Elemente der Zeichnung werden zu oft verwendet. Kleinere oder weniger davon verwenden.',
+  drawingTooManyStyles: 'Die Stile der Zeichnung brauchen zu lange. Sie vereinfachen.',
+  drawingTooSlow: (element) =>
+    `Die Zeichnung braucht zu lange zum Zeichnen, vor allem ihre <${element}>. Sie vereinfachen.`,
+  drawingTooMuchMemory: (element) =>
+    `Die Zeichnung braucht zu viel Speicher zum Zeichnen, vor allem ihre <${element}>. Sie vereinfachen.`,
   noWebgl:
     'Dieser Browser kann Bilder nicht mit WebGL2 lesen. Hardwarebeschleunigung einschalten oder einen anderen Browser verwenden.',
   contextLost: 'Der Grafikkontext ging verloren, während das Bild gelesen wurde. Das Bild erneut öffnen.',

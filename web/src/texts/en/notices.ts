@@ -85,6 +85,8 @@ export const notices = {
   notOpened: (file: string, more: number) =>
     `Only one picture opens at a time: ${more === 0 ? `${file} was` : `${file} and ${more} more were`} not opened.`,
   moves: (picture: string) => `${picture} moves. Only its first frame is open.`,
+  lacksTexts: (picture: string) =>
+    `${picture} takes long to draw, so it is open without its texts. Convert them to paths to see them.`,
   isOpen: (picture: string) => `${picture} is open.`,
   saved: (file: string) => `Saved as ${file}.`,
   savedCut: (file: string) => `Saved as ${file}. The part beyond the frame is cut off.`,

@@ -24,6 +24,7 @@ export const pictureErrors = {
     jpegXl: 'a JPEG XL picture',
     jpeg2000: 'a JPEG 2000 picture',
     svg: 'an SVG drawing',
+    compressed: 'a compressed file',
   },
   damaged: 'The picture is damaged, or this browser cannot read it. Save it again as PNG, JPEG or WebP.',
   tooSmall: (width: number, height: number, least: number) =>
@@ -35,6 +36,21 @@ export const pictureErrors = {
   drawingDamaged: 'The drawing is damaged, or this browser cannot show it.',
   drawingWithoutSize: 'The drawing has no size. Give it a width and a height, or a viewBox.',
   drawingTooLarge: 'The drawing has more than 64 MB. Simplify it.',
+  drawingEncoding: (encoding: string) => `The drawing cannot be read as ${encoding}. Save it as UTF-8.`,
+  drawingUnread: 'The drawing could not be read. Check your connection, and open it again.',
+  drawingTooManyElements: (most: number) =>
+    `The drawing has more than ${number(most)} elements. Simplify it.`,
+  drawingTooManyAttributes: (most: number) =>
+    `An element of the drawing has more than ${most} attributes. Remove some.`,
+  drawingTooDeep: (most: number) =>
+    `Elements of the drawing are nested more than ${most} deep. Ungroup some.`,
+  drawingTooManyCopies: 'Elements of the drawing are used too often. Use smaller ones, or use them less.',
+  drawingTooManyStyles: 'The style sheets of the drawing take too long. Simplify them.',
+  /** @param element the name of an element, such as feTurbulence. */
+  drawingTooSlow: (element: string) =>
+    `The drawing takes too long to draw, most of all its <${element}>. Simplify it.`,
+  drawingTooMuchMemory: (element: string) =>
+    `The drawing takes too much memory to draw, most of all its <${element}>. Simplify it.`,
   noWebgl:
     'This browser cannot read pictures with WebGL2. Switch on hardware acceleration or use another browser.',
   contextLost: 'The graphics context was lost while the picture was read. Open the picture again.',

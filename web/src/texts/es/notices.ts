@@ -83,6 +83,8 @@ export const notices: Texts['notices'] = {
   notOpened: (file, more) =>
     `Solo se abre una imagen a la vez. Sin abrir: ${more === 0 ? file : `${file} y ${more} más`}.`,
   moves: (picture) => `${picture} tiene movimiento. Solo está abierto su primer fotograma.`,
+  lacksTexts: (picture) =>
+    `${picture} tarda mucho en dibujarse, así que se abre sin sus textos. Para verlos, hay que convertirlos en trazados.`,
   isOpen: (picture) => `Imagen abierta: ${picture}.`,
   saved: (file) => `Guardado como ${file}.`,
   savedCut: (file) => `Guardado como ${file}. La parte fuera del marco está cortada.`,

@@ -25,6 +25,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'una imagen JPEG XL',
     jpeg2000: 'una imagen JPEG 2000',
     svg: 'un dibujo SVG',
+    compressed: 'un archivo comprimido',
   },
   damaged:
     'La imagen está dañada o este navegador no puede leerla. Hay que guardarla de nuevo como PNG, JPEG o WebP.',
@@ -37,6 +38,21 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingDamaged: 'El dibujo está dañado o este navegador no puede mostrarlo.',
   drawingWithoutSize: 'El dibujo no tiene tamaño. Necesita un ancho y un alto, o un viewBox.',
   drawingTooLarge: 'El dibujo ocupa más de 64 MB. Hay que simplificarlo.',
+  drawingEncoding: (encoding) => `El dibujo no se puede leer como ${encoding}. Hay que guardarlo como UTF-8.`,
+  drawingUnread: 'No se pudo leer el dibujo. Hay que comprobar la conexión y volver a abrirlo.',
+  drawingTooManyElements: (most) =>
+    `El dibujo tiene más de ${number(most)} elementos. Hay que simplificarlo.`,
+  drawingTooManyAttributes: (most) =>
+    `Un elemento del dibujo tiene más de ${most} atributos. Hay que quitar algunos.`,
+  drawingTooDeep: (most) =>
+    `Hay elementos del dibujo anidados a más de ${most} niveles. Hay que desagrupar algunos.`,
+  drawingTooManyCopies:
+    'Algunos elementos del dibujo se reutilizan demasiado. Hay que usar otros más pequeños o reutilizarlos menos.',
+  drawingTooManyStyles: 'Los estilos del dibujo tardan demasiado. Hay que simplificarlos.',
+  drawingTooSlow: (element) =>
+    `El dibujo tarda demasiado en dibujarse, sobre todo sus <${element}>. Hay que simplificarlo.`,
+  drawingTooMuchMemory: (element) =>
+    `El dibujo necesita demasiada memoria para dibujarse, sobre todo sus <${element}>. Hay que simplificarlo.`,
   noWebgl:
     'Este navegador no puede leer imágenes con WebGL2. Hay que activar la aceleración por hardware o usar otro navegador.',
   contextLost: 'Se ha perdido el contexto gráfico mientras se leía la imagen. Hay que abrirla de nuevo.',

@@ -25,6 +25,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'une image JPEG XL',
     jpeg2000: 'une image JPEG 2000',
     svg: 'un dessin SVG',
+    compressed: 'un fichier compressé',
   },
   damaged:
     'L’image est endommagée, ou ce navigateur ne sait pas la lire. Enregistrez-la de nouveau en PNG, JPEG ou WebP.',
@@ -37,6 +38,19 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingDamaged: 'Le dessin est endommagé, ou ce navigateur ne sait pas l’afficher.',
   drawingWithoutSize: 'Le dessin n’a pas de taille. Donnez-lui une largeur et une hauteur, ou une viewBox.',
   drawingTooLarge: 'Le dessin dépasse 64 Mo. Simplifiez-le.',
+  drawingEncoding: (encoding) => `Le dessin ne peut pas être lu en ${encoding}. Enregistrez-le en UTF-8.`,
+  drawingUnread: 'Le dessin n’a pas pu être lu. Vérifiez la connexion et ouvrez-le à nouveau.',
+  drawingTooManyElements: (most) => `Le dessin a plus de ${number(most)} éléments. Simplifiez-le.`,
+  drawingTooManyAttributes: (most) => `Un élément du dessin a plus de ${most} attributs. Retirez-en.`,
+  drawingTooDeep: (most) =>
+    `Des éléments du dessin sont imbriqués sur plus de ${most} niveaux. Dégroupez-en.`,
+  drawingTooManyCopies:
+    'Des éléments du dessin sont réutilisés trop souvent. Choisissez-en de plus petits, ou réutilisez-les moins.',
+  drawingTooManyStyles: 'Les styles du dessin prennent trop de temps. Simplifiez-les.',
+  drawingTooSlow: (element) =>
+    `Le dessin prend trop de temps à tracer, surtout ses <${element}>. Simplifiez-le.`,
+  drawingTooMuchMemory: (element) =>
+    `Le dessin prend trop de mémoire à tracer, surtout ses <${element}>. Simplifiez-le.`,
   noWebgl:
     'Ce navigateur ne peut pas lire des images avec WebGL2. Activez l’accélération matérielle ou utilisez un autre navigateur.',
   contextLost: 'Le contexte graphique a été perdu pendant la lecture de l’image. Ouvrez l’image à nouveau.',

@@ -25,6 +25,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'JPEG XL画像',
     jpeg2000: 'JPEG 2000画像',
     svg: 'SVG図形',
+    compressed: '圧縮ファイル',
   },
   damaged:
     '画像が壊れているか、このブラウザーでは読めません。PNG、JPEG、WebPのいずれかで保存し直してください。',
@@ -37,6 +38,17 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingDamaged: '図形が壊れているか、このブラウザーでは表示できません。',
   drawingWithoutSize: '図形にサイズがありません。幅と高さ、またはviewBoxを指定してください。',
   drawingTooLarge: '図形が64 MBを超えています。簡略化してください。',
+  drawingEncoding: (encoding) => `図形を${encoding}として読み込めません。UTF-8 で保存してください。`,
+  drawingUnread: '図形を読み込めませんでした。接続を確認して、もう一度開いてください。',
+  drawingTooManyElements: (most) => `図形の要素が${number(most)}個を超えています。簡単にしてください。`,
+  drawingTooManyAttributes: (most) => `図形に属性が${most}個を超える要素があります。減らしてください。`,
+  drawingTooDeep: (most) => `図形の要素の入れ子が${most}段を超えています。グループを解除してください。`,
+  drawingTooManyCopies: '図形の要素が使い回されすぎています。小さくするか、使う回数を減らしてください。',
+  drawingTooManyStyles: '図形のスタイルの処理に時間がかかりすぎます。簡単にしてください。',
+  drawingTooSlow: (element) =>
+    `図形の描画に時間がかかりすぎます。主な原因は<${element}>です。簡単にしてください。`,
+  drawingTooMuchMemory: (element) =>
+    `図形の描画に必要なメモリが多すぎます。主な原因は<${element}>です。簡単にしてください。`,
   noWebgl:
     'このブラウザーはWebGL2で画像を読み込めません。ハードウェアアクセラレーションを有効にするか、別のブラウザーを使ってください。',
   contextLost: '画像の読み込み中にグラフィックスコンテキストが失われました。画像を開き直してください。',

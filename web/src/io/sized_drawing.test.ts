@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { sizedDrawing } from './drawing';
+import { sizedDrawing } from './sized_drawing';
 
 const size = (attributes: string) => {
   const { width, height } = sizedDrawing(`<svg ${attributes}><path/></svg>`);
@@ -26,6 +26,12 @@ describe('sizedDrawing', () => {
       '<?xml version="1.0"?><!-- <svg> -->\n' +
         '<svg xmlns="a" stroke-width="3" width="1024" height="1024" viewBox="0 0 8 8">&amp;</svg>',
     );
+  });
+
+  it('reads entities before the drawing, and is quick with brackets that never end', () => {
+    const text = '<!DOCTYPE svg [<!ENTITY a "[]">]><svg viewBox="0 0 9 9"/>';
+    expect(sizedDrawing(text).width).toBe(1024);
+    expect(() => sizedDrawing(`<!DOCTYPE svg ${'[]'.repeat(50_000)}`)).toThrow(/damaged/);
   });
 
   it('refuses drawings without a size, and texts that are none', () => {

@@ -1,0 +1,385 @@
+//! Style sheets: rules in the order of the file, with the conditions of `@media` and `@supports` decided.
+
+use std::{collections::HashMap, rc::Rc};
+
+use cssparser::{
+    AtRuleParser, CowRcStr, DeclarationParser, ParseError, Parser, ParserState, QualifiedRuleParser,
+    RuleBodyItemParser, RuleBodyParser, StyleSheetParser, Token, parse_important,
+};
+use roxmltree::{Document, Node};
+use selectors::parser::Selector;
+
+use super::{
+    property::{Known, known, longhands},
+    selector::{Key, Matcher, Svg, key, selectors},
+    value::has_variables,
+};
+use crate::remark::{Remark, Remarks};
+
+/// A declaration, such as `fill: red`.
+#[derive(Debug, Clone)]
+pub(super) struct Declaration {
+    /// In lower case, but for custom properties.
+    pub(super) name: Rc<str>,
+    pub(super) value: Rc<str>,
+    pub(super) is_important: bool,
+}
+
+#[derive(Debug)]
+struct Rule {
+    selector: Selector<Svg>,
+    declarations: Rc<[Declaration]>,
+}
+
+/// All rules of a drawing.
+#[derive(Debug, Default)]
+pub(super) struct Sheet {
+    rules: Vec<Rule>,
+    by_key: HashMap<Key, Vec<usize>>,
+}
+
+impl Sheet {
+    /// The rules of all style sheets in a drawing. Notes those that are left out.
+    pub(super) fn of(document: &Document<'_>, remarks: &mut Remarks) -> Self {
+        let mut sheet = Self::default();
+        let is_css = |node: &Node<'_, '_>| {
+            let kind = node.attribute("type").unwrap_or_default();
+            node.tag_name().name() == "style" && (kind.is_empty() || kind.eq_ignore_ascii_case("text/css"))
+        };
+        for node in document.descendants().filter(is_css) {
+            let media = node.attribute("media").unwrap_or("all");
+            let text: String = node.children().filter_map(|child| child.text()).collect();
+            match applies(&mut Parser::new(media)) {
+                Some(true) => sheet.read(&mut Parser::new(&text), remarks),
+                Some(false) => {}
+                None => remarks.note(Remark::rules(&format!("@media {media}"))),
+            }
+        }
+        sheet
+    }
+
+    fn read(&mut self, input: &mut Parser<'_>, remarks: &mut Remarks) {
+        let mut reader = RuleReader { sheet: self, remarks };
+        // Rules that cannot be read are noted by the reader.
+        for _ in StyleSheetParser::new(input, &mut reader) {}
+    }
+
+    fn add(&mut self, selectors: Vec<Selector<Svg>>, declarations: &Rc<[Declaration]>) {
+        for selector in selectors {
+            self.by_key.entry(key(&selector)).or_default().push(self.rules.len());
+            self.rules.push(Rule { selector, declarations: Rc::clone(declarations) });
+        }
+    }
+
+    /// The declarations for an element, those that count more after the others.
+    pub(super) fn matching(&self, node: Node<'_, '_>, matcher: &mut Matcher<'_>) -> Vec<&Declaration> {
+        let id = node.attribute("id").map(|id| Key::Id(id.into()));
+        let classes = node.attribute("class").unwrap_or_default().split_ascii_whitespace();
+        let classes = classes.map(|class| Key::Class(class.into()));
+        let keys = [Key::Any, Key::Tag(node.tag_name().name().into())].into_iter().chain(id).chain(classes);
+        let mut found: Vec<usize> = keys.filter_map(|key| self.by_key.get(&key)).flatten().copied().collect();
+        // A class may be named twice.
+        found.sort_unstable();
+        found.dedup();
+        found.retain(|&at| matcher.matches(&self.rules[at].selector, node));
+        found.sort_by_key(|&at| self.rules[at].selector.specificity());
+        found.iter().flat_map(|&at| self.rules[at].declarations.iter()).collect()
+    }
+}
+
+/// The declarations in a `style` attribute.
+pub(super) fn declarations(text: &str) -> Vec<Declaration> {
+    RuleBodyParser::new(&mut Parser::new(text), &mut Body).flatten().flatten().collect()
+}
+
+struct RuleReader<'a> {
+    sheet: &'a mut Sheet,
+    remarks: &'a mut Remarks,
+}
+
+type Parsed<T> = Result<T, ParseError<()>>;
+
+impl<'i> QualifiedRuleParser<'i> for RuleReader<'_> {
+    type Prelude = Vec<Selector<Svg>>;
+    type QualifiedRule = ();
+    type Error = ();
+
+    fn parse_prelude(&mut self, input: &mut Parser<'i>) -> Parsed<Self::Prelude> {
+        let start = input.position();
+        let read = selectors(input);
+        while input.next().is_ok() {}
+        let text = input.slice_from(start).trim();
+        // No shape has a pseudo-element such as `::before`.
+        let is_shown = !text.contains("::");
+        if is_shown && read.as_ref().is_none_or(|(_, has_live)| *has_live) {
+            self.remarks.note(Remark::rules(text));
+        }
+        Ok(read.map(|(selectors, _)| selectors).unwrap_or_default())
+    }
+
+    fn parse_block(
+        &mut self,
+        selectors: Self::Prelude,
+        _: &ParserState,
+        input: &mut Parser<'i>,
+    ) -> Parsed<Self::QualifiedRule> {
+        let mut declarations = Vec::new();
+        for item in RuleBodyParser::new(input, &mut Body) {
+            match item {
+                Ok(Some(declaration)) => declarations.push(declaration),
+                Ok(None) => {}
+                Err((_, text, _)) if text.contains('{') => self.remarks.note(Remark::rules(text)),
+                Err(_) => {}
+            }
+        }
+        self.sheet.add(selectors, &declarations.into());
+        Ok(())
+    }
+}
+
+/// How the block of an at-rule is handled.
+enum AtRule {
+    Read,
+    Skip,
+}
+
+impl<'i> AtRuleParser<'i> for RuleReader<'_> {
+    type Prelude = AtRule;
+    type AtRule = ();
+    type Error = ();
+
+    fn parse_prelude(&mut self, name: CowRcStr<'i>, input: &mut Parser<'i>) -> Parsed<Self::Prelude> {
+        let start = input.position();
+        let name = name.to_ascii_lowercase();
+        let applies = match &*name {
+            "media" => applies(input),
+            "supports" => supported(input),
+            // Loading and fonts are noted elsewhere, and the others change nothing that is drawn.
+            "charset" | "import" | "font-face" | "namespace" | "page" => Some(false),
+            "keyframes" | "-webkit-keyframes" => {
+                self.remarks.note(Remark::Animations);
+                Some(false)
+            }
+            _ => None,
+        };
+        while input.next().is_ok() {}
+        if applies.is_none() {
+            self.remarks.note(Remark::rules(&format!("@{name} {}", input.slice_from(start).trim())));
+        }
+        Ok(if applies == Some(true) { AtRule::Read } else { AtRule::Skip })
+    }
+
+    fn rule_without_block(&mut self, _: AtRule, _: &ParserState) -> Result<(), ()> {
+        Ok(())
+    }
+
+    fn parse_block(&mut self, rule: AtRule, _: &ParserState, input: &mut Parser<'i>) -> Parsed<()> {
+        match rule {
+            AtRule::Read => self.sheet.read(input, self.remarks),
+            AtRule::Skip => while input.next().is_ok() {},
+        }
+        Ok(())
+    }
+}
+
+/// The declarations of a rule. Rules in rules are left out.
+struct Body;
+
+impl<'i> DeclarationParser<'i> for Body {
+    type Declaration = Option<Declaration>;
+    type Error = ();
+
+    fn parse_value(
+        &mut self,
+        name: CowRcStr<'i>,
+        input: &mut Parser<'i>,
+        _: &ParserState,
+    ) -> Parsed<Self::Declaration> {
+        let start = input.position();
+        let mut end = start;
+        let mut is_important = false;
+        while !is_important && !input.is_exhausted() {
+            is_important = input.try_parse(parse_important).is_ok();
+            if !is_important {
+                // A rule in a rule.
+                if let Token::CurlyBracketBlock = input.next()? {
+                    return Err(ParseError::custom(()));
+                }
+                // Goes to the end of a block.
+                input.skip_whitespace();
+                end = input.position();
+            }
+        }
+        let name: Rc<str> = if name.starts_with("--") { (&*name).into() } else { name.to_ascii_lowercase().into() };
+        let value = without_comments(input.slice(start..end)).trim().into();
+        Ok(Some(Declaration { name, value, is_important }))
+    }
+}
+
+impl<'i> AtRuleParser<'i> for Body {
+    type Prelude = ();
+    type AtRule = Option<Declaration>;
+    type Error = ();
+}
+
+impl<'i> QualifiedRuleParser<'i> for Body {
+    type Prelude = ();
+    type QualifiedRule = Option<Declaration>;
+    type Error = ();
+}
+
+impl RuleBodyItemParser<'_, Option<Declaration>, ()> for Body {
+    fn parse_declarations(&self) -> bool {
+        true
+    }
+
+    fn parse_qualified(&self) -> bool {
+        true
+    }
+}
+
+fn without_comments(value: &str) -> String {
+    let mut parts = value.split("/*");
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        text.push(' ');
+        text.push_str(part.split_once("*/").map_or("", |(_, rest)| rest));
+    }
+    text
+}
+
+/// Whether a list of media queries applies to a picture on a screen. `None` if that depends on the screen.
+fn applies(input: &mut Parser<'_>) -> Option<bool> {
+    if input.is_exhausted() {
+        return Some(true);
+    }
+    let queries: Parsed<Vec<Option<bool>>> = input.parse_comma_separated(|input| Ok(query_applies(input)));
+    any(&queries.ok()?)
+}
+
+fn query_applies(input: &mut Parser<'_>) -> Option<bool> {
+    let is_negated = input.try_parse(|input| input.expect_ident_matching("not")).is_ok();
+    let _ = input.try_parse(|input| input.expect_ident_matching("only"));
+    let kind = input.try_parse(|input| input.expect_ident_cloned()).ok();
+    let has_features = !input.is_exhausted();
+    while input.next().is_ok() {}
+    let is_shown =
+        ["all", "screen"].iter().any(|shown| kind.as_ref().is_some_and(|kind| kind.eq_ignore_ascii_case(shown)));
+    let applies = match kind {
+        Some(_) if !is_shown => Some(false),
+        Some(_) if !has_features => Some(true),
+        _ => None,
+    };
+    applies.map(|applies| applies != is_negated)
+}
+
+/// Whether a condition of `@supports` holds. `None` if it is about properties that no drawing has.
+fn supported(input: &mut Parser<'_>) -> Option<bool> {
+    if input.try_parse(|input| input.expect_ident_matching("not")).is_ok() {
+        return condition(input).map(|holds| !holds);
+    }
+    let mut found = vec![condition(input)];
+    let mut joined_by_or = false;
+    while let Ok(word) = input.try_parse(|input| input.expect_ident_cloned()) {
+        joined_by_or = word.eq_ignore_ascii_case("or");
+        found.push(condition(input));
+    }
+    if joined_by_or {
+        return any(&found);
+    }
+    let opposites: Vec<Option<bool>> = found.iter().map(|holds| holds.map(|holds| !holds)).collect();
+    any(&opposites).map(|fails| !fails)
+}
+
+/// A condition in parentheses.
+fn condition(input: &mut Parser<'_>) -> Option<bool> {
+    let holds = |input: &mut Parser<'_>| -> Parsed<Option<bool>> {
+        let start = input.state();
+        let name = input.try_parse(|input| -> Parsed<CowRcStr<'_>> {
+            let name = input.expect_ident_cloned()?;
+            input.expect_colon()?;
+            Ok(name)
+        });
+        let Ok(name) = name else {
+            input.reset(&start);
+            return Ok(supported(input));
+        };
+        let value_start = input.position();
+        while input.next().is_ok() {}
+        let value = input.slice_from(value_start).trim();
+        Ok(has_property(&name, value))
+    };
+    input.expect_parenthesis_block().ok()?;
+    input.parse_nested_block(holds).ok()?
+}
+
+fn has_property(name: &str, value: &str) -> Option<bool> {
+    let name = name.to_ascii_lowercase();
+    if name.starts_with("--") || has_variables(value) || longhands(&name, value).is_some() {
+        return Some(true);
+    }
+    match known(&name, value) {
+        Known::Read(property) => Some(property.read(value, false, "#000000").is_some()),
+        Known::Unsupported(_) => Some(false),
+        Known::Unknown => None,
+    }
+}
+
+/// Whether one of these holds. `None` if that depends on one that nobody knows.
+fn any(conditions: &[Option<bool>]) -> Option<bool> {
+    if conditions.contains(&Some(true)) { Some(true) } else { (!conditions.contains(&None)).then_some(false) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn media_of_screens_apply_and_those_of_some_screens_are_unknown() {
+        for (media, expected) in [
+            ("", Some(true)),
+            ("screen", Some(true)),
+            ("only ALL", Some(true)),
+            ("print, screen", Some(true)),
+            ("print", Some(false)),
+            ("not print", Some(true)),
+            ("not screen", Some(false)),
+            ("print and (color)", Some(false)),
+            ("(prefers-color-scheme: dark)", None),
+            ("screen and (min-width: 9px)", None),
+            ("print, (hover)", None),
+        ] {
+            assert_eq!(applies(&mut Parser::new(media)), expected, "{media}");
+        }
+    }
+
+    #[test]
+    fn conditions_of_support_are_decided_for_known_properties() {
+        for (condition, expected) in [
+            ("(fill: oklch(50% .1 20))", Some(true)),
+            ("(fill: glow())", Some(false)),
+            ("not (vector-effect: non-scaling-stroke)", Some(true)),
+            ("(fill: red) and (fill: glow())", Some(false)),
+            ("(fill: red) or (display: grid)", Some(true)),
+            ("((fill: red) and (--a: 1))", Some(true)),
+            ("(quotes: auto)", None),
+            ("selector(a > b)", None),
+        ] {
+            assert_eq!(supported(&mut Parser::new(condition)), expected, "{condition}");
+        }
+    }
+
+    #[test]
+    fn declarations_keep_functions_and_lose_comments() {
+        let declared =
+            declarations("FILL: rgb(1 2 3/4%) !important; --A:x /* y */ z; stroke-width:2; {bad};stroke:red");
+        let found: Vec<_> = declared.iter().map(|one| (&*one.name, &*one.value, one.is_important)).collect();
+        let expected = [
+            ("fill", "rgb(1 2 3/4%)", true),
+            ("--A", "x   z", false),
+            ("stroke-width", "2", false),
+            ("stroke", "red", false),
+        ];
+        assert_eq!(found, expected);
+    }
+}
