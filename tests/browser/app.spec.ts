@@ -52,7 +52,7 @@ async function openLens(page: Page): Promise<void> {
   await expect(page.getByRole('region', { name: 'Lens' })).toBeVisible();
 }
 
-/** The versions that the scripts of a page tell. */
+/** The versions reported by the scripts of a page. */
 const versions = (page: Page) =>
   page.evaluate(() => ['main', 'study'].map((name) => Reflect.get(globalThis, `${name}Version`)));
 
@@ -69,7 +69,7 @@ async function update(page: Page): Promise<void> {
 
 const notice = (page: Page) => page.locator('c2-warp .notice');
 
-const NEW_VERSION = 'A new version is ready. It opens at the next start.';
+const NEW_VERSION = 'A new version is ready. It starts the next time you open the editor.';
 
 test('after one visit it works without a network', async ({ page, context }) => {
   await visited(page);
@@ -112,7 +112,7 @@ test('every file of a version is stored, and asked for once', async ({ page }) =
   expect(wasm).toHaveLength(1);
 });
 
-test('an update is told once, and waits for the next start', async ({ page }) => {
+test('an update is announced once, and waits for the next start', async ({ page }) => {
   const editor = await visited(page);
   server.deploy(second as Files);
   await update(page);
@@ -137,7 +137,7 @@ test('with two windows both stay at their version until one is left', async ({ p
   await update(page);
   const other = await context.newPage();
   await opened(other);
-  await expect(notice(other)).toContainText('It opens once the other windows of the editor are closed.');
+  await expect(notice(other)).toContainText('It starts after you close all other editor windows.');
   await openLens(other);
   expect(await versions(other)).toEqual(['first', 'first']);
   await openLens(page);
@@ -196,12 +196,7 @@ test('a version that cannot be stored whole is not used, and is tried again', as
 });
 
 test('files opened with the editor open as those of its own button do', async ({ page }) => {
-  await page.addInitScript(() => {
-    const launchQueue = {
-      setConsumer: (consume: unknown) => Reflect.set(globalThis, 'launched', consume),
-    };
-    Object.defineProperty(globalThis, 'launchQueue', { value: launchQueue });
-  });
+  await holdLaunchQueue(page);
   const editor = await opened(page);
   await editor.dragHandle('right hand', { x: 10, y: -40 });
   const saved = await bytes(await editor.download('Save the project file'));
@@ -215,7 +210,7 @@ test('files opened with the editor open as those of its own button do', async ({
   await expect(editor.button('Undo: open gingerbread.c2warp.json')).toBeEnabled();
 });
 
-test('a file that is gone when it is opened is told', async ({ page }) => {
+test('opening a deleted file is reported', async ({ page }) => {
   await page.addInitScript(() => {
     const getFile = () => Promise.reject(new DOMException('gone', 'NotFoundError'));
     const launchQueue = {
@@ -224,7 +219,26 @@ test('a file that is gone when it is opened is told', async ({ page }) => {
     Object.defineProperty(globalThis, 'launchQueue', { value: launchQueue });
   });
   await opened(page);
-  await expect(notice(page)).toContainText('cat.png cannot be read');
+  await expect(notice(page)).toContainText('Could not read cat.png');
+});
+
+test('files of the system that lie leave the work as it is', async ({ page }) => {
+  await holdLaunchQueue(page);
+  const editor = await opened(page);
+  const hostile = [
+    png('text.png', Buffer.from('<html>')),
+    png('cut.png', disc(96).subarray(0, 60)),
+    project('{"format": "c2warp/9"}', 'later.c2warp.json'),
+    png('empty.png', Buffer.alloc(0)),
+  ];
+  for (const file of hostile) {
+    await launch(page, file);
+    await expect(notice(page)).toContainText(file.name);
+    await expect(page).toHaveTitle('gingerbread.png – c2warp');
+    await editor.button('Dismiss').click();
+  }
+  await page.evaluate(() => Reflect.get(globalThis, 'launched')({ files: [] }));
+  await editor.ready();
 });
 
 test('a shared picture opens, without a network too', async ({ page, context }) => {
@@ -232,6 +246,8 @@ test('a shared picture opens, without a network too', async ({ page, context }) 
   await goOffline(context);
   await share(page, [png('größe 1.png', disc(80))]);
   const editor = new Editor(page);
+  await editor.ready();
+  await takeOffer(page, 'größe 1.png');
   await expect(editor.status).toContainText('80 × 80 px');
   await expect(page).toHaveTitle('größe 1.png – c2warp');
   await expect(page).toHaveURL(server.home);
@@ -241,10 +257,48 @@ test('a shared picture opens, without a network too', async ({ page, context }) 
   await expect(notice(page)).toBeHidden();
 });
 
-test('a share without a file is told', async ({ page }) => {
+for (const policy of ['unsafe-url', 'no-referrer'])
+  test(`a form of another site replaces no work by itself, with the policy ${policy}`, async ({ page }) => {
+    const editor = await visited(page);
+    await editor.dragHandle('right hand', { x: 10, y: -40 });
+    await expect.poll(() => editor.storedWork()).toMatchObject({ step: 'Move right hand' });
+    const headers = { 'Referrer-Policy': policy };
+    await page.route('http://other.example/', (route) =>
+      route.fulfill({ contentType: 'text/html', headers, body: '<!doctype html><title>other</title>' }),
+    );
+    await page.goto('http://other.example/');
+    await share(page, [png('disc.png', disc(80))], server.home);
+    await editor.ready();
+    await expect(notice(page)).toContainText('A link or another program wants to open disc.png.');
+    await expect(page).toHaveURL(server.home);
+    await expect(editor.button('Undo: move right hand')).toBeEnabled();
+    await takeOffer(page, 'disc.png');
+    await expect(editor.status).toContainText('80 × 80 px');
+    await editor.openRecent('gingerbread.png');
+    await expect(editor.button('Undo: move right hand')).toBeEnabled();
+  });
+
+test('a link of another site replaces no work by itself', async ({ page }) => {
+  const editor = await visited(page);
+  await editor.dragHandle('right hand', { x: 10, y: -40 });
+  await expect.poll(() => editor.storedWork()).toMatchObject({ step: 'Move right hand' });
+  await page.route('http://other.example/', (route) =>
+    route.fulfill({
+      contentType: 'text/html',
+      body: `<!doctype html><script>location = '${server.home}?src=samples/octopus.png'</script>`,
+    }),
+  );
+  await page.goto('http://other.example/', { waitUntil: 'commit' });
+  await takeOffer(page, 'octopus.png', async () => {
+    await expect(editor.button('Undo: move right hand')).toBeEnabled();
+  });
+  await expect(page).toHaveTitle('octopus.png – c2warp');
+});
+
+test('a share without a file is reported', async ({ page }) => {
   await visited(page);
   await share(page, []);
-  await expect(notice(page)).toContainText('The shared picture did not arrive');
+  await expect(notice(page)).toContainText('Could not receive the shared picture');
 });
 
 test('the manifest is valid, and its files are there', async ({ page }) => {
@@ -307,6 +361,15 @@ test('an element in another page registers no worker', async ({ page, baseURL })
   expect(await page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length)).toBe(0);
 });
 
+/** Keeps the function that receives files of the system, for {@link launch}. */
+const holdLaunchQueue = (page: Page): Promise<unknown> =>
+  page.addInitScript(() => {
+    const launchQueue = {
+      setConsumer: (consume: unknown) => Reflect.set(globalThis, 'launched', consume),
+    };
+    Object.defineProperty(globalThis, 'launchQueue', { value: launchQueue });
+  });
+
 /** Gives a file to the page as the system does: by a handle, here one of the browser's own file system. */
 const launch = (page: Page, { name, mimeType, buffer }: GivenFile): Promise<void> =>
   page.evaluate(
@@ -322,10 +385,17 @@ const launch = (page: Page, { name, mimeType, buffer }: GivenFile): Promise<void
     { name, mimeType, base64: buffer.toString('base64') },
   );
 
+/** Opens what a notice offers. @param before what holds until then. */
+async function takeOffer(page: Page, name: string, before = async () => {}): Promise<void> {
+  await expect(notice(page)).toContainText(`A link or another program wants to open ${name}.`);
+  await before();
+  await notice(page).getByRole('button', { name: 'Open' }).click();
+}
+
 /** Sends the form that a system sends to a share target. */
-async function share(page: Page, files: readonly GivenFile[]): Promise<void> {
+async function share(page: Page, files: readonly GivenFile[], action = './'): Promise<void> {
   await page.evaluate(
-    (files) => {
+    ([files, action]) => {
       const transfer = new DataTransfer();
       for (const { name, type, base64 } of files) {
         const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
@@ -336,12 +406,19 @@ async function share(page: Page, files: readonly GivenFile[]): Promise<void> {
       const form = Object.assign(document.createElement('form'), {
         method: 'post',
         enctype: 'multipart/form-data',
-        action: './',
+        action,
       });
       form.append(...(files.length > 0 ? [input] : []));
       document.body.append(form);
       form.submit();
     },
-    files.map(({ name, mimeType, buffer }) => ({ name, type: mimeType, base64: buffer.toString('base64') })),
+    [
+      files.map(({ name, mimeType, buffer }) => ({
+        name,
+        type: mimeType,
+        base64: buffer.toString('base64'),
+      })),
+      action,
+    ] as const,
   );
 }

@@ -20,10 +20,10 @@ const POLICY = `
 
 export type Files = ReadonlyMap<string, string | Uint8Array>;
 
-/** The scripts that tell their version: one of the page, and one that is loaded later. */
+/** The scripts that report their version: one of the page, and one that is loaded later. */
 const MARKED = { main: '/src/main.ts', study: '/ui/study/study.ts' };
 
-/** Builds a version of the editor, whose scripts tell the version on `globalThis`. */
+/** Builds a version of the editor whose scripts set the version on `globalThis`. */
 export async function builtEditor(version: string): Promise<Files> {
   const { NODE_ENV } = process.env;
   process.env.NODE_ENV = 'production';
@@ -48,7 +48,7 @@ export async function builtEditor(version: string): Promise<Files> {
 export class AppServer {
   /** The address of the editor. */
   readonly home: string;
-  /** The paths that were asked for, in the folder. */
+  /** The requested paths, in the folder. */
   readonly asked: string[] = [];
   /** Paths that the server answers with this status, as often as it says. */
   readonly failures = new Map<string, { readonly status: number; times: number }>();
@@ -70,12 +70,12 @@ export class AppServer {
     return started;
   }
 
-  /** Puts another version in place of the present one. */
+  /** Replaces the present version with another one. */
   deploy(files: Files): void {
     this.#files = files;
   }
 
-  /** From here on, there is no network. */
+  /** From here on, the network is off. */
   stop(): Promise<void> {
     const stopped = new Promise<void>((done) => this.#server.close(() => done()));
     this.#server.closeAllConnections();

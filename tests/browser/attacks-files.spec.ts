@@ -1,4 +1,4 @@
-/** Files that lie, a network that breaks off, and a browser that denies storage: all is told of, and work stays. */
+/** Deceptive files, an interrupted network, and a browser that denies storage: all is reported, and work is kept. */
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -62,7 +62,7 @@ test('a JPEG that the browser begins to decode, but cannot, is refused in plain 
   await expect(editor.handles).toHaveCount(1);
 });
 
-test('a picture whose download is cut at a random byte is told of, and the work stays', async ({ page }) => {
+test('an interrupted download is reported, and the work is kept', async ({ page }) => {
   test.setTimeout(CUTS * 10_000 + 120_000);
   const random = randomIn('cuts');
   const whole = disc(SIDE);
@@ -104,7 +104,7 @@ test('a picture whose download is cut at a random byte is told of, and the work 
   server.close();
 });
 
-test('where the browser denies storage, editing goes on, and the loss is told of once', async ({ page }) => {
+test('if the browser denies storage, editing continues, and the loss is reported once', async ({ page }) => {
   await page.addInitScript(() => {
     // As in a frame of another origin.
     IDBFactory.prototype.open = () => {
@@ -113,7 +113,7 @@ test('where the browser denies storage, editing goes on, and the loss is told of
   });
   const editor = await Editor.open(page);
   await openWithHandle(editor, 'disc.png', SIDE);
-  await expect(editor.notice).toContainText('Your work is not stored in this browser');
+  await expect(editor.notice).toContainText('This browser cannot store your work');
   await expect(editor.notice).toHaveCount(1);
   await editor.button('Dismiss').click();
   const before = await editor.shownPose('handle 1');

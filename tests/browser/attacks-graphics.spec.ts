@@ -8,7 +8,7 @@ import { test } from './fixtures';
 
 const LOSSES = times(100, 6);
 const SIDE = 96;
-const GONE = 'The graphics card is gone';
+const GONE = 'The browser lost access to the graphics card';
 
 type Loss = JSHandle<WEBGL_lose_context | null | undefined>;
 
@@ -22,7 +22,7 @@ async function lose({ page }: Editor): Promise<Loss> {
   return context;
 }
 
-/** The deeds during which the context is lost. Each returns once all of it has come to its end. */
+/** The actions during which the context is lost. Each returns once all of it has come to its end. */
 const MOMENTS: Readonly<Record<string, (editor: Editor, random: () => number) => Promise<Loss>>> = {
   async 'in a drag'(editor, random) {
     const { mouse } = editor.page;
@@ -58,7 +58,7 @@ const MOMENTS: Readonly<Record<string, (editor: Editor, random: () => number) =>
   },
 };
 
-test('a context lost at random moments loses nothing, and is told of in one sentence', async ({ page }) => {
+test('a context lost at random moments loses no work, and is reported in one sentence', async ({ page }) => {
   test.setTimeout(LOSSES * 20_000 + 120_000);
   const random = randomIn('graphics');
   const editor = await Editor.open(page);

@@ -1,11 +1,17 @@
-/** The element opened, bent, exported and closed again and again: memory stays as it is. */
-import { type CDPSession, expect, test } from '@playwright/test';
+/** Elements, pictures and drags, repeatedly: memory does not grow. */
+import { type CDPSession, expect, type Page, test } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { times } from './attacks';
 
 const ROUNDS = times(500, 18);
-/** After these, everything that is made once is there. */
+/** After these, everything that is created once exists. */
 const FIRST = times(50, 12);
+/** Pictures that one editor opens, and those after which memory is compared. */
+const OPENS = times(200, 18);
+const FIRST_OPENS = times(50, 12);
+/** Drags of a handle by script. A history has no more than 500 steps. */
+const DRAGS = times(3000, 600);
+const FIRST_DRAGS = 500;
 /** The part of the first figure by which a later one may be larger. */
 const GROWTH = 0.05;
 /** Workers that a page keeps for its next picture: one decodes, one encodes. */
@@ -24,14 +30,30 @@ async function memory(devtools: CDPSession) {
   return { heap: usedSize, buffers: backingStorageSize, nodes };
 }
 
+/** Compares memory after the first rounds with that after all rounds. `rounds` runs a number of them. */
+async function expectNoGrowth(
+  page: Page,
+  first: number,
+  all: number,
+  rounds: (count: number) => Promise<void>,
+) {
+  const devtools = await page.context().newCDPSession(page);
+  await rounds(first);
+  const before = await memory(devtools);
+  await rounds(all - first);
+  const after = await memory(devtools);
+  for (const kind of ['heap', 'buffers', 'nodes'] as const) {
+    expect(after[kind], kind).toBeLessThanOrEqual(before[kind] * (1 + GROWTH));
+  }
+}
+
 test('opening, bending, exporting and closing again and again takes no more memory', async ({ page }) => {
   test.setTimeout(ROUNDS * 10_000 + 120_000);
   await page.goto('/plain/');
-  const devtools = await page.context().newCDPSession(page);
   await page.locator('c2-warp').evaluate((element) => element.remove());
-  // Each call of a function in the page compiles it anew, and that code stays.
-  const rounds = (count: number) =>
-    page.evaluate(
+  await expectNoGrowth(page, FIRST, ROUNDS, async (count) => {
+    // Each call of a function in the page compiles it anew, and that code stays.
+    const least = await page.evaluate(
       async ({ count, sample, project }) => {
         const sizes: number[] = [];
         while (sizes.length < count) {
@@ -50,12 +72,43 @@ test('opening, bending, exporting and closing again and again takes no more memo
       },
       { count, sample: SAMPLE, project: PROJECT },
     );
-  expect(await rounds(FIRST)).toBeGreaterThan(10_000);
-  const first = await memory(devtools);
-  expect(await rounds(ROUNDS - FIRST)).toBeGreaterThan(10_000);
-  const last = await memory(devtools);
-  for (const kind of ['heap', 'buffers', 'nodes'] as const) {
-    expect(last[kind], kind).toBeLessThanOrEqual(first[kind] * (1 + GROWTH));
-  }
+    expect(least).toBeGreaterThan(10_000);
+  });
   await expect.poll(() => page.workers().length).toBe(KEPT);
+});
+
+test('one editor that opens picture after picture takes no more memory', async ({ page }) => {
+  test.setTimeout(OPENS * 10_000 + 120_000);
+  await page.goto('/plain/');
+  await expectNoGrowth(page, FIRST_OPENS, OPENS, (count) =>
+    page.locator('c2-warp').evaluate(
+      async (element, { count, sample, project }) => {
+        for (let opened = 0; opened < count; opened++) await (element as C2Warp).load(sample, project);
+      },
+      { count, sample: SAMPLE, project: PROJECT },
+    ),
+  );
+});
+
+test('drag after drag takes no more memory once the history is full', async ({ page }) => {
+  test.setTimeout(DRAGS * 500 + 120_000);
+  await page.goto('/plain/');
+  const warp = page.locator('c2-warp');
+  await warp.evaluate((element, [sample, project]) => (element as C2Warp).load(sample, project), [
+    SAMPLE,
+    PROJECT,
+  ] as const);
+  await expectNoGrowth(page, FIRST_DRAGS, DRAGS, (count) =>
+    warp.evaluate(async (element, count) => {
+      const warp = element as C2Warp;
+      const frame = () => new Promise((shown) => requestAnimationFrame(shown));
+      for (let dragged = 0; dragged < count; dragged++) {
+        const [handle] = warp.project.handles;
+        if (handle?.kind !== 'point') throw new Error('The sample begins with a point.');
+        const by = dragged % 2 ? -8 : 8;
+        warp.updateHandle(handle.id, { posed: [handle.posed[0] + by, handle.posed[1] - by] });
+        await frame();
+      }
+    }, count),
+  );
 });

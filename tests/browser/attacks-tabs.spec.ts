@@ -21,7 +21,7 @@ async function reopened(page: Page): Promise<Editor> {
   await page.goto('/');
   const editor = new Editor(page);
   await expect(editor.handle('handle 1')).toBeVisible();
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   return editor;
 }
 
@@ -40,7 +40,7 @@ async function kill(page: Page): Promise<void> {
   await page.close();
 }
 
-test('a tab killed at random moments keeps what was stored, and stores nothing by half', async ({
+test('a tab killed at random moments keeps stored work, and stores nothing incomplete', async ({
   context,
 }) => {
   test.setTimeout(KILLS * 20_000 + 120_000);
@@ -73,8 +73,8 @@ async function focusHandle(editor: Editor): Promise<void> {
   await expect(handle).toBeFocused();
 }
 
-/** The deeds of a person in one of two tabs. Each ends once it is shown. */
-const DEEDS: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
+/** The actions of a person in one of two tabs. Each ends once it is shown. */
+const ACTIONS: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   async moves(editor) {
     const before = await editor.shownPose('handle 1');
     await focusHandle(editor);
@@ -108,12 +108,12 @@ test('two tabs on one work, interleaved at random, lose no version', async ({ co
   const tabs = [first, await reopened(await prepared(await context.newPage()))] as const;
   for (let count = 0; count < INTERLEAVINGS; count++) {
     const tab = among(tabs, random);
-    const deed = among(Object.keys(DEEDS), random);
-    await test.step(`${count}: ${tab === first ? 'first' : 'second'} ${deed}`, async () => {
+    const action = among(Object.keys(ACTIONS), random);
+    await test.step(`${count}: ${tab === first ? 'first' : 'second'} ${action}`, async () => {
       await tab.page.bringToFront();
-      await DEEDS[deed]?.(tab);
+      await ACTIONS[action]?.(tab);
       await expect(tab.handles).toHaveCount(1);
-      if (deed !== 'moves') return;
+      if (action !== 'moves') return;
       // The last change of either tab is what the next one opens.
       const { x, y } = await tab.shownPose('handle 1');
       await expect

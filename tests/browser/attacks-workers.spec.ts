@@ -14,7 +14,7 @@ async function endWorker({ page }: Editor, random: () => number): Promise<string
   const workers = page.workers();
   if (workers.length === 0) return 'none';
   const worker = among(workers, random);
-  // A worker that has just been replaced is gone by itself.
+  // A worker that has just been replaced ends on its own.
   await worker
     .evaluate(() =>
       setTimeout(() => {
@@ -48,7 +48,7 @@ async function open(editor: Editor, random: () => number): Promise<void> {
   await expect(editor.solved).toContainText(`${SIDE} × ${SIDE} px`);
 }
 
-/** The deeds during which a worker ends. Each returns whether it came to its end, or a notice came instead. */
+/** The actions during which a worker ends. Each returns whether it came to its end, or a notice came instead. */
 const MOMENTS: Readonly<Record<string, (editor: Editor, random: () => number) => Promise<boolean>>> = {
   async 'while a handle is solved'(editor, random) {
     const { page } = editor;

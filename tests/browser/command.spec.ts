@@ -1,6 +1,16 @@
-/** The command as WebAssembly, by the script of the package: it does what the native one does. */
+/** The command as WebAssembly, by the script of the package: it behaves like the native one. */
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  copyFileSync,
+  linkSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { builtCommand, builtWasmCommand } from './command';
@@ -37,6 +47,14 @@ const RUNS: readonly (readonly [args: readonly string[], outputs: readonly strin
   ],
   [['warp', 'cat.c2warp.json', '-o', 'missing/out.png'], []],
   [['warp', 'points.csv', '-o', 'out.png'], []],
+  // An input is not replaced, by any name.
+  [['warp', 'cat.c2warp.json', '-o', 'sub/../cat.png'], ['cat.png']],
+  [['bake', 'cat.c2warp.json', '-o', 'link'], ['cat.png']],
+  [['warp', 'cat.c2warp.json', '-o', 'hard.png'], ['cat.png']],
+  [
+    ['warp', 'cat.c2warp.json', '--image', 'cat.png', '../shared/cat.png', '--scale', '0.1', '-o', 'sub'],
+    ['sub/cat.png'],
+  ],
   [['map', 'cat.c2warp.json'], []],
 ];
 
@@ -56,14 +74,24 @@ test('as WebAssembly the command does what the native one does', async ({ reques
         mkdirSync(join(folder, 'sub'), { recursive: true });
         for (const file of ['cat.png', 'cat.c2warp.json']) copyFileSync(sample(file), join(folder, file));
         writeFileSync(join(folder, 'points.csv'), 'x,y\n300,300\n420.5,700\n2,2\n');
+        symlinkSync('cat.png', join(folder, 'link'));
+        linkSync(join(folder, 'cat.png'), join(folder, 'hard.png'));
         const { status, stdout, stderr }: Outcome = spawnSync(program, [...first, ...args], {
           cwd: folder,
           encoding: 'utf8',
           input: 'x,y\n300,300\n',
         });
         const files = outputs.map((output) => readFileSync(join(folder, output)).toString('base64'));
+        const names = readdirSync(folder);
         // Systems number their errors differently.
-        return { args, status, stdout, stderr: stderr.replace(/\(os error \d+\)/, '(os error)'), files };
+        return {
+          args,
+          status,
+          stdout,
+          stderr: stderr.replace(/\(os error \d+\)/, '(os error)'),
+          files,
+          names,
+        };
       });
     expect(run('wasm', process.execPath, [script])).toEqual(run('native', builtCommand(), []));
     const report = (program: string, ...args: readonly string[]) => {

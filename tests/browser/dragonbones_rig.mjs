@@ -1,4 +1,4 @@
-/** The runtime of DragonBones, as published for PixiJS, without a screen: it poses a rig, and tells its vertices. */
+/** The runtime of DragonBones, as published for PixiJS, without a screen: it poses a rig, and returns its vertices. */
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { createContext, runInContext } from 'node:vm';

@@ -39,7 +39,7 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   'creases are shown': async (editor) => {
     await editor.page.keyboard.press('Escape');
     await fold(editor);
-    await editor.button(/Show the creases/).click();
+    await editor.button(/Show the folds/).click();
   },
   'a notice is shown over a drawing': async (editor) => {
     await editor.button('Draw a bar').click();
@@ -94,7 +94,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
 test('axe finds no violation on a phone with an open settings sheet', async ({ page }) => {
   await page.setViewportSize({ width: 320, height: 640 });
   const editor = await Editor.open(page);
-  await editor.button('How the picture bends').click();
+  await editor.button('Bending settings').click();
   await expect(editor.switch('Stop at folds')).toBeVisible();
   expect(await violations(page)).toEqual([]);
 });
@@ -166,7 +166,7 @@ test('announcements appear in an existing live region', async ({ page }) => {
   await editor.handle('head').click();
   await editor.field('depth').fill('deep');
   await page.keyboard.press('Enter');
-  await expect(page.locator('c2-warp .before')).toContainText('Depth takes a number');
+  await expect(page.locator('c2-warp .before')).toContainText('Depth: enter a number');
 });
 
 test('a notice stays while the pointer is on it', async ({ page }) => {
@@ -175,7 +175,7 @@ test('a notice stays while the pointer is on it', async ({ page }) => {
   await editor.handle('head').click();
   await editor.field('depth').fill('deep');
   await page.keyboard.press('Enter');
-  const notice = page.getByText('Depth takes a number');
+  const notice = page.getByText('Depth: enter a number');
   await notice.hover();
   await page.clock.runFor(20_000);
   await expect(notice).toBeVisible();
@@ -186,10 +186,10 @@ test('a notice stays while the pointer is on it', async ({ page }) => {
 
 test('a fold is announced once, for any number of triangles', async ({ page }) => {
   const editor = await Editor.open(page);
-  const told = page.getByRole('status').getByText('The picture has creases');
+  const told = page.getByRole('status').getByText('The picture has folds');
   await expect(told).toHaveCount(0);
   await fold(editor);
-  await expect(page.getByRole('button', { name: /creases?\. Show the creases/ })).toBeVisible();
+  await expect(page.getByRole('button', { name: /folds?\. Show the folds/ })).toBeVisible();
   await expect(told).toHaveCount(1);
 });
 
@@ -270,7 +270,7 @@ test('a picture in an article has the alternative text of its page', async ({ pa
   const first = page.locator('#first');
   await expect(first.getByRole('button', { name: 'Handle head, ' })).toBeVisible();
   await first.evaluate((element) => element.setAttribute('alt', 'A figure of dough'));
-  const figure = first.getByRole('application', { name: 'A figure of dough, to be posed by its handles' });
+  const figure = first.getByRole('application', { name: 'A figure of dough, with handles to pose it' });
   await expect(figure).toHaveAccessibleDescription(/^Arrow keys move/);
   await first.evaluate((element) => element.setAttribute('readonly', ''));
   await expect(first.getByRole('img', { name: 'A figure of dough', exact: true })).toBeVisible();

@@ -49,7 +49,7 @@ for (const name of ['holiday', 'old.c2warp.json']) {
   });
 }
 
-test('a waiting project is taken by its own picture alone', async ({ page }) => {
+test('a waiting project is only used by its own picture', async ({ page }) => {
   const editor = await Editor.open(page);
   const asks = page.getByText('belongs to the picture a.png (64 × 64 px)');
   const open = async (...files: readonly ReturnType<typeof png>[]) => {
@@ -66,7 +66,7 @@ test('a waiting project is taken by its own picture alone', async ({ page }) => 
   await open(png('b.png', disc(64)));
   await expect(editor.handles).toHaveCount(0);
   await expect(asks).toBeVisible();
-  // Another project comes with the picture that was asked for.
+  // Another project is loaded with the requested picture.
   await open(project(posed('second', 'a.png'), 'other.json'), png('a.png', disc(64)));
   await expect(editor.handle('second')).toBeVisible();
   await expect(asks).toBeHidden();
@@ -155,7 +155,7 @@ test.describe('addresses', () => {
     const editor = await Editor.open(page);
     await bringTexts(editor, 'drop', { 'text/uri-list': DISC });
     await expect(editor.notice).toContainText(
-      'disc.png could not be loaded. pictures.example does not let this page read it (CORS), or cannot be reached.',
+      'Could not load disc.png. pictures.example does not let this page read it (CORS), or cannot be reached.',
     );
     await expect(editor.handles).toHaveCount(5);
   });
@@ -164,10 +164,10 @@ test.describe('addresses', () => {
     await elsewhere(page, true);
     const editor = await Editor.open(page);
     await bringTexts(editor, 'paste', { 'text/plain': 'https://pictures.example/page' });
-    await expect(editor.notice).toContainText('page could not be loaded: it is a web page');
+    await expect(editor.notice).toContainText('page is a web page');
     await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
     await bringTexts(editor, 'drop', { 'text/html': '<p>words</p>' });
-    await expect(page.getByText('There is no picture in this drop')).toBeVisible();
+    await expect(page.getByText('Drop a picture or a link to one')).toBeVisible();
   });
 
   test('the field beside Open takes addresses of pictures and projects', async ({ page }) => {
@@ -175,11 +175,11 @@ test.describe('addresses', () => {
     const editor = await Editor.open(page);
     const type = async (text: string) => {
       await editor.button('Open recent work').click();
-      await page.getByRole('textbox', { name: 'Address of a picture or a project' }).fill(text);
+      await page.getByRole('textbox', { name: 'Address of a picture or project' }).fill(text);
       await page.keyboard.press('Enter');
     };
     await type('disc.png');
-    await expect(editor.notice).toContainText('“disc.png” is no address of a picture');
+    await expect(editor.notice).toContainText('“disc.png” is not the address of a picture');
     await type('https://pictures.example/pose.json');
     await expect(page.getByText('pose.json belongs to the picture disc.png')).toBeVisible();
     await expect(editor.notice).toBeHidden();
@@ -211,18 +211,32 @@ test.describe('addresses', () => {
     page.on('request', (request) => asked.push(request.url()));
     await page.goto('/?src=samples/missing.png');
     const editor = new Editor(page);
-    await expect(editor.notice).toContainText('missing.png could not be loaded: the server answered 404');
+    await expect(editor.notice).toContainText('Could not load missing.png: the server answered 404');
     expect(asked.filter((address) => address.includes('missing.png') && !address.includes('?'))).toHaveLength(
       1,
     );
   });
 });
 
-test('the address of the page names a picture, and stored work waits', async ({ page }) => {
+const CACTUS = '/?src=samples/cactus.png&project=samples/cactus.c2warp.json';
+
+test('the address of the page names a picture, which opens where there is no work', async ({ page }) => {
+  await page.goto(CACTUS);
+  const editor = new Editor(page);
+  await expect(editor.handle('left arm')).toBeVisible();
+  await expect(page).toHaveTitle('cactus.png – c2warp');
+  await expect(editor.notice).toBeHidden();
+});
+
+test('the address of the page offers a picture in place of stored work', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   await expect.poll(() => editor.storedWork()).toMatchObject({ step: 'Move left hand' });
-  await page.goto('/?src=samples/cactus.png&project=samples/cactus.c2warp.json');
+  await page.goto(CACTUS);
+  const notice = page.locator('c2-warp .notice');
+  await expect(notice).toContainText('A link or another program wants to open cactus.png.');
+  await expect(editor.button('Undo: move left hand')).toBeEnabled();
+  await notice.getByRole('button', { name: 'Open' }).click();
   await expect(editor.handle('left arm')).toBeVisible();
   await expect(page).toHaveTitle('cactus.png – c2warp');
   await editor.openRecent('gingerbread.png');

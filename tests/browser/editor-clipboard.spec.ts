@@ -1,5 +1,6 @@
 /** Poses, pictures and text through the clipboard, with real keys. */
 import type { Page } from '@playwright/test';
+import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
@@ -67,7 +68,7 @@ test('poses are copied and pasted with the focus on a switch', async ({ page }) 
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const moved = await posed(editor, 'left-hand');
   await page.keyboard.press('Escape');
-  await editor.switch('Hold the boundary').focus();
+  await editor.switch('Lock the outline').focus();
   await copy(page);
   expect(await clipped(page)).toContain('c2warp-pose/1');
   await page.keyboard.press('Control+z');
@@ -91,7 +92,7 @@ test('an invalid pose is rejected, and other text is ignored', async ({ page }) 
   );
   await paste(page);
   await expect(editor.notice).toContainText(
-    'This pose cannot be pasted: handle "head", rest: expected a point',
+    'Could not paste this pose: handle "head", rest: expected a point',
   );
   await expect(editor.button('Undo')).toBeDisabled();
 });
@@ -122,6 +123,109 @@ test('text in fields and beside the stage is copied and pasted as text', async (
   expect((await clipped(page)).trim()).toBe('left hand');
   // With the focus on the stage the pose is copied, whatever text is selected.
   await editor.handle('left hand').focus();
+  await copy(page);
+  expect(await clipped(page)).toContain('c2warp-pose/1');
+});
+
+/** Copies a picture of 40 × 30 pixels, as other programs do, with these texts. */
+const clipPicture = (page: Page, texts: Readonly<Record<string, string>> = {}) =>
+  page.evaluate(async (texts) => {
+    const canvas = new OffscreenCanvas(40, 30);
+    canvas.getContext('2d')?.fillRect(0, 0, 40, 30);
+    const items: Record<string, Blob> = { 'image/png': await canvas.convertToBlob({ type: 'image/png' }) };
+    for (const [type, text] of Object.entries(texts)) items[type] = new Blob([text], { type });
+    await navigator.clipboard.write([new ClipboardItem(items)]);
+  }, texts);
+
+for (const [name, focus] of [
+  ['a number of a handle', async (editor: Editor) => editor.field('x').click()],
+  [
+    'a number that was typed',
+    async (editor: Editor) => {
+      await editor.field('x').fill('300');
+      await editor.field('x').press('Enter');
+    },
+  ],
+  ['a name', async (editor: Editor) => editor.page.keyboard.press('F2')],
+  [
+    'the field of an address',
+    async (editor: Editor) => {
+      await editor.button('Open recent work').click();
+      await editor.page.getByRole('textbox', { name: 'Address' }).click();
+    },
+  ],
+  [
+    'a number of an export',
+    async (editor: Editor) => {
+      await editor.button('Export as …').click();
+      await editor.page
+        .getByRole('dialog', { name: 'Export' })
+        .getByRole('button', { name: 'Engine' })
+        .click();
+      await editor.page.getByRole('spinbutton', { name: 'Bones (' }).click();
+    },
+  ],
+] as const) {
+  test(`a picture that is pasted into ${name} opens, and a text stays there`, async ({ page }) => {
+    const editor = await Editor.open(page);
+    await editor.handle('head').focus();
+    await focus(editor);
+    // Spreadsheets copy a picture of the text with it.
+    await clipPicture(page, { 'text/plain': '41' });
+    await page.keyboard.press('Control+a');
+    await paste(page);
+    const typed = await page.locator('c2-warp').evaluate(({ shadowRoot }) => {
+      const field = shadowRoot?.activeElement;
+      return field instanceof HTMLInputElement && field.value;
+    });
+    expect(typed).toBe('41');
+    await expect(editor.handles).toHaveCount(5);
+    await clipPicture(page);
+    await paste(page);
+    await expect(editor.status.getByText('40 × 30 px')).toBeAttached();
+  });
+}
+
+test('a picture in HTML, and a project file, open from a number field too', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await editor.field('x').click();
+  const project = { ...(await page.locator('c2-warp').evaluate((element) => (element as C2Warp).project)) };
+  // No program of the test can put a file on the clipboard.
+  await page.locator('c2-warp').evaluate(
+    ({ shadowRoot }, text) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.items.add(new File([text], 'a.c2warp.json', { type: 'application/json' }));
+      const event = new ClipboardEvent('paste', {
+        clipboardData,
+        bubbles: true,
+        composed: true,
+        cancelable: true,
+      });
+      shadowRoot?.activeElement?.dispatchEvent(event);
+    },
+    JSON.stringify({ ...project, clips: [], handles: project.handles.slice(0, 2) }),
+  );
+  await expect(editor.handles).toHaveCount(2);
+
+  await editor.handle('head').focus();
+  await editor.field('x').click();
+  await page.evaluate(async () => {
+    const canvas = Object.assign(document.createElement('canvas'), { width: 20, height: 30 });
+    canvas.getContext('2d')?.fillRect(0, 0, 20, 30);
+    const html = new Blob([`<img src="${canvas.toDataURL()}">`], { type: 'text/html' });
+    await navigator.clipboard.write([new ClipboardItem({ 'text/html': html })]);
+  });
+  await paste(page);
+  await expect(editor.status.getByText('20 × 30 px')).toBeAttached();
+});
+
+test('Control C copies the selected handle after Tab has gone through number fields', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await editor.field('depth').focus();
+  await editor.field('depth').selectText();
+  await page.keyboard.press('Tab');
   await copy(page);
   expect(await clipped(page)).toContain('c2warp-pose/1');
 });

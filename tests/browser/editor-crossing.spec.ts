@@ -4,7 +4,7 @@ import { expect, test } from './fixtures';
 
 const depthOf = async (editor: Editor, id: string) => (await editor.projectHandle(id))?.depth ?? 0;
 
-/** Drags the right hand of the sample from its rest place to another. */
+/** Drags the right hand of the sample from its rest position to another. */
 async function dragRightHand(editor: Editor, to: readonly [number, number]): Promise<void> {
   const scale = await editor.scale();
   await editor.dragHandle('right hand', { x: (to[0] - 900) * scale, y: (to[1] - 516) * scale });
@@ -50,7 +50,7 @@ test('a drag that crosses nothing changes no depth', async ({ page }) => {
   expect(await depthOf(editor, 'right-hand')).toBe(0);
 });
 
-test('all corners of a drawing come from the part of the first one', async ({ page }) => {
+test('all corners of a drawing belong to the part of the first corner', async ({ page }) => {
   const editor = await Editor.open(page);
   const toPage = await editor.fromImage('right hand', [900, 516]);
   await dragRightHand(editor, [760, 180]);
@@ -86,7 +86,7 @@ test('the edge of a part in front can be switched off', async ({ page }) => {
   await page.keyboard.press('Escape');
   await expect(editor.handle('right hand')).toHaveAttribute('aria-pressed', 'false');
   const edged = await editor.screenshot(border, 30);
-  await editor.switch('Edges where parts cross').click();
+  await editor.switch('Shadow where parts overlap').click();
   const change = async () => meanDifference(edged, await editor.screenshot(border, 30));
   await expect.poll(change).toBeGreaterThan(0.5);
   await page.keyboard.press('Control+z');

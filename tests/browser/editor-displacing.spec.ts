@@ -77,7 +77,7 @@ test('a push moves the picture at once, and undo takes strokes back one by one',
   await expect.poll(() => displacement(editor)).toEqual(stroked);
 });
 
-test('strokes and their history come back after a reload', async ({ page }) => {
+test('strokes and their history are restored after a reload', async ({ page }) => {
   const [editor, at] = await brushing(page);
   for (const y of [560, 640, 720]) await editor.drag(at(512, y), { x: 20, y: 0 });
   const stroked = await displacement(editor);
@@ -117,7 +117,7 @@ test('pinch and bloat change distances, and Alt swaps them', async ({ page }) =>
   await expect(editor.button('Undo: pinch')).toBeEnabled();
 });
 
-test('smoothing levels a stroke, and restoring takes it back to nothing', async ({ page }) => {
+test('smoothing evens out a stroke, and restoring removes it', async ({ page }) => {
   const [editor, at] = await brushing(page);
   await editor.drag(at(512, 640), { x: 30, y: 0 });
   const pushed = await largest(editor);
@@ -138,7 +138,7 @@ test('smoothing levels a stroke, and restoring takes it back to nothing', async 
 
 test('with the guard no stroke folds the picture; without it one does', async ({ page }) => {
   const [editor, at] = await brushing(page);
-  const folds = () => editor.status.getByRole('button', { name: 'Show the creases' });
+  const folds = () => editor.status.getByRole('button', { name: 'Show the folds' });
   const pushHard = async () => {
     for (let k = 0; k < 3; k++) await editor.drag(at(440, 700), { x: 90, y: 0 });
   };
@@ -159,7 +159,7 @@ test('the frame of a photograph stays where the brush pushes across it', async (
   const file = Buffer.from(encode({ width: 400, height: 300, data, channels: 3 }));
   await editor.chooseFile(png('photograph.png', file));
   await expect.poll(() => project(editor).then(({ image }) => image.src)).toBe('photograph.png');
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   await page.keyboard.press('f');
   const [from, to] = [await clientPlace(editor, [4, 150]), await clientPlace(editor, [200, 150])];
   await page.mouse.move(...from);
@@ -186,11 +186,11 @@ test('keys hold and push the picture, and the bin clears', async ({ page }) => {
   await page.keyboard.press('Enter');
   await expect(editor.button('Undo: push')).toBeEnabled();
   expect(await displacement(editor)).not.toBeNull();
-  const clear = page.getByRole('button', { name: 'Clear the strokes of the brush', exact: true });
+  const clear = page.getByRole('button', { name: 'Clear brush strokes', exact: true });
   await clear.click();
   expect(await largest(editor)).toBe(0);
   await expect(clear).toBeDisabled();
-  // A push with Alt restores, and there is nothing left.
+  // A push with Alt restores everything.
   await page.keyboard.down('Alt');
   await editor.drag(at(512, 640), { x: 10, y: 0 });
   await page.keyboard.up('Alt');
@@ -279,7 +279,7 @@ test('a picture without handles is pushed, exported, saved and opened', async ({
     return [...a].reduce((sum, value, at) => sum + Math.abs(value - (b[at] ?? 0)), 0) / a.length;
   };
   expect(apart(128)).toBeGreaterThan(1);
-  // Far below the stroke nothing has moved. Only edges are drawn anew.
+  // Far below the stroke nothing has moved. Only edges are redrawn.
   expect(apart(200)).toBeLessThan(0.1);
   const buffer = await bytes(await editor.download('Save the project file'));
   await editor.button('Undo: push').click();

@@ -95,7 +95,7 @@ test('a drawing is exported as SVG, as the command bends it, also after a reload
   const project = Buffer.from(JSON.stringify(PROJECT));
   await editor.chooseFile({ name: 'house.c2warp.json', mimeType: 'application/json', buffer: project });
   await expect(editor.handles).toHaveCount(3);
-  await expect(editor.solved).toContainText('2,024 samples');
+  await expect(editor.solved).toContainText('2,024 mesh points');
   expect(await page.evaluate(() => 'stopped' in window)).toBe(false);
 
   const exported = () => exportedSvg(editor, 'house-warped.svg');
@@ -109,7 +109,7 @@ test('a drawing is exported as SVG, as the command bends it, also after a reload
 
   await page.reload();
   await expect(editor.status).toContainText('1024 × 1024 px');
-  await expect(editor.solved).toContainText('2,024 samples');
+  await expect(editor.solved).toContainText('2,024 mesh points');
   expect(await exported()).toBe(svg);
 });
 

@@ -1,4 +1,4 @@
-/** Input from the moment that a picture is asked for: nothing of it is lost, on a slow machine either. */
+/** Input from the moment of requesting a picture: none of it is lost, even on a slow machine. */
 import type { CDPSession, Page } from '@playwright/test';
 import { encode } from 'fast-png';
 import type { Handle } from '../../web/src/document/project';
@@ -24,11 +24,11 @@ const picture = ({ width, height }: typeof SMALL) => ({
 });
 
 /** A key, or a click on the picture. */
-type Deed = string | Place;
+type Action = string | Place;
 
 /** What a person does, and its result. */
 interface Sequence {
-  readonly deeds: readonly Deed[];
+  readonly actions: readonly Action[];
   /** The places of all handles, in their order. */
   readonly handles: readonly (readonly Place[])[];
   readonly lasso: readonly Place[] | null;
@@ -59,15 +59,15 @@ function sequence(random: Random): Sequence {
   const kind = among(['points', 'lasso', 'lines'] as const, random);
   if (kind === 'lasso') {
     const lasso = ring(random);
-    return { deeds: ['l', ...lasso, 'Enter'], handles: [], lasso };
+    return { actions: ['l', ...lasso, 'Enter'], handles: [], lasso };
   }
   if (kind === 'points') {
     const places = apart(3 + Math.floor(6 * random()), random);
-    return { deeds: ['p', ...places], handles: places.map((place) => [place]), lasso: null };
+    return { actions: ['p', ...places], handles: places.map((place) => [place]), lasso: null };
   }
   const polygon = ring(random);
   const [a = [0, 0], b = [0, 0]] = apart(2, random);
-  return { deeds: ['g', ...polygon, 'Enter', 'b', a, b, 'Enter'], handles: [polygon, [a, b]], lasso: null };
+  return { actions: ['g', ...polygon, 'Enter', 'b', a, b, 'Enter'], handles: [polygon, [a, b]], lasso: null };
 }
 
 const VIRTUAL: Readonly<Record<string, number>> = { Enter: 13 };
@@ -89,11 +89,11 @@ class Hands {
     return new Hands(page, session);
   }
 
-  async do(deeds: readonly Deed[], onPage: (place: Place) => Position, random: Random): Promise<void> {
-    for (const deed of deeds) {
+  async do(actions: readonly Action[], onPage: (place: Place) => Position, random: Random): Promise<void> {
+    for (const action of actions) {
       if (random() < 0.3) await this.#page.evaluate(() => new Promise(requestAnimationFrame));
-      if (typeof deed === 'string') this.#press(deed);
-      else this.#click(onPage(deed));
+      if (typeof action === 'string') this.#press(action);
+      else this.#click(onPage(action));
     }
     await Promise.all(this.#sent.splice(0));
   }
@@ -132,7 +132,7 @@ const project = (page: Page) => page.locator('c2-warp').evaluate((element) => (e
 
 const placesOf = ({ kind, posed }: Handle): readonly Place[] => (kind === 'point' ? [posed] : posed);
 
-/** Returns the greatest distance between found and wanted places, or infinity if their numbers differ. */
+/** Returns the maximum distance between found and wanted places, or infinity if their numbers differ. */
 function farthest(found: readonly Place[], wanted: readonly Place[]): number {
   if (found.length !== wanted.length) return Number.POSITIVE_INFINITY;
   return Math.max(
@@ -180,7 +180,7 @@ for (const group of [0, 1, 2, 3, 4]) {
       const made = sequence(random);
       await editor.chooseFile(picture(SMALL));
       await test.step(`seed ${seed}`, async () => {
-        await hands.do(made.deeds, onPage, random);
+        await hands.do(made.actions, onPage, random);
         await expectMade(page, SMALL, made);
       });
     }
@@ -202,7 +202,7 @@ test('nothing is lost while a picture of 12 megapixels is opened', async ({ page
   ];
   await editor.chooseFile(large);
   await hands.do(['l', ...lasso, 'Enter'], onPage, randomOf(1));
-  await expectMade(page, LARGE, { deeds: [], handles: [], lasso });
+  await expectMade(page, LARGE, { actions: [], handles: [], lasso });
 });
 
 /** The bars of the project: the places of their ends, as fractions of the picture. */

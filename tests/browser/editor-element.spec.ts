@@ -1,8 +1,8 @@
 /** `<c2-warp>` on other pages: attributes, methods, events, and the release of resources. */
 import type { Locator, Page } from '@playwright/test';
 import { decode } from 'fast-png';
-import type { C2Warp } from '../../web/src/element';
-import { Editor, meanDifference, type Position } from './editor';
+import type { C2Warp, ProjectFile } from '../../web/src/element';
+import { bytes, Editor, meanDifference, type Position } from './editor';
 import { expect, test } from './fixtures';
 import { denyPictureWorker } from './picture_worker';
 import { WorkerReplies } from './worker_replies';
@@ -120,10 +120,10 @@ test('invalid handles throw at once and add no step', async ({ page }) => {
     'there is no handle "nobody"',
     'there is no handle "nobody"',
     'handle "head", scale: expected a number above 0 and below 1000000000000',
-    'handle "head", depth: expected a number, at most 1000000000000 from 0',
+    'handle "head", depth: expected a number above -1000000000000 and below 1000000000000',
     'handle "head", id: cannot be changed',
     'handle "head", posed: expected a point [x, y]',
-    'there is a handle "head" already',
+    'a handle "head" exists already',
     'handle "bar", rest: expected 2 points or more [x, y]',
     'handle "5", id: expected a name',
     'C2WarpError: pose.mode: expected "harmonic" or "rigid", found "bogus"',
@@ -253,7 +253,7 @@ test('every element in view is drawn and posed, of many on a page', async ({ pag
   for (const at of [19, 0, 10, 19]) {
     const warp = all.nth(at);
     await warp.scrollIntoViewIfNeeded();
-    await expect(warp.locator('.solved')).toContainText('sample', { timeout: 60_000 });
+    await expect(warp.locator('.solved')).toContainText('mesh point', { timeout: 60_000 });
     const middle = await editor.centre(warp);
     // The gingerbread is brown; without a context the area is grey.
     await expect.poll(async () => warmth(await editor.screenshot(middle, 4))).toBeGreaterThan(40);
@@ -320,7 +320,7 @@ test('a rejected handle is named, and removed from document and history', async 
   await page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).addHandle({ kind: 'point', rest: [512, 260.001], posed: [30, 30] });
   });
-  await expect(editor.notice).toContainText('handle-1');
+  await expect(editor.notice).toContainText('handle 1');
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Redo')).toBeDisabled();
   await editor.button('Undo: move right hand').click();
@@ -419,6 +419,68 @@ test('objects passed to or returned by the element are copies', async ({ page })
     [520, 250],
     [512, 260],
   ]);
+});
+
+test('a project comes back as the page wrote it, and handles as a person adds them', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const { pairs, added } = await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const pairs: (readonly [string, string])[] = [];
+    const set = (project: ProjectFile) => {
+      warp.project = project;
+      pairs.push([JSON.stringify(warp.project), JSON.stringify(project)]);
+    };
+    const { handles, image, format } = warp.project;
+    set({
+      image,
+      handles: handles.map(({ id, kind, posed, rest }) => ({ posed, rest, kind, id }) as never),
+      format,
+    });
+    const written = warp.project.handles[0];
+    // Values that a handle has already, though its file leaves them out.
+    warp.updateHandle('head', { rotation: 0, scale: 1, depth: 0 });
+    warp.pose([{ id: 'head', depth: 0 }]);
+    pairs.push([JSON.stringify(warp.project.handles[0]), JSON.stringify(written)]);
+    warp.updateHandle('head', { depth: 2 });
+    pairs.push([JSON.stringify(warp.project.handles[0]), JSON.stringify({ ...written, depth: 2 })]);
+    const added: unknown[] = [];
+    for (const mode of ['rigid', 'harmonic'] as const) {
+      set({ ...warp.project, pose: { mode } });
+      const rest = [512, 700] as const;
+      const ids = [
+        warp.addHandle({ kind: 'point', rest }),
+        warp.addHandle({
+          kind: 'bar',
+          rest: [
+            [400, 600],
+            [600, 600],
+          ],
+        }),
+        warp.addHandle({ kind: 'point', rest: [512, 800], rotation: 0 }),
+      ];
+      added.push(
+        ids.map((id) => warp.project.handles.find((handle) => handle.id === id)?.rotation ?? 'none'),
+      );
+      for (const id of ids) warp.removeHandle(id);
+    }
+    return { pairs, added };
+  });
+  for (const [got, given] of pairs) expect(got).toBe(given);
+  expect(added).toEqual([
+    ['auto', 'auto', 0],
+    ['none', 'auto', 0],
+  ]);
+  const project = () =>
+    page.locator('c2-warp').evaluate((element) => JSON.stringify((element as C2Warp).project));
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).addHandle({ kind: 'point', rest: [512, 700] });
+  });
+  const before = await project();
+  const saved = (await bytes(await editor.download('Save the project file'))).toString();
+  await page.locator('c2-warp').evaluate(async (element, saved) => {
+    await (element as C2Warp).load('/samples/gingerbread.png', JSON.parse(saved));
+  }, saved);
+  expect(await project()).toBe(before);
 });
 
 test('a drag is reverted when the editor becomes readonly or disabled', async ({ page }) => {
@@ -547,7 +609,7 @@ test('cancelling the solve of an undo reverts it and keeps the history', async (
   await replies.release();
   await undo.click();
   await expect(editor.handles).toHaveCount(5);
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   const redo = editor.button('Redo: add handle');
   await expect(redo).toBeEnabled();
   await redo.click();
@@ -570,7 +632,7 @@ test('export progress shows until the end, also during solves', async ({ page })
   await expect(editor.solved).toContainText('Exporting 0 %');
   await replies.release();
   await download;
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
 });
 
 test('progress ends when the change is undone during its solve', async ({ page }) => {
@@ -586,7 +648,7 @@ test('progress ends when the change is undone during its solve', async ({ page }
   });
   await expect(editor.handles).toHaveCount(5);
   await expect(page.getByRole('progressbar')).toBeHidden();
-  await expect(page.locator('c2-warp .solved')).toContainText('sample');
+  await expect(page.locator('c2-warp .solved')).toContainText('mesh point');
 });
 
 test('the chosen theme persists', async ({ page }) => {
@@ -730,7 +792,7 @@ test('without a picture handles are rejected, and a selection is kept', async ({
       return (error as Error).message;
     }
   });
-  expect(refused).toContain('no picture yet');
+  expect(refused).toContain('open a picture');
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 });
 
@@ -829,7 +891,7 @@ for (const [name, style] of Object.entries(TRANSFORMS)) {
   });
 }
 
-test('a lost graphics context is told of until it is restored, and loses nothing', async ({ page }) => {
+test('a lost graphics context is reported until it is restored, and loses no work', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.position('right hand');
   const goal = { x: hand.x, y: hand.y - 70 };
@@ -838,7 +900,7 @@ test('a lost graphics context is told of until it is restored, and loses nothing
     return canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
   });
   await lose.evaluate((context) => context?.loseContext());
-  await expect(editor.notice).toContainText('The graphics card is gone');
+  await expect(editor.notice).toContainText('The browser lost access to the graphics card');
   await editor.dragHandle('right hand', { x: 0, y: -70 });
   await expect.poll(async () => (await editor.position('right hand')).y).toBeLessThan(goal.y + 1);
   const before = await editor.screenshot(goal);

@@ -78,7 +78,7 @@ test('a file has the chosen size, area, quality and background', async ({ page }
   await size.fill('50');
   await size.press('Enter');
   await expect(panel(page)).toContainText('512 × 640 px');
-  await choose(page, 'Covered');
+  await choose(page, 'Trimmed');
   await expect(panel(page)).toContainText(/≈ \d+ × \d+ px/);
   const about = ((await panel(page).textContent()) ?? '')
     .match(/≈ (\d+) × (\d+) px/)
@@ -193,7 +193,7 @@ test('toBlob tells its progress, and a signal stops it', async ({ page }) => {
   expect(after).toBeGreaterThan(1000);
 });
 
-test('Escape and a button cancel an export, and leave all as it is', async ({ page }) => {
+test('Escape and a button cancel an export without other changes', async ({ page }) => {
   const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
@@ -209,8 +209,8 @@ test('Escape and a button cancel an export, and leave all as it is', async ({ pa
     await expect(page.getByRole('progressbar', { name: 'Exporting' })).toHaveAttribute('aria-valuenow', '0');
     await cancel();
     // At once, although the solver has not answered.
-    await expect(editor.solved).toContainText('sample');
-    await expect(page.getByText('The export was cancelled')).toBeAttached();
+    await expect(editor.solved).toContainText('mesh point');
+    await expect(page.getByText('Export cancelled')).toBeAttached();
     await replies.release();
   }
   const after = await page
@@ -233,7 +233,7 @@ test('handles are solved and dragged while an export is under way', async ({ pag
     const { project } = warp;
     const solved = new Promise<void>((done) => {
       const look = () => {
-        if (warp.shadowRoot?.querySelector('.solved')?.textContent?.includes('sample')) done();
+        if (warp.shadowRoot?.querySelector('.solved')?.textContent?.includes('mesh point')) done();
         else requestAnimationFrame(look);
       };
       requestAnimationFrame(look);
@@ -253,7 +253,7 @@ test('an export that would be too large is refused in plain words', async ({ pag
   await size.press('Enter');
   await panel(page).getByRole('button', { name: 'Export PNG' }).click();
   await expect(editor.notice).toContainText('The export would be too large');
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
 });
 
 test('the panel opens by keys, and axe finds nothing', async ({ page }) => {
@@ -291,12 +291,12 @@ test.describe('on a phone', () => {
     await replies.hold();
     await panel(page).getByRole('button', { name: 'Export JPEG' }).tap();
     await editor.button('Cancel').tap();
-    await expect(page.getByText('The export was cancelled')).toBeAttached();
+    await expect(page.getByText('Export cancelled')).toBeAttached();
     await replies.release();
   });
 });
 
-/** Hides what lies over the picture. Adopted, since the policy of the page forbids style elements. */
+/** Hides everything above the picture. Adopted, since the policy of the page forbids style elements. */
 const hideCards = (page: Page, hidden: boolean) =>
   page.evaluate((hidden) => {
     const bare = new CSSStyleSheet();
@@ -325,7 +325,7 @@ test('the preview of pixel art shows the pixels of the export', async ({ page })
     warp.addHandle({ kind: 'point', id: 'head', rest: [20, 6], posed: [26, 9], rotation: 25 });
     warp.selection = [];
   });
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   for (const percent of [100, 200]) {
     await openPanel(editor);
     const size = panel(page).getByRole('spinbutton', { name: 'Size (%)' });

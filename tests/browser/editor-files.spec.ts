@@ -68,7 +68,7 @@ test('pixel art keeps its colours in exports, unless switched off', async ({ pag
     warp.addHandle({ kind: 'point', id: 'head', rest: [20, 6], posed: [27, 9] });
     warp.selection = [];
   });
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   const colours = (rgba: ArrayLike<number>) => {
     const found = new Set<string>();
     for (let at = 0; at < rgba.length; at += 4)
@@ -115,10 +115,10 @@ test('the first PNG export works offline', async ({ page, context }) => {
 
 test('parts beyond the frame are shown, fitted, and reported as cut off', async ({ page }) => {
   const editor = await Editor.open(page);
-  const [frame, told] = [page.locator('c2-warp .frame'), page.getByText('is cut off')];
+  const [frame, told] = [page.locator('c2-warp .frame'), page.getByText('were cut off')];
   await editor.dragHandle('right hand', { x: 0, y: -30 });
   await editor.exported();
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   await expect(frame).toHaveCount(0);
   await expect(told).toBeHidden();
 
@@ -128,7 +128,10 @@ test('parts beyond the frame are shown, fitted, and reported as cut off', async 
   expect(width).toBe(1024);
   await expect(told).toBeVisible();
 
-  const [download] = await Promise.all([page.waitForEvent('download'), editor.button('Export all').click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    editor.button('Export the whole picture').click(),
+  ]);
   await expect(told).toBeHidden();
   const all = decode(await bytes(download));
   expect(all.height).toBe(1280);
@@ -169,7 +172,7 @@ test('a short notice ends the offer to reopen earlier work, which stays in the l
       new Promise<string>((done) => {
         const look = new MutationObserver(() => {
           const notice = root?.querySelector('.notice')?.textContent ?? '';
-          if (!notice.includes('There is nothing to hold here')) return;
+          if (!notice.includes('Place the handle on the picture')) return;
           look.disconnect();
           const key = { key: 'Escape', bubbles: true, composed: true, cancelable: true };
           (root?.activeElement ?? root?.querySelector('.stage'))?.dispatchEvent(
@@ -183,7 +186,7 @@ test('a short notice ends the offer to reopen earlier work, which stays in the l
   await editor.button('Add a point handle').click();
   await page.mouse.click(100, 600);
   expect(await said).not.toContain('Back to');
-  await expect(page.getByText('There is nothing to hold here')).toBeHidden();
+  await expect(page.getByText('Place the handle on the picture')).toBeHidden();
   await expect(back).toBeHidden();
   await editor.openRecent('gingerbread.png');
   await expect(editor.handle('right hand')).toBeVisible();
@@ -259,7 +262,7 @@ test('full storage is reported once, and again after a success', async ({ page }
   await page.keyboard.press('p');
   await expect(editor.notice).toBeHidden();
   await page.keyboard.press('Enter');
-  await expect(editor.notice).toContainText('Your work is not stored in this browser');
+  await expect(editor.notice).toContainText('This browser cannot store your work');
   await dismiss.click();
   await page.keyboard.press('ArrowRight');
   await editor.waitFrames();
@@ -371,7 +374,7 @@ test('the last change of two tabs is restored completely', async ({ page }) => {
   await second.dragHandle('right hand', { x: -20, y: -40 });
   const later = { picture: 'gingerbread.png', step: 'Move right hand' };
   await expect.poll(() => second.storedWork()).toMatchObject(later);
-  const told = page.getByText('Another tab has changed this work');
+  const told = page.getByText('Another tab also changed this work');
   await expect(told).toBeVisible();
   for (const tab of [page, second.page]) {
     await tab.reload();
@@ -403,7 +406,7 @@ test('after a reload, reverting a rejected step keeps earlier work', async ({ pa
   // Each bar counts three times: itself and its two corners.
   await expect(editor.handles).toHaveCount(11);
   await replies.release();
-  await expect(editor.notice).toContainText('too close to one another', { timeout: 60_000 });
+  await expect(editor.notice).toContainText('too close together', { timeout: 60_000 });
   await expect(editor.handles).toHaveCount(5);
   await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   await expect(page.getByRole('progressbar')).toBeHidden();
@@ -535,7 +538,7 @@ test('a rejected picture keeps the view and the draft', async ({ page }) => {
     await bring(editor, 'drop', png('clear.png', disc(64, 0)));
     await expect(editor.notice).toContainText('clear.png');
     await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
-    await expect(editor.solved).toContainText('sample');
+    await expect(editor.solved).toContainText('mesh point');
   };
   await editor.dragHandle('head', { x: 0, y: -170 });
   await page.keyboard.press('0');
@@ -572,7 +575,7 @@ test('a moved element keeps reopen offer, draft, view and waiting project', asyn
   const editor = await Editor.open(page);
   const move = async () => {
     await page.locator('c2-warp').evaluate((element) => document.body.append(element));
-    await expect(editor.solved).toContainText('sample');
+    await expect(editor.solved).toContainText('mesh point');
   };
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   const told = await editor.settled(() => editor.shownPose('left hand'));
@@ -643,13 +646,17 @@ const at = (id: string, rest: unknown) => ({ id, kind: 'point', rest, posed: [51
 
 const REFUSED: [title: string, file: ReturnType<typeof png>, message: RegExp][] = [
   ['an empty file', png('empty.png', Buffer.alloc(0)), /empty\.png: The file is empty/],
-  ['a text file', png('notes.txt', Buffer.from('no picture')), /notes\.txt: The file is not a picture/],
+  [
+    'a text file',
+    png('notes.txt', Buffer.from('no picture')),
+    /notes\.txt: This browser cannot read the file as a picture/,
+  ],
   ['a truncated picture', png('cut.png', disc(64).subarray(0, 200)), /cut\.png: The picture is incomplete/],
   ['one pixel', png('dot.png', disc(1)), /dot\.png: .*at least 2 × 2/],
   [
     'a picture without an opaque pixel',
     png('clear.png', disc(64, 0)),
-    /clear\.png: nothing in this picture is opaque enough to be warped/,
+    /clear\.png: no part of this picture is opaque enough to warp/,
   ],
   ['an empty project', project(' '), /other\.c2warp\.json: The file is empty/],
   ['a project with invalid JSON', project('{'), /other\.c2warp\.json: /],
@@ -693,7 +700,7 @@ for (const [title, name] of [
     for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
       await devtools.send('Input.dispatchDragEvent', { type, x: 300, y: 300, data });
     }
-    await expect(editor.notice).toContainText(`${name}: The file cannot be read: it is a folder`);
+    await expect(editor.notice).toContainText(`${name}: Could not read the file. It is a folder`);
     await expect(editor.handles).toHaveCount(5);
   });
 }

@@ -14,11 +14,11 @@ async function push(editor: Editor, share: number): Promise<void> {
 
 /** Folds the arm: by hand it does not turn when it is pushed. */
 async function crease(editor: Editor): Promise<void> {
-  await editor.waitForSolve(() => editor.button('By hand').click());
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   await push(editor, 1);
 }
 
-const warningOf = (editor: Editor) => editor.page.getByRole('button', { name: /^\d+ creases?\./ });
+const warningOf = (editor: Editor) => editor.page.getByRole('button', { name: /^\d+ folds?\./ });
 
 test('a warning counts the creases, rings mark them, a press shows them', async ({ page }) => {
   const editor = await Editor.open(page);
@@ -34,7 +34,7 @@ test('a warning counts the creases, rings mark them, a press shows them', async 
   await warning.click();
   await expect(shown as Locator).toHaveCount(2);
   await editor.button('Overlays').click();
-  await expect(page.getByRole('checkbox', { name: 'Creases' })).toBeChecked();
+  await expect(page.getByRole('checkbox', { name: 'Folds' })).toBeChecked();
   await page.keyboard.press('Escape');
   await editor.button('Undo: move right hand').click();
   await expect(warning).toBeHidden();
@@ -46,7 +46,7 @@ test('a press zooms to the creases, and shows them', async ({ page }) => {
   const editor = await Editor.open(page);
   await crease(editor);
   await page.mouse.up();
-  const zoom = page.getByRole('button', { name: /^Zoom to the (next )?crease$/ });
+  const zoom = page.getByRole('button', { name: /^Zoom to the (next )?fold$/ });
   const scale = async () => Number.parseInt(await page.locator('c2-warp .percent').innerText(), 10);
   const before = await scale();
   await zoom.click();
@@ -71,7 +71,7 @@ test('a notice names the handles that fold the picture, and a press moves them b
   await page.mouse.up();
   const notice = page.locator('c2-warp .notice');
   await expect(notice).toContainText(/“right hand”.* folds? the picture/);
-  await notice.getByRole('button', { name: 'Nearest pose without folds' }).click();
+  await notice.getByRole('button', { name: 'Unfold the picture' }).click();
   await expect(notice).toContainText('“right hand” moved back to the nearest pose without folds.');
   await expect(warningOf(editor)).toBeHidden();
   const out = await editor.settled(() => editor.shownPose('right hand'));
@@ -84,7 +84,7 @@ test('a notice names the handles that fold the picture, and a press moves them b
   await expect.poll(() => editor.shownPose('right hand')).toEqual(folded);
   // The line at the bottom and a key do the same.
   await expect(
-    page.locator('c2-warp .creased').getByRole('button', { name: /Nearest pose without folds$/ }),
+    page.locator('c2-warp .creased').getByRole('button', { name: /Unfold the picture$/ }),
   ).toBeVisible();
   await page.keyboard.press('u');
   await expect(warningOf(editor)).toBeHidden();
@@ -92,7 +92,7 @@ test('a notice names the handles that fold the picture, and a press moves them b
 
 test('the guard stops a drag at a fold, and releases it on the way back', async ({ page }) => {
   const editor = await Editor.open(page);
-  await editor.waitForSolve(() => editor.button('By hand').click());
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   await editor.switch('Stop at folds').click();
   const rest = await editor.position('right hand');
   await push(editor, 1);
@@ -120,14 +120,14 @@ test('the guard stops a drag at a fold, and releases it on the way back', async 
   await expect(stopped).toBeHidden();
   // The drag is one step.
   await editor.button('Undo: move right hand').click();
-  await expect(editor.button('Undo: bend by hand')).toBeVisible();
+  await expect(editor.button('Undo: set bending to elastic')).toBeVisible();
   await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
 test('the guard is off by default, and stops numbers and keys too', async ({ page }) => {
   const editor = await Editor.open(page);
   await expect(editor.switch('Stop at folds')).not.toBeChecked();
-  await editor.waitForSolve(() => editor.button('By hand').click());
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   await editor.switch('Stop at folds').click();
   await editor.handle('right hand').click();
   await editor.field('x').fill('512');
@@ -139,7 +139,7 @@ test('the guard is off by default, and stops numbers and keys too', async ({ pag
   for (let step = 0; step < 8; step++) await page.keyboard.press('Shift+ArrowLeft');
   const nudged = await editor.settled(() => editor.shownPose('right hand'));
   expect(nudged.x).toBeGreaterThan(x - 30);
-  await expect(page.getByText('Stopped: more would fold the picture')).toBeAttached();
+  await expect(page.getByText('Stopped before the picture folds')).toBeAttached();
   // The guard does not limit undo.
   await expect(page.getByText('Stopped at a fold')).toBeVisible();
   await page.keyboard.press('Control+z');
@@ -162,7 +162,7 @@ test('depth is set by number, buttons and keys, and undone', async ({ page }) =>
   await expect(editor.handle('right hand')).toHaveAttribute('aria-label', /depth 2/);
   await editor.field('depth').fill('40');
   await editor.field('depth').press('Enter');
-  await expect(page.getByText('Depth takes a number from -10 to 10.')).toBeVisible();
+  await expect(page.getByText('Depth: enter a number from -10 to 10.')).toBeVisible();
   await expect(editor.field('depth')).toHaveValue('2');
   expect(await depth()).toBe(2);
   await editor.field('depth').fill('10');

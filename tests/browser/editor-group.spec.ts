@@ -180,7 +180,7 @@ test('comma and full stop turn the group, and scale it with Alt', async ({ page 
 
 test('past half a turn the group keeps turning, in the harmonic mode too', async ({ page }) => {
   const editor = await opened(page, []);
-  await editor.waitForSolve(() => editor.button('By hand').click());
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   const places = [
     [512, 640],
     [250, 560],
@@ -245,7 +245,7 @@ test('the selection stays rigid where the guard stops a turn', async ({ page }) 
   expect(turn).toBeLessThan(150);
   // The stopped pose is rounded too, once per move.
   expect(off(before, after, turn)).toBeLessThan(0.2);
-  await expect(editor.button(/^\d+ creases?\./)).toBeHidden();
+  await expect(editor.button(/^\d+ folds?\./)).toBeHidden();
 });
 
 test('the group ring works in a posable picture', async ({ page }) => {

@@ -8,7 +8,7 @@ test('the sample opens with five handles, a hint and the solver’s report', asy
   await expect(editor.handles).toHaveCount(5);
   await expect(page.getByText('Drag a hand')).toBeVisible();
   await expect(editor.status).toContainText(/[\d,]+ samples/);
-  await expect(editor.status).toContainText(/virtual handle/);
+  await expect(editor.status).toContainText(/helper point/);
 });
 
 test('dragging a hand bends the arm only, and is one undo step', async ({ page }) => {
@@ -117,7 +117,7 @@ test('no handle can be placed beside the picture, and a notice says so', async (
   await page.keyboard.press('p');
   const hand = await editor.position('left hand');
   await page.mouse.click(hand.x, hand.y + 150);
-  await expect(page.getByText('There is nothing to hold here')).toBeVisible();
+  await expect(page.getByText('Place the handle on the picture')).toBeVisible();
   await expect(editor.handles).toHaveCount(5);
 });
 
@@ -150,7 +150,7 @@ test('a press just outside a shape places the handle on the shape', async ({ pag
     expect(away).toBeGreaterThan(19);
     expect(away).toBeLessThan(20.5);
   }
-  await expect(page.getByText(/^[1-9]\d* virtual handles/)).toBeVisible();
+  await expect(page.getByText(/^[1-9]\d* helper points/)).toBeVisible();
   await expect(editor.notice).toBeHidden();
 });
 
@@ -229,9 +229,9 @@ test('an invalid number is reported, and the old one restored', async ({ page })
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   for (const [field, typed, words] of [
-    ['scale', '0', 'Scale takes a number from 0.01 to 100.'],
-    ['x', '900+20', 'X takes a number, such as 120'],
-    ['scale', '150%', 'Scale takes a number from 0.01 to 100.'],
+    ['scale', '0', 'Scale: enter a number from 0.01 to 100.'],
+    ['x', '900+20', 'X: enter a number, such as 120'],
+    ['scale', '150%', 'Scale: enter a number from 0.01 to 100.'],
   ] as const) {
     const before = await editor.field(field).inputValue();
     await editor.field(field).fill(typed);
@@ -395,7 +395,7 @@ test('each number is one step, and reset restores one handle or all', async ({ p
   await editor.button('Reset to rest').click();
   await expect.poll(() => editor.shownPose('head')).toMatchObject({ x: 512, y: 260 });
   // At rest the turn is automatic again, and the moved hand turns the head a little.
-  await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Auto rotation')).toHaveAttribute('aria-pressed', 'true');
   await expect.poll(async () => (await editor.shownPose('left hand')).x).not.toBe(124);
   await editor.button('Reset all handles').click();
   await expect.poll(() => editor.shownPose('left hand')).toEqual({ x: 124, y: 516, rotation: 0 });

@@ -76,18 +76,18 @@ test('O shows the original while held', async ({ page }) => {
   await expect.poll(async () => meanDifference(bent, await editor.screenshot(hand, 16))).toBeLessThan(SAME);
 });
 
-test('W shows the posed picture alone while held', async ({ page }) => {
+test('W shows only the posed picture while held', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.position('right hand');
   await editor.dragHandle('right hand', { x: 0, y: -90 });
   const at = { x: hand.x, y: hand.y - 90 };
   const look = () => editor.settled(() => editor.screenshot(at, 40));
   await editor.button('Overlays').click();
-  for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByRole('checkbox', { name }).check();
+  for (const name of ['Mesh', 'Helper points', 'Reach']) await page.getByRole('checkbox', { name }).check();
   await page.keyboard.press('Escape');
   const covered = await look();
   await page.keyboard.down('w');
-  await expect(editor.button(/without handles/)).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button(/hide the handles/)).toHaveAttribute('aria-pressed', 'true');
   await expect(page.locator('c2-warp .handles')).toHaveCSS('opacity', '0');
   const alone = await look();
   expect(meanDifference(alone, covered)).toBeGreaterThan(10);
@@ -95,8 +95,7 @@ test('W shows the posed picture alone while held', async ({ page }) => {
   expect(meanDifference(await look(), covered)).toBeLessThan(SAME);
   // Without overlays and selection, the posed picture looks the same and differs from the original.
   await editor.button('Overlays').click();
-  for (const name of ['Mesh', 'Virtual handles', 'Reach'])
-    await page.getByRole('checkbox', { name }).uncheck();
+  for (const name of ['Mesh', 'Helper points', 'Reach']) await page.getByRole('checkbox', { name }).uncheck();
   await page.keyboard.press('Escape');
   await page.keyboard.press('Escape');
   await page.keyboard.down('w');
@@ -284,7 +283,7 @@ for (const name of [
   'compare',
   'Overlays',
   'Select and move',
-  'How the picture bends',
+  'Bending settings',
   'Delete',
 ]) {
   test(`the tooltip of “${name}” lies inside a window of 320 px`, async ({ page }) => {
@@ -362,7 +361,7 @@ test('keys work again after a button disables itself', async ({ page }) => {
 test('a press on a panel control leaves the focus on the picture', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
-  for (const name of ['Auto turn', /^Bring forward$/]) {
+  for (const name of ['Auto rotation', /^Bring forward$/]) {
     const before = await editor.settled(() => editor.shownPose('head'));
     await editor.button(name).click();
     await expect(editor.handle('head')).toBeFocused();
@@ -450,7 +449,7 @@ test('a tool chosen by keys places handles by keys at once', async ({ page }) =>
 
 test('the key list opens by button or key; Escape only closes it', async ({ page }) => {
   const editor = await Editor.open(page);
-  const keys = page.getByRole('dialog', { name: 'Keys' });
+  const keys = page.getByRole('dialog', { name: 'Keyboard shortcuts' });
   await editor.handle('head').focus();
   await page.keyboard.press('?');
   await expect(keys).toBeVisible();
@@ -458,7 +457,7 @@ test('the key list opens by button or key; Escape only closes it', async ({ page
   await page.keyboard.press('Escape');
   await expect(keys).toBeHidden();
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
-  await editor.button('Keys').click();
+  await editor.button('Keyboard shortcuts').click();
   await expect(keys).toBeVisible();
   // Beside it.
   await page.mouse.click(8, 400);
@@ -506,7 +505,7 @@ test('a press into a field selects its number', async ({ page }) => {
   await editor.field('x').click();
   await page.keyboard.type('2000000');
   await page.keyboard.press('Enter');
-  await expect(page.getByText('X takes a number up to 1,000,000.')).toBeVisible();
+  await expect(page.getByText('X: enter a number up to 1,000,000.')).toBeVisible();
 });
 
 test('every control has a name', async ({ page }) => {

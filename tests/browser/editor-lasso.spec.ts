@@ -37,7 +37,7 @@ test('only the inside of a lasso bends; undo restores the handles outside', asyn
   await editor.dragHandle('head', { x: 30, y: 20 });
   const bent = await editor.screenshot(at(512, 260));
   await page.keyboard.press('l');
-  await expect(editor.button('Draw around the part that bends')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Draw around the part to bend')).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.handle('head')).toBeHidden();
   await expect
     .poll(async () => meanDifference(bent, await editor.screenshot(at(512, 260))))
@@ -70,7 +70,7 @@ test('only the inside of a lasso bends; undo restores the handles outside', asyn
   await expect(page.locator('c2-warp .domain')).not.toBeAttached();
 
   await editor.button('Undo: move head').click();
-  await editor.button('Undo: bend what is inside').click();
+  await editor.button('Undo: select the part to bend').click();
   expect(await ids(editor)).toHaveLength(5);
   expect((await domain(editor)).kind).toBe('alpha');
   await expect.poll(() => editor.mapped(312, 1126)).not.toBeNull();
@@ -83,9 +83,9 @@ test('the panel restores the whole picture as domain', async ({ page }) => {
   await draw(editor, around(at));
   await page.keyboard.press('Escape');
   await page.keyboard.press('Escape');
-  await editor.button('Bend all of it').click();
+  await editor.button('Remove the selection').click();
   expect(await domain(editor)).toEqual({ kind: 'alpha', threshold: 0.5 });
-  await expect(editor.button('Bend all of it')).toBeHidden();
+  await expect(editor.button('Remove the selection')).toBeHidden();
   await expect.poll(() => editor.mapped(312, 1126)).not.toBeNull();
 });
 
@@ -96,7 +96,7 @@ test('an empty lasso and a handle outside the lasso are rejected', async ({ page
   await draw(editor, [at(-300, 500), at(-200, 500), at(-200, 600), at(-300, 600), at(-300, 505)]);
   await expect(page.getByText('The lasso is empty')).toBeVisible();
   expect((await domain(editor)).kind).toBe('alpha');
-  await expect(editor.button('Draw around the part that bends')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Draw around the part to bend')).toHaveAttribute('aria-pressed', 'true');
 
   await draw(editor, around(at));
   await expect.poll(() => ids(editor)).toEqual(['head']);
@@ -104,7 +104,7 @@ test('an empty lasso and a handle outside the lasso are rejected', async ({ page
   await page.keyboard.press('p');
   const foot = at(312, 1126);
   await page.mouse.click(foot.x, foot.y);
-  await expect(page.getByText('Outside of the selection, the picture stays still.')).toBeVisible();
+  await expect(page.getByText('The picture does not bend outside the selection.')).toBeVisible();
   expect(await ids(editor)).toEqual(['head']);
   await editor.waitForSolve(() => editor.button('Extend the selection').click());
   await expect(editor.button('Undo: extend the selection')).toBeEnabled();
@@ -127,9 +127,9 @@ test('a lasso is drawn by keys, and its draft survives a reload', async ({ page 
   await expect.poll(kept).toEqual([['lasso', 2]]);
   await page.reload();
   await expect(page.locator('c2-warp .draft')).toBeAttached();
-  await expect(page.locator('c2-warp .solved')).toContainText('sample');
+  await expect(page.locator('c2-warp .solved')).toContainText('mesh point');
   await page.keyboard.press('l');
-  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One corner more');
+  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One more corner');
   await page.locator('c2-warp .stage').focus();
   await corner('ArrowDown', 6);
   await page.keyboard.press('Enter');
@@ -164,8 +164,8 @@ test('the lasso panel offers to hold the boundary', async ({ page }) => {
   await draw(editor, [at(10, 10), at(1014, 10), at(1014, 1270), at(10, 1270), at(10, 20)]);
   await expect(page.getByText('It leaves a gap where it moves away.')).toBeVisible();
   expect(await ids(editor)).toHaveLength(5);
-  await editor.button('Hold its boundary').click();
-  await expect(editor.switch('Hold the boundary')).toBeChecked();
+  await editor.button('Lock its outline').click();
+  await expect(editor.switch('Lock the outline')).toBeChecked();
   await expect(page.getByText('It leaves a gap where it moves away.')).toBeHidden();
 });
 
@@ -207,7 +207,7 @@ test('a part of a photograph turns by a polygon in place of its lasso', async ({
     return { x: x + width * 0.4 + 70 * Math.cos(turn), y: y + height * 0.45 + 70 * Math.sin(turn) };
   });
   await draw(editor, [...circle, ...circle.slice(0, 1)]);
-  await editor.button('Turn this part, keep the rest').click();
+  await editor.button('Turn this part, bend the rest').click();
   await expect(editor.handle('polygon 1')).toBeVisible();
   expect(await domain(editor)).toEqual({ kind: 'image' });
   // Its ring turns it.

@@ -84,6 +84,115 @@ for (const [width, height] of [
   });
 }
 
+const SMALL = [
+  [280, 240],
+  [400, 240],
+  [320, 300],
+  [360, 340],
+  [280, 400],
+  [400, 400],
+  [640, 240],
+  [640, 320],
+  [900, 400],
+] as const;
+
+/** A button that a pointer reaches, also by scrolling, within the window. */
+async function expectReached(button: Locator, name: string): Promise<void> {
+  await button.scrollIntoViewIfNeeded();
+  const isHit = await button.evaluate((element) => {
+    const { x, y, width, height } = element.getBoundingClientRect();
+    const root = element.getRootNode() as ShadowRoot;
+    const hit = root.elementFromPoint(x + width / 2, y + height / 2);
+    return element.contains(hit);
+  });
+  expect(isHit, name).toBe(true);
+}
+
+for (const pointer of ['fine', 'coarse'] as const)
+  test.describe(`small elements, with a ${pointer} pointer`, () => {
+    test.use(pointer === 'coarse' ? { hasTouch: true, isMobile: true } : {});
+
+    for (const [width, height] of SMALL)
+      test(`every tool is within reach at ${width} × ${height}, ${pointer}`, async ({ page }) => {
+        await page.setViewportSize({ width, height });
+        const editor = await Editor.open(page);
+        const words = {
+          select: 'Select and move',
+          point: 'Add a point handle',
+          bar: 'Draw a bar',
+          polygon: 'Draw a polygon',
+          lasso: /^Lasso/,
+          brush: 'Brush',
+          hand: 'Pan',
+          lens: /^Inspect the weights/,
+        };
+        for (const [name, label] of Object.entries(words)) {
+          const tool = page.locator(`c2-warp .tools [data-command='${name}']`);
+          if (await tool.isVisible()) {
+            await expectReached(tool, name);
+            continue;
+          }
+          await editor.button('More').click();
+          await expectReached(page.locator('c2-warp #more').getByRole('button', { name: label }), name);
+          await page.keyboard.press('Escape');
+        }
+        const bars = page
+          .locator('c2-warp')
+          .locator('.top .button, .status .button')
+          .filter({ visible: true });
+        for (const button of await bars.all())
+          await expectReached(button, (await button.getAttribute('aria-label')) ?? '');
+      });
+
+    for (const [width, height] of SMALL)
+      test(`no hint covers the middle of the picture at ${width} × ${height}, ${pointer}`, async ({
+        page,
+      }) => {
+        await page.setViewportSize({ width, height });
+        const editor = await Editor.open(page);
+        const warp = page.locator('c2-warp');
+        const free = async (name: string, isShown = true) => {
+          const hint = page.locator('c2-warp .hint');
+          if (isShown) await expect(hint, name).toBeVisible();
+          else if (!(await hint.isVisible())) return;
+          const [shown, middle] = [
+            await box(hint),
+            await warp.evaluate((element) => {
+              const { naturalWidth, naturalHeight, imageToClient } = element as C2Warp;
+              return imageToClient.call(element, [naturalWidth / 2, naturalHeight / 2]) ?? [0, 0];
+            }),
+          ];
+          const [x, y] = middle;
+          const covers = x > shown.x - 8 && x < shown.right + 8 && y > shown.y - 8 && y < shown.bottom + 8;
+          expect(covers, `${name}: ${JSON.stringify(shown)} at ${middle}`).toBe(false);
+          const tools = await box(page.locator('c2-warp .tools'));
+          expect(shown.x >= tools.right || shown.bottom <= tools.y, `${name} beside the tools`).toBe(true);
+        };
+        // The hint of the page, at each handle.
+        for (const id of ['head', 'left-hand', 'right-hand', 'left-foot', 'right-foot']) {
+          await warp.evaluate((element, id) => element.setAttribute('hint-for', id), id);
+          await free(id, false);
+        }
+        await warp.evaluate((element) => element.removeAttribute('hint'));
+        for (const lang of ['en', 'fr', 'de']) {
+          await warp.evaluate((element, lang) => element.setAttribute('lang', lang), lang);
+          await expect(warp.locator('.shell')).toHaveAttribute('lang', lang);
+          for (const tool of ['bar', 'polygon', 'lasso']) {
+            await warp.evaluate((element, tool) => Object.assign(element, { tool }), tool);
+            await free(`${tool}, ${lang}`);
+          }
+        }
+        await warp.evaluate(async (element) => {
+          const warp = element as C2Warp;
+          for (const { id } of warp.project.handles) warp.removeHandle(id);
+          warp.tool = 'point';
+          await warp.updateComplete;
+        });
+        await expect(editor.handles).toHaveCount(0);
+        await free('without handles');
+      });
+  });
+
 test('an element with content width is visible', async ({ page }) => {
   await Editor.open(page);
   const widths = await page.locator('c2-warp').evaluate((element) => {
@@ -240,14 +349,103 @@ test('forced colours show the selection', async ({ page }) => {
   });
   await expect.poll(ground(editor.button('Select and move'))).toBe(chosen);
   await expect.poll(ground(editor.button('Draw a bar'))).not.toBe(chosen);
-  await expect.poll(ground(editor.button('Auto turn'))).toBe(chosen);
+  await expect.poll(ground(editor.button('Auto rotation'))).toBe(chosen);
   await expect.poll(ground(page.locator('c2-warp .item').filter({ hasText: 'head' }))).toBe(chosen);
   await page.locator('c2-warp summary').click();
   await expect.poll(ground(editor.button('Rigid'))).toBe(chosen);
-  await expect.poll(ground(editor.button('By hand'))).not.toBe(chosen);
+  await expect.poll(ground(editor.button('Elastic'))).not.toBe(chosen);
   await editor.switch('Stop at folds').click();
   await expect.poll(ground(editor.switch('Stop at folds'))).toBe(chosen);
 });
+
+const BRAND = {
+  '--c2-surface': '#1d1033',
+  '--c2-text': '#f1e9ff',
+  '--c2-accent': '#ff7ad9',
+  '--c2-radius': '3px',
+  '--c2-font': '"Courier New", monospace',
+};
+
+for (const theme of ['auto', 'light', 'dark'])
+  test(`every surface has the colours, corners and type of the page, theme ${theme}`, async ({ page }) => {
+    await page.setViewportSize({ width: 1000, height: 700 });
+    const editor = await Editor.open(page);
+    const warp = page.locator('c2-warp');
+    await warp.evaluate(
+      (element, [brand, theme]) => {
+        for (const [name, value] of Object.entries(brand)) (element as C2Warp).style.setProperty(name, value);
+        (element as C2Warp).theme = theme as 'auto';
+      },
+      [BRAND, theme] as const,
+    );
+    /** Surfaces of the shown state, and elements in them. */
+    const look = (selectors: string) =>
+      warp.evaluate((element, selectors) => {
+        const shown = [...(element.shadowRoot?.querySelectorAll(selectors) ?? [])].filter((one) =>
+          one.checkVisibility(),
+        );
+        return shown.map((one) => {
+          const { backgroundColor, color, fontFamily, borderRadius } = getComputedStyle(one);
+          // Of controls, those with text.
+          const controls = one.querySelectorAll<HTMLElement>(
+            'button, select, summary, input[type=text], input:not([type])',
+          );
+          const inside = [...controls].filter(
+            (control) =>
+              control.checkVisibility() && (control.innerText.trim() !== '' || control.matches('input')),
+          );
+          const type = new Set(inside.map((control) => getComputedStyle(control).fontFamily));
+          const corners = inside.map((control) => Number.parseFloat(getComputedStyle(control).borderRadius));
+          return {
+            name: one.className,
+            backgroundColor,
+            color,
+            type: [...new Set([fontFamily, ...type])],
+            round: Math.max(Number.parseFloat(borderRadius), ...corners.filter((corner) => corner < 10)),
+          };
+        });
+      }, selectors);
+    const check = async (selectors: string) => {
+      const found = await look(selectors);
+      expect(found.length, selectors).toBeGreaterThan(0);
+      for (const { name, round, ...rest } of found) {
+        expect(rest, name).toEqual({
+          backgroundColor: 'rgb(29, 16, 51)',
+          // The line at the bottom is faint: a mixture of both.
+          color: name === 'status' ? expect.stringContaining('0.62') : 'rgb(241, 233, 255)',
+          type: ['"Courier New", monospace'],
+        });
+        // Round parts of controls, such as switches, stay.
+        expect(round, name).toBeLessThanOrEqual(7);
+      }
+    };
+    await check('.hint');
+    await check('.top, .tools, .panel, .status');
+    for (const opener of ['Open recent work', 'Export as …']) {
+      await editor.button(opener).click();
+      await check('.popover:popover-open');
+      await page.keyboard.press('Escape');
+    }
+    await page.keyboard.press('?');
+    await check('.keys');
+    await page.keyboard.press('Escape');
+    await page.locator('c2-warp .stage').click({ button: 'right', position: { x: 300, y: 20 } });
+    await check('.context');
+    await page.keyboard.press('Escape');
+    await warp.evaluate((element) => (element as C2Warp).inform('A sentence.'));
+    await check('.notice');
+    await page.keyboard.press('t');
+    await check('.timeline');
+    await page.keyboard.press('t');
+    await page.keyboard.press('i');
+    await check('.study');
+    await editor.button(/^(Light|Dark) colours/).hover();
+    const tip = await editor.button(/^(Light|Dark) colours/).evaluate((button) => {
+      const { backgroundColor, color, borderRadius } = getComputedStyle(button, '::after');
+      return [backgroundColor, color, Number.parseFloat(borderRadius)];
+    });
+    expect(tip).toEqual(['rgb(241, 233, 255)', 'rgb(29, 16, 51)', 1.8]);
+  });
 
 test('a page overlay covers the bars and cards of the editor', async ({ page }) => {
   const editor = await Editor.open(page);
@@ -292,7 +490,7 @@ test('a readonly editor shows no drawing hint', async ({ page }) => {
   // Ends the hint for first visits, which has priority.
   await editor.dragHandle('left hand', { x: 10, y: -20 });
   await page.keyboard.press('Escape');
-  const hint = page.getByText('Drag a bar, or click its corners');
+  const hint = page.getByText('Drag to draw a bar, or click its corners');
   await page.keyboard.press('b');
   await expect(hint).toBeVisible();
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));

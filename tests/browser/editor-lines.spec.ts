@@ -38,7 +38,7 @@ test('a bar is drawn by clicks and bent by one end, each undone alone', async ({
   await page.mouse.move(second.x, second.y);
   // The line to the pointer, before the next click.
   await expect(page.locator('c2-warp .draft .next')).toBeAttached();
-  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One corner more');
+  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One more corner');
   await page.mouse.dblclick(second.x, second.y);
   await expect(page.getByRole('group', { name: 'Drawing' })).toBeHidden();
   await expect(editor.handle('bar 1')).toBeFocused();
@@ -226,7 +226,7 @@ test('a draft survives a reload and continues with its tool', async ({ page }) =
   await editor.ready();
   const corners = page.locator('c2-warp .draft .corner');
   await expect(corners).toHaveCount(2);
-  await page.keyboard.press('g');
+  await expect(editor.button('Draw a polygon')).toHaveAttribute('aria-pressed', 'true');
   await clicks(editor, [at(520, 800)]);
   await editor.waitForSolve(() => page.keyboard.press('Enter'));
   const polygon = await editor.projectHandle('polygon-1');
@@ -267,9 +267,9 @@ test('redo restores only the corner that was undone', async ({ page }) => {
   await expect(corners).toHaveCount(2);
   await page.keyboard.press('Control+Shift+z');
   await expect(corners).toHaveCount(3);
-  await editor.button('Undo: set a corner').click();
+  await editor.button('Undo: place a corner').click();
   await expect(corners).toHaveCount(2);
-  await editor.button('Redo: set a corner').click();
+  await editor.button('Redo: place a corner').click();
   await expect(corners).toHaveCount(3);
   // The first corner too. After the draft is discarded, redo applies to the hand again.
   for (const left of [2, 1, 0]) {
@@ -289,39 +289,44 @@ test('Enter finishes after a press on a button of the draft bar too', async ({ p
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('g');
   await clicks(editor, [at(440, 780), at(584, 780), at(560, 900), at(440, 900)]);
-  await editor.button('Take back the last corner').click();
+  await editor.button('Remove the last corner').click();
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(3);
   await page.keyboard.press('Enter');
   await expect(editor.handle('polygon 1')).toBeVisible();
   expect((await editor.projectHandle('polygon-1'))?.kind).toBe('polygon');
 });
 
-test('a draft waits while another tool is selected', async ({ page }) => {
+test('a draft ends with its tool, and its notice continues it', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
-  const corners = page.locator('c2-warp .draft .corner');
+  const draft = page.locator('c2-warp .draft');
   const card = page.getByRole('group', { name: 'Drawing' });
+  for (const [key, tool] of [
+    ['b', 'Draw a bar'],
+    ['g', 'Draw a polygon'],
+    ['l', 'Lasso: draw around the part to bend'],
+  ] as const) {
+    for (const other of ['v', 'p', 'f', 'h', 'i']) {
+      await page.keyboard.press(key);
+      await clicks(editor, [at(440, 780), at(584, 780)]);
+      await expect(draft).toBeAttached();
+      await page.keyboard.press(other);
+      await expect(draft).toHaveCount(0);
+      await expect(card).toBeHidden();
+      // The card of the lens closes.
+      if (other === 'i') await page.keyboard.press(other);
+      await page.keyboard.press(key);
+      await expect(editor.button(tool)).toHaveAttribute('aria-pressed', 'true');
+      await expect(draft).toHaveCount(0);
+    }
+  }
   await page.keyboard.press('g');
   await clicks(editor, [at(440, 780), at(584, 780), at(560, 900)]);
-  await page.keyboard.press('h');
-  await expect(card).toBeHidden();
-  await expect(corners).toHaveCount(3);
-  const before = await editor.centre(corners.first());
-  await editor.drag(at(300, 400), { x: 30, y: 20 });
-  await expect
-    .poll(async () => {
-      const { x, y } = await editor.centre(corners.first());
-      return [Math.round(x - before.x), Math.round(y - before.y)];
-    })
-    .toEqual([30, 20]);
-  // Undo reverts the move of a handle and keeps the corners.
   await editor.button('Select and move').click();
-  await editor.dragHandle('left hand', { x: 20, y: -40 });
-  await page.keyboard.press('Control+z');
-  await expect(editor.button('Redo: move left hand')).toBeEnabled();
-  await editor.button('Draw a polygon').click();
+  await expect(page.getByText('The drawing has ended.')).toBeVisible();
+  await editor.button('Continue drawing').click();
+  await expect(editor.button('Draw a polygon')).toHaveAttribute('aria-pressed', 'true');
   await expect(card).toContainText('Add corners, or finish');
-  await expect(corners).toHaveCount(3);
   await page.keyboard.press('Enter');
   await expect(editor.handle('polygon 1')).toBeVisible();
 });
@@ -363,7 +368,7 @@ test('the panel moves, turns beyond half a turn, and resets a bar', async ({ pag
   await editor.field('rotation').fill('270');
   await editor.field('rotation').press('Enter');
   await expect.poll(() => editor.shownPose('bar 1')).toMatchObject({ x: 360, rotation: 270 });
-  await expect(editor.button('Auto turn')).toBeHidden();
+  await expect(editor.button('Auto rotation')).toBeHidden();
   await editor.button('Reset to rest').click();
   // The turn took the bar across the other leg. Its depth is not a part of the pose.
   await expect.poll(() => editor.projectHandle('bar-1')).toEqual({ ...rest, depth: 1 });
@@ -388,25 +393,26 @@ test('selection box, Shift-click and arrow keys work on bars and points', async 
   await expect(page.getByRole('heading', { name: 'Left foot' })).toBeVisible();
 });
 
-test('a bar beside the picture is rejected, and its draft stays', async ({ page }) => {
+test('a rejected bar leaves nothing behind, and the next bar is one of its own', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
+  const draft = page.locator('c2-warp .draft');
+  const legs = [at(330, 900), at(330, 1000)] as const;
   await page.keyboard.press('b');
-  await clicks(editor, [at(60, 900), at(160, 1000)]);
-  await page.keyboard.press('Enter');
+  await editor.drag(at(60, 900), { x: 40, y: 40 });
   await expect(editor.notice).toContainText('“bar 1” lies outside the shape');
-  await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
+  await expect(draft).toHaveCount(0);
   await expect(editor.handles).toHaveCount(5);
-  await expect(editor.button('Undo: set a corner')).toBeEnabled();
-  // The draft continues with one more corner, on the leg.
-  const leg = at(380, 950);
-  await page.mouse.click(leg.x, leg.y);
-  await page.keyboard.press('Enter');
+  await page.keyboard.press('v');
+  await expect(draft).toHaveCount(0);
+  await page.keyboard.press('b');
+  await editor.drag(legs[0], { x: 0, y: legs[1].y - legs[0].y });
   await expect(editor.handle('bar 1')).toBeVisible();
-  await expect(page.getByText('Part of bar 1 lies outside the picture')).toBeVisible();
+  const bar = await editor.projectHandle('bar-1');
+  expect(bar?.kind === 'bar' && bar.posed).toHaveLength(2);
 });
 
-test('a rejected bar returns as a draft, and later changes stay', async ({ page }) => {
+test('a rejected bar is continued by its notice, and later changes stay', async ({ page }) => {
   const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
@@ -419,20 +425,26 @@ test('a rejected bar returns as a draft, and later changes stay', async ({ page 
   await page.mouse.click(heart.x, heart.y);
   await replies.release();
   await expect(editor.notice).toContainText('“bar 1” lies outside the shape');
-  await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
+  await expect(page.locator('c2-warp .draft')).toHaveCount(0);
   await expect(editor.handles).toHaveCount(6);
-  await page.keyboard.press('Escape');
-  await editor.button('Undo: add handle').click();
-  await expect(editor.handles).toHaveCount(5);
-  await expect(editor.button('Undo')).toBeDisabled();
+  await editor.button('Continue drawing').click();
+  await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
+  // One more corner, on the leg.
+  await clicks(editor, [at(380, 950)]);
+  await page.keyboard.press('Enter');
+  await expect(editor.handle('bar 1')).toBeVisible();
+  await expect(page.getByText('Part of bar 1 lies outside the picture')).toBeVisible();
+  const bar = await editor.projectHandle('bar-1');
+  expect(bar?.kind === 'bar' && bar.posed).toHaveLength(3);
+  await expect(editor.handle('handle 1')).toBeVisible();
 });
 
 test('a switch holds the boundary, as one step', async ({ page }) => {
   const editor = await Editor.open(page);
   const rim = [980, 516] as const;
-  await editor.switch('Hold the boundary').click();
-  await expect(editor.switch('Hold the boundary')).toBeChecked();
-  await expect(editor.button('Undo: hold the boundary')).toBeEnabled();
+  await editor.switch('Lock the outline').click();
+  await expect(editor.switch('Lock the outline')).toBeChecked();
+  await expect(editor.button('Undo: lock the outline')).toBeEnabled();
   const held = () =>
     page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);
   await expect.poll(async () => (await held()).fix_boundary).toBe(true);
@@ -466,7 +478,7 @@ test.describe('by touch', () => {
     await tapTool(editor, 'Draw a bar');
     for (const place of [at(...HIP), at(...ANKLE)]) await page.touchscreen.tap(place.x, place.y);
     await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
-    await editor.button('Take back the last corner').tap();
+    await editor.button('Remove the last corner').tap();
     await expect(page.locator('c2-warp .draft .corner')).toHaveCount(1);
     const ankle = at(...ANKLE);
     await page.touchscreen.tap(ankle.x, ankle.y);
@@ -504,14 +516,14 @@ test.describe('by touch', () => {
 
   test('the bending mode can be changed without a selection', async ({ page }) => {
     const editor = await Editor.open(page);
-    await expect(editor.button(/^By hand$/)).toBeHidden();
-    await editor.button('How the picture bends').tap();
-    await editor.button(/^By hand$/).tap();
-    await expect(editor.button(/^By hand$/)).toHaveAttribute('aria-pressed', 'true');
+    await expect(editor.button(/^Elastic$/)).toBeHidden();
+    await editor.button('Bending settings').tap();
+    await editor.button(/^Elastic$/).tap();
+    await expect(editor.button(/^Elastic$/)).toHaveAttribute('aria-pressed', 'true');
     for (const control of await page.locator('c2-warp .panel').locator('button:visible, .switch').all()) {
       expect((await control.boundingBox())?.height).toBeGreaterThanOrEqual(44);
     }
-    await editor.button('How the picture bends').tap();
-    await expect(editor.button(/^By hand$/)).toBeHidden();
+    await editor.button('Bending settings').tap();
+    await expect(editor.button(/^Elastic$/)).toBeHidden();
   });
 });

@@ -76,14 +76,14 @@ test('maps and weights are those of the command, at the playhead', async ({ page
   await command(page, 'maps', ...moment, '--inverse', 'inverse.exr');
   expect(isWritten('inverse.exr', inverse)).toBe(true);
 
-  const stretch = await exported(editor, page, ['Stretch', 'PNG', 'All of it']);
+  const stretch = await exported(editor, page, ['Stretch', 'PNG', 'Expanded']);
   expect(stretch.suggestedFilename()).toBe('gingerbread-stretch.png');
   await command(page, 'maps', ...moment, '--grow', '--stretch', 'stretch.png');
   expect(isWritten('stretch.png', await bytes(stretch))).toBe(true);
 
   await editor.button('Export as …').click();
   await press(page, 'Heat map');
-  await expect(panel(page).getByText('select it first')).toBeVisible();
+  await expect(panel(page).getByText('Select one handle first')).toBeVisible();
   await expect(panel(page).getByRole('button', { name: 'Export map' })).toBeDisabled();
   await page.keyboard.press('Escape');
   await editor.handle('head').click();
@@ -107,6 +107,6 @@ test('maps and weights are those of the command, at the playhead', async ({ page
   await panel(page).getByRole('button', { name: 'Export map' }).click();
   await expect(editor.solved).toContainText('Exporting');
   await page.keyboard.press('Escape');
-  await expect(page.getByText('The export was cancelled')).toBeAttached();
-  await expect(editor.solved).toContainText('sample');
+  await expect(page.getByText('Export cancelled')).toBeAttached();
+  await expect(editor.solved).toContainText('mesh point');
 });

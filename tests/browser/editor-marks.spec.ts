@@ -1,4 +1,4 @@
-/** Words and marks: what the stage, the menu and the bars show and say about the work in hand. */
+/** Texts and marks of the stage, the menu and the bars about the present work. */
 import type { Locator } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Position } from './editor';
@@ -99,15 +99,15 @@ test('the menu says why an entry is grey', async ({ page }) => {
   const head = await editor.position('head');
   await page.mouse.click(head.x, head.y, { button: 'right' });
   await expect(entry('Reset')).toBeDisabled();
-  await expect(entry('Reset')).toContainText('At rest already');
-  await expect(entry('Reset')).toHaveAccessibleDescription('At rest already');
+  await expect(entry('Reset')).toContainText('Already in the rest position');
+  await expect(entry('Reset')).toHaveAccessibleDescription('Already in the rest position');
   await expect(entry('Delete')).toHaveAccessibleDescription('');
   await page.keyboard.press('Escape');
   await page.mouse.click(head.x + 220, head.y, { button: 'right' });
-  await expect(entry('Add a point here')).toHaveAccessibleDescription('Nothing bends here');
+  await expect(entry('Add a point handle here')).toHaveAccessibleDescription('Nothing bends here');
   await page.keyboard.press('Escape');
   for (let press = 0; press < 11; press++) await page.keyboard.press(']');
-  await expect(page.getByRole('status').getByText('In front already')).toBeAttached();
+  await expect(page.getByRole('status').getByText('Already in front')).toBeAttached();
 });
 
 test('a new handle is named once', async ({ page }) => {

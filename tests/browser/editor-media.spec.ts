@@ -47,7 +47,7 @@ test('a clip plays to its end, and tells of it', async ({ page }) => {
   await expect(editor.button('Undo: set project')).toBeEnabled();
 });
 
-test('a time can be shown, and a clip that is not there is refused', async ({ page }) => {
+test('a time can be shown, and an unknown clip is rejected', async ({ page }) => {
   const editor = await open(page);
   await warp(page).evaluate((element) => {
     (element as C2Warp).currentTime = 0.5;
@@ -115,7 +115,7 @@ test('out of sight time stands still', async ({ page }) => {
     .toBe(true);
 });
 
-test('an element with autoplay plays by itself, unless people prefer reduced motion', async ({ page }) => {
+test('an element with autoplay starts to play, unless people prefer reduced motion', async ({ page }) => {
   for (const reducedMotion of ['no-preference', 'reduce'] as const) {
     await open(page);
     await page.emulateMedia({ reducedMotion });

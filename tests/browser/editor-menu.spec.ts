@@ -82,9 +82,9 @@ test('on the picture it adds a point; a press outside only closes it', async ({ 
 
   await rightClick(page, at(512, 700));
   await rightClick(page, at(300, 100));
-  await expect(entry(page, 'Add a point here')).toBeDisabled();
+  await expect(entry(page, 'Add a point handle here')).toBeDisabled();
   await rightClick(page, at(512, 700));
-  await editor.waitForSolve(() => entry(page, 'Add a point here').click());
+  await editor.waitForSolve(() => entry(page, 'Add a point handle here').click());
   await expect(editor.handles).toHaveCount(6);
   await expect(editor.handle('handle 1')).toBeFocused();
   const told = await editor.shownPose('handle 1');
@@ -319,7 +319,7 @@ test.describe('with the clipboard', () => {
     await page.evaluate(() => navigator.clipboard.writeText('hello'));
     await rightClick(page, await editor.position('left hand'));
     await entry(page, 'Paste a pose').click();
-    await expect(page.getByText('There is no pose on the clipboard')).toBeVisible();
+    await expect(page.getByText('The clipboard has no pose')).toBeVisible();
   });
 });
 
@@ -333,10 +333,10 @@ test('without clipboard access the menu pastes only poses of this page', async (
   const moved = await posed(editor, 'left-hand');
   await rightClick(page, await editor.position('left hand'));
   await entry(page, 'Paste a pose').click();
-  await expect(page.getByText('press Ctrl + V to paste')).toBeVisible();
+  await expect(page.getByText('Press Ctrl + V to paste')).toBeVisible();
   await rightClick(page, await editor.position('left hand'));
   await entry(page, 'Copy the pose').click();
-  await expect(page.getByText('can be pasted on this page only')).toBeVisible();
+  await expect(page.getByText('You can paste the pose on this page only')).toBeVisible();
   await page.keyboard.press('r');
   await expect.poll(() => posed(editor, 'left-hand')).toEqual([124, 516]);
   // Something else may have been copied meanwhile. The browser refuses to read it.

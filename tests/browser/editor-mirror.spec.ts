@@ -72,7 +72,7 @@ test('mirroring all handles flips the pose; unmatched ones are reported', async 
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('m');
-  await expect(page.getByText('Both sides are the same already')).toBeVisible();
+  await expect(page.getByText('Both sides already match')).toBeVisible();
   await expect(editor.button(/^Undo/)).toBeDisabled();
 
   await editor.dragHandle('head', { x: 40, y: 0 });
@@ -105,7 +105,7 @@ test('mirroring all handles flips the pose; unmatched ones are reported', async 
   await expect(editor.handles).toHaveCount(1);
   await editor.handle('left hand').focus();
   await page.keyboard.press('m');
-  await expect(page.getByText('The picture has nothing on the other side of left hand.')).toBeVisible();
+  await expect(page.getByText('The mirrored position of left hand is outside the picture.')).toBeVisible();
   await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.handles).toHaveCount(1);
 });

@@ -5,7 +5,7 @@ import { expect, test } from './fixtures';
 
 const beside = ({ x, y }: Position, dx: number, dy: number): Position => ({ x: x + dx, y: y + dy });
 
-const nameField = (editor: Editor) => editor.page.getByRole('textbox', { name: 'Name of the handle' });
+const nameField = (editor: Editor) => editor.page.getByRole('textbox', { name: 'Handle name' });
 /** The names and numbers on the stage. */
 const marks = (editor: Editor) => editor.page.locator('c2-warp .marks .name');
 
@@ -57,7 +57,7 @@ test('F2 renames without another solve, Escape keeps the old name', async ({ pag
   await page.keyboard.press('Enter');
   await expect(editor.handle('Boot')).toBeFocused();
   expect(await editor.shownPose('Boot')).toEqual(pose);
-  // The time of the solve in the status line is the one of before.
+  // The status line still shows the time of the previous solve.
   await expect(editor.solved).toHaveText(solved ?? '');
   await page.keyboard.press('ArrowDown');
   await expect.poll(() => editor.shownPose('Boot')).toMatchObject({ y: pose.y + 1 });
@@ -76,7 +76,7 @@ test('F2 renames without another solve, Escape keeps the old name', async ({ pag
 test('a name that is taken or empty is refused beside the field', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('left foot').click();
-  await editor.button('left foot: rename').click();
+  await editor.button('Rename left foot').click();
   const field = nameField(editor);
   await expect(field).toBeFocused();
   await field.fill('HEAD');
@@ -95,7 +95,7 @@ test('a name that is taken or empty is refused beside the field', async ({ page 
   await field.fill('left hand');
   await editor.handle('head').click();
   const notice = page.locator('c2-warp .notice');
-  await expect(notice).toContainText('Another handle has this name: “Shoe” keeps its own.');
+  await expect(notice).toContainText('Another handle has this name. The name “Shoe” was kept.');
   await expect(editor.handle('Shoe')).toBeVisible();
 });
 
@@ -142,4 +142,41 @@ test('names and numbers keep clear of other handles at each zoom', async ({ page
     });
     expect(clear, zoom).toBe(true);
   }
+});
+
+test('signs that are not drawn are shown, and long names are cut', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.position('head');
+  const refused = await page.locator('c2-warp').evaluate((element) => {
+    const add = (id: string, x: number) =>
+      (element as C2Warp).addHandle({ kind: 'point', id, rest: [x, 700] });
+    add('left\u202ednah\u001b', 400);
+    add('wide '.repeat(40), 460);
+    try {
+      add('x'.repeat(201), 520);
+      return null;
+    } catch (error) {
+      return String(error);
+    }
+  });
+  expect(refused).toContain('id: expected a name of at most 200 characters');
+  const shown = String.raw`left\u{202e}dnah\u{1b}`;
+  const handle = editor.handle(shown.replaceAll(/[\\{}]/g, String.raw`\$&`));
+  await expect(handle).toBeVisible();
+  const items = page.locator('c2-warp .item');
+  await expect(items.filter({ hasText: shown })).toHaveCount(1);
+  const wide = items.filter({ hasText: 'wide' });
+  expect((await wide.boundingBox())?.height).toBeLessThan(80);
+  await wide.click();
+  await page.mouse.move(at.x, at.y);
+  expect((await marks(editor).filter({ hasText: 'Wide' }).textContent())?.length).toBe(40);
+  await handle.focus();
+  await page.keyboard.press('F2');
+  await expect(nameField(editor)).toHaveValue(shown);
+  await page.keyboard.press('Enter');
+  await expect(editor.button('Undo: rename')).toHaveCount(0);
+  const ids = await page
+    .locator('c2-warp')
+    .evaluate((element) => (element as C2Warp).project?.handles.map(({ id }) => id));
+  expect(ids).toContain('left\u202ednah\u001b');
 });

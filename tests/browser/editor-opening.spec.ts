@@ -102,7 +102,7 @@ test('an empty stage asks for a picture, except while one is loading', async ({ 
   const refused = warp(page).evaluate((element) =>
     (element as C2Warp).load(new Blob(['no picture'])).catch((error: Error) => error.message),
   );
-  expect(await refused).toContain('not a picture');
+  expect(await refused).toContain('as a picture');
   await slow.comes();
   await expect(asks).toBeVisible();
   await expect(waits).toBeHidden();
@@ -213,7 +213,7 @@ test('a project that the page set waits for the solver', async ({ page }) => {
     (element as C2Warp).project = project;
     element.setAttribute('src', '/fast.png');
   }, PROJECT);
-  await expect(page.getByRole('alert')).toContainText('The solver could not be loaded');
+  await expect(page.getByRole('alert')).toContainText('Could not load the solver');
   await free();
   await page.getByRole('button', { name: 'Try again' }).click();
   await expect(page.getByRole('button', { name: 'Handle middle, ' })).toBeVisible();
@@ -226,12 +226,12 @@ test('a picture without handles shows a hint; own pictures get the point tool', 
   await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
   const editor = new Editor(page);
   const pressed = (tool: string) => expect(editor.button(tool)).toHaveAttribute('aria-pressed', 'true');
-  await expect(page.getByText('take the point tool, and click the picture')).toBeVisible();
+  await expect(page.getByText('choose the point tool, then click the picture')).toBeVisible();
   await pressed('Select and move');
   const bring = async () =>
     editor.chooseFile({ name: 'mine.png', mimeType: 'image/png', buffer: square(40) });
   await bring();
-  await expect(page.getByText('Click the picture where you want to hold it')).toBeVisible();
+  await expect(page.getByText('Click the picture where you want a handle')).toBeVisible();
   await pressed('Add a point handle');
   const middle = await editor.centre(page.locator('c2-warp canvas'));
   await page.mouse.click(middle.x - 80, middle.y);
@@ -241,7 +241,7 @@ test('a picture without handles shows a hint; own pictures get the point tool', 
 
   await warp(page).evaluate((element) => element.setAttribute('tool', 'select'));
   await bring();
-  await expect(page.getByText('take the point tool')).toBeVisible();
+  await expect(page.getByText('choose the point tool, then click')).toBeVisible();
   await pressed('Select and move');
 });
 
@@ -360,7 +360,7 @@ test('without a picture it is ready, fires no load and rejects exports', async (
       );
     return [await refusal(element as C2Warp), await refusal(document.createElement('c2-warp'))];
   });
-  expect(refusals[0]).toContain('no picture yet');
+  expect(refusals[0]).toContain('Open a picture');
   expect(refusals[1]).toContain('no picture');
 });
 
@@ -414,7 +414,7 @@ test('a project set without a picture waits for a picture of the user', async ({
   await warp(page).evaluate((element) => element.replaceWith(document.createElement('c2-warp')));
   await set();
   await bring('other.png', 40);
-  await expect(editor.notice).toContainText('The project is for a picture of 48 × 48 px; other.png has');
+  await expect(editor.notice).toContainText('The project is for a picture of 48 × 48 px, but other.png has');
   await expect(editor.solved).toContainText('40 × 40 px');
   expect(await heard(page)).toContain('error');
   await warp(page).evaluate((element) => (element as C2Warp).load('/fast.png'));

@@ -1,4 +1,4 @@
-/** Pictures with transparency: their outline, its least opacity, and parts without a handle. */
+/** Pictures with transparency: their outline, its minimum opacity, and parts without a handle. */
 import { encode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
@@ -17,7 +17,7 @@ function picture(size: number, alpha: (x: number, y: number) => number): Buffer 
 async function opened(editor: Editor, name: string, buffer: Buffer): Promise<void> {
   await bring(editor, 'drop', png(name, buffer));
   await expect(editor.page.getByRole('application', { name: `Picture ${name}` })).toBeVisible();
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
 }
 
 /** Where the page shows a place of the picture, CSS pixels. */
@@ -46,7 +46,7 @@ test('a picture of thousands of dots opens, says what bends together, and bends'
   // Some 15,600 dots.
   const dots = picture(1000, (x, y) => (Math.hypot((x % 8) - 3.5, (y % 8) - 3.5) < 3 ? 255 : 0));
   await opened(editor, 'dots.png', dots);
-  await expect(page.getByText(/too fine to be followed: parts up to \d+ pixels apart bend/)).toBeVisible();
+  await expect(page.getByText(/too fine to follow: parts up to \d+ pixels apart bend/)).toBeVisible();
   await placeHandle(editor, 500, 800);
   await placeHandle(editor, 500, 200);
   await page.keyboard.press('v');
@@ -54,7 +54,7 @@ test('a picture of thousands of dots opens, says what bends together, and bends'
   await expect.poll(() => editor.mappedDistance([500, 200], [500, 200])).toBeGreaterThan(20);
 });
 
-test('parts without a handle follow if they are asked to', async ({ page }) => {
+test('parts without a handle follow if the setting is on', async ({ page }) => {
   const editor = await Editor.open(page);
   // Three squares in a row.
   const isSquare = (x: number, y: number) => x % 100 < 80 && x % 100 > 20 && y > 120 && y < 180;
@@ -64,7 +64,7 @@ test('parts without a handle follow if they are asked to', async ({ page }) => {
     picture(300, (x, y) => (isSquare(x, y) ? 255 : 0)),
   );
   await placeHandle(editor, 150, 150);
-  await expect(page.getByText('2 parts have no handle and stay behind.')).toBeVisible();
+  await expect(page.getByText('2 parts have no handle and stay in place.')).toBeVisible();
   await editor.button('Let them follow').click();
   await unfold(editor);
   await expect(editor.switch('Loose parts follow')).toBeChecked();
@@ -83,11 +83,11 @@ test('the boundary of a soft shadow is held, and the figure inside bends', async
   await opened(editor, 'shadow.png', picture(900, shadow));
   await placeHandle(editor, 450, 450);
   await unfold(editor);
-  await editor.waitForSolve(() => editor.switch('Hold the boundary').check());
+  await editor.waitForSolve(() => editor.switch('Lock the outline').check());
   await page.keyboard.press('v');
   await editor.dragHandle('handle 1', { x: 40, y: 0 });
   await expect.poll(() => editor.mappedDistance([450, 450], [450, 450])).toBeGreaterThan(20);
-  await expect(page.getByText('The step was taken back')).toHaveCount(0);
+  await expect(page.getByText('The step was undone')).toHaveCount(0);
 });
 
 test('the least opacity is set with the outline on the stage, a drag in one step', async ({ page }) => {
@@ -99,13 +99,13 @@ test('the least opacity is set with the outline on the stage, a drag in one step
   );
   const outline = page.locator('c2-warp path.outline:not(.pale)');
   await editor.button('All settings').click();
-  const slider = page.getByRole('slider', { name: 'Least opacity' });
+  const slider = page.getByRole('slider', { name: 'Minimum opacity' });
   await expect(outline).toHaveCount(0);
   await slider.focus();
   const first = await outline.getAttribute('d');
   await slider.fill('0.6');
   await expect.poll(() => outline.getAttribute('d')).not.toBe(first);
-  await editor.button('Undo: set the least opacity').click();
+  await editor.button('Undo: set the minimum opacity').click();
   await slider.focus();
   await expect.poll(() => outline.getAttribute('d')).toBe(first);
   await slider.blur();

@@ -59,7 +59,7 @@ test('cell borders follow a drag, and change with another handle', async ({ page
 test('coverage has a legend, and one heat map replaces the other', async ({ page }) => {
   const editor = await Editor.open(page);
   const plain = await editor.screenshot(await editor.position('head'), 30);
-  const legend = page.getByRole('img', { name: /moved by few handles/ });
+  const legend = page.getByRole('img', { name: /Few points move blue areas/ });
   await overlay(editor, 'Coverage');
   await expect(legend).toBeVisible();
   await editor.waitFrames();

@@ -108,7 +108,7 @@ test('a rig shows picture and handles only, with the picture’s height', async 
   const rig = await Rig.open(page);
   await expect(rig.element.getByRole('button')).toHaveCount(5);
   await expect(rig.element.locator('.top, .tools, .panel, .status, .draft-bar, .notice')).toHaveCount(0);
-  await expect(rig.stage).toHaveAccessibleName('Picture gingerbread.png, to be posed by its handles');
+  await expect(rig.stage).toHaveAccessibleName('Picture gingerbread.png, with handles to pose it');
   const { width, height } = (await rig.element.boundingBox()) ?? { width: 0, height: 0 };
   expect(height).toBeCloseTo((width * 1280) / 1024, 0);
   const grounds = await rig.stage.evaluate((stage) => {

@@ -33,14 +33,14 @@ async function switchReach(editor: Editor): Promise<void> {
   await editor.page.keyboard.press('Escape');
 }
 
-const legend = (editor: Editor) => editor.page.getByRole('img', { name: /yellow goes along/ });
+const legend = (editor: Editor) => editor.page.getByRole('img', { name: /yellow follows/ });
 
 const NAMES = ['left hand', 'right hand', 'head', 'left foot', 'right foot'] as const;
 
-for (const mode of ['Rigid', 'By hand'] as const) {
+for (const mode of ['Rigid', 'Elastic'] as const) {
   test(`${mode}: selected handles are hot, others cold; none without selection`, async ({ page }) => {
     const editor = await Editor.open(page);
-    if (mode === 'By hand') await editor.waitForSolve(() => editor.button('By hand').click());
+    if (mode === 'Elastic') await editor.waitForSolve(() => editor.button('Elastic').click());
     const places = Object.fromEntries(
       await Promise.all(NAMES.map(async (name) => [name, await editor.position(name)] as const)),
     ) as Record<(typeof NAMES)[number], Position>;

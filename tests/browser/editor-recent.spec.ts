@@ -54,7 +54,7 @@ test('work that the browser cannot keep is only called unsaved', async ({ page }
   });
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
-  await expect(editor.notice).toContainText('Your work is not stored');
+  await expect(editor.notice).toContainText('This browser cannot store your work');
   await expect(title(page)).toHaveText(/^\s*gingerbread.png\s*Unsaved\s*$/);
 });
 
@@ -110,7 +110,7 @@ test('recent work is removed, each and all, and can be put back', async ({ page 
   await menu(page).getByRole('button', { name: 'Remove disc.png from the list' }).click();
   await expect.poll(() => storedRecent(page)).toEqual(['gingerbread.png']);
   await page.keyboard.press('Escape');
-  await editor.button('Put back').click();
+  await editor.button('Restore').click();
   await expect.poll(async () => (await storedRecent(page)).sort()).toEqual(['disc.png', 'gingerbread.png']);
   await editor.button('Open recent work').click();
   await menu(page).getByRole('button', { name: 'Remove all' }).click();
@@ -159,7 +159,7 @@ test('after edits in two tabs, a reload offers both versions', async ({ page }) 
   const head = await first.settled(() => first.shownPose('head'));
   await expect.poll(() => first.storedWork()).toMatchObject({ step: 'Move head' });
   await expect(
-    second.page.getByText('Another tab has changed this work too. Both versions are kept'),
+    second.page.getByText('Another tab also changed this work. Both versions are kept'),
   ).toBeVisible();
   await second.dragHandle('right hand', { x: -20, y: -40 });
   const hand = await second.settled(() => second.shownPose('right hand'));

@@ -20,7 +20,7 @@ function halfSample(at: readonly [number, number]): Buffer {
   return Buffer.from(encode({ width: wide, height: high, data: pixels, channels: 4 }));
 }
 
-test('a dropped picture takes the rig of the one before, lined up with its outline', async ({ page }) => {
+test('a dropped picture takes the previous rig, aligned with its outline', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   const before = await editor.projectHandle('left-hand');

@@ -19,7 +19,7 @@ test('a dragged hand turns automatically, and its field shows the turn', async (
   // The arm points up now: the turn is counterclockwise.
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
-  await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Auto rotation')).toHaveAttribute('aria-pressed', 'true');
   const shown = await editor.settled(() => turn(editor));
   // The name of the handle has whole degrees, the field tenths.
   const apart = async () => Math.abs((await editor.shownPose('right hand')).rotation - shown);
@@ -35,7 +35,7 @@ test('a pinned hand keeps its turn until the automatic turn is back on', async (
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   const shown = await editor.settled(() => turn(editor));
-  const toggle = editor.button('Auto turn');
+  const toggle = editor.button('Auto rotation');
   await toggle.click();
   await expect(toggle).toHaveAttribute('aria-pressed', 'false');
   await expect.poll(() => turn(editor)).toBe(shown);
@@ -56,7 +56,7 @@ test('the ring continues from the automatic turn', async ({ page }) => {
   const hand = await editor.settled(() => editor.position('right hand'));
   await editor.drag({ x: hand.x + 40, y: hand.y }, { x: -40, y: 40 });
   await expect.poll(async () => Math.abs((await turn(editor)) - (shown + 90))).toBeLessThan(2);
-  await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'false');
+  await expect(editor.button('Auto rotation')).toHaveAttribute('aria-pressed', 'false');
 });
 
 test('the bending mode changes with one click and one undo step', async ({ page }) => {
@@ -66,12 +66,14 @@ test('the bending mode changes with one click and one undo step', async ({ page 
       const { pose, weighting } = (element as C2Warp).project;
       return [pose?.mode, pose?.density, weighting?.support];
     });
-  const [rigid, byHand] = ['Rigid', 'By hand'].map((name) => page.getByRole('button', { name, exact: true }));
-  if (!rigid || !byHand) throw new Error('two ways to bend');
+  const [rigid, elastic] = ['Rigid', 'Elastic'].map((name) =>
+    page.getByRole('button', { name, exact: true }),
+  );
+  if (!rigid || !elastic) throw new Error('two ways to bend');
   await expect(rigid).toHaveAttribute('aria-pressed', 'true');
-  await byHand.focus();
+  await elastic.focus();
   await page.keyboard.press('Enter');
-  await expect(byHand).toHaveAttribute('aria-pressed', 'true');
+  await expect(elastic).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByRole('group', { name: 'Detail' })).toBeHidden();
   await expect.poll(() => settings()).toEqual(['harmonic', 0, 'paper']);
 
@@ -86,22 +88,22 @@ test('the bending mode changes with one click and one undo step', async ({ page 
 
 test('bending settings collapse with a selection; press and key open them', async ({ page }) => {
   const editor = await Editor.open(page);
-  const byHand = page.getByRole('button', { name: 'By hand', exact: true });
-  await expect(byHand).toBeVisible();
+  const elastic = page.getByRole('button', { name: 'Elastic', exact: true });
+  await expect(elastic).toBeVisible();
   await editor.handle('head').click();
-  await expect(byHand).toBeHidden();
+  await expect(elastic).toBeHidden();
   const line = page.locator('c2-warp summary').filter({ hasText: 'Bending' });
   await expect(line).toContainText('rigid, medium');
   await line.click();
-  await expect(byHand).toBeVisible();
+  await expect(elastic).toBeVisible();
   await editor.handle('left hand').click();
-  await expect(byHand).toBeVisible();
+  await expect(elastic).toBeVisible();
   await line.focus();
   await page.keyboard.press('Enter');
-  await expect(byHand).toBeHidden();
+  await expect(elastic).toBeHidden();
   await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
   await editor.button('Draw a bar').click();
-  await expect(byHand).toBeVisible();
+  await expect(elastic).toBeVisible();
 });
 
 test('by hand, a switch keeps widths, as one step without a solve', async ({ page }) => {
@@ -109,7 +111,7 @@ test('by hand, a switch keeps widths, as one step without a solve', async ({ pag
   const project = () =>
     page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);
   await expect(editor.switch('Keep widths')).toBeHidden();
-  await editor.waitForSolve(() => editor.button('By hand').click());
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   await editor.switch('Keep widths').click();
   await expect(editor.switch('Keep widths')).toBeChecked();
   await expect.poll(async () => (await project()).pose?.blend).toBe('rigid');
@@ -119,15 +121,33 @@ test('by hand, a switch keeps widths, as one step without a solve', async ({ pag
   await expect.poll(async () => (await project()).pose?.blend).not.toBe('rigid');
 });
 
-test('by hand keeps the turns that are shown, and rigid frees them again', async ({ page }) => {
+test('Elastic and back changes no handle, and looks like an elastic project', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
-  const shown = await editor.settled(() => turn(editor));
   await page.keyboard.press('Escape');
-  await editor.waitForSolve(() => editor.button('By hand').click());
-  await expect.poll(() => rotationInFile(editor, 'right-hand')).toBeCloseTo(shown, 1);
-  await expect(page.getByRole('button', { name: /^\d+ creases?\./ })).toBeHidden();
-  await editor.waitForSolve(() => editor.button('Rigid').click());
+  const places = () =>
+    page.locator('c2-warp').evaluate((element) => {
+      const map = (x: number, y: number) => (element as C2Warp).mapPoint([x, y]);
+      return [map(880, 516), map(780, 560), map(512, 100), map(512, 600), map(312, 1126)];
+    });
+  const rigid = await editor.settled(async () => JSON.stringify(await places()));
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
+  const elastic = await editor.settled(async () => JSON.stringify(await places()));
+  expect(elastic).not.toBe(rigid);
+  await editor.waitForSolve(() => editor.button('Rigid').click());
+  await expect.poll(async () => JSON.stringify(await places())).toBe(rigid);
+
+  // The same handles in a project that has always been elastic.
+  await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const { weighting, pose, ...project } = warp.project;
+    warp.project = {
+      ...project,
+      weighting: { ...weighting, support: 'paper' },
+      pose: { ...pose, mode: 'harmonic', density: 0 },
+    };
+  });
+  await expect.poll(async () => JSON.stringify(await places())).toBe(elastic);
 });

@@ -23,7 +23,7 @@ async function opened(page: Editor['page'], file: Buffer): Promise<Editor> {
   const editor = await Editor.open(page);
   await editor.chooseFile(png('photograph.png', file));
   await expect.poll(() => project(editor).then(({ image }) => image.src)).toBe('photograph.png');
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   return editor;
 }
 
@@ -77,7 +77,7 @@ test('a drag of a pixel sets one corner, and a selection of a pixel warps', asyn
     [151, 100],
     [151, 101],
   ]);
-  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('2 corners more');
+  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('2 more corners');
   await page.keyboard.press('Escape');
   expect(await rings(editor)).toEqual([]);
 
@@ -103,14 +103,12 @@ test('a drag of a pixel sets one corner, and a selection of a pixel warps', asyn
 test('a lasso around everything lies on the frame, and leaves nothing to fill from', async ({ page }) => {
   const editor = await opened(page, picture(400, 300, checkered));
   await drawLasso(editor, rectangle([-6, -6], [406, 306]));
-  await expect(
-    page.getByText('Nothing is left around the selection to fill its background from'),
-  ).toBeVisible();
+  await expect(page.getByText('The selection leaves nothing to fill the background from')).toBeVisible();
   const { fill } = await project(editor);
   expect(fill).toBeUndefined();
   const [ring = []] = await rings(editor);
   expect(ring.every(([x, y]) => x === 0 || x === 400 || y === 0 || y === 300)).toBe(true);
-  await editor.button(/^Undo: bend what is inside/).click();
+  await editor.button(/^Undo: select the part to bend/).click();
   await expect.poll(() => rings(editor)).toEqual([]);
 });
 

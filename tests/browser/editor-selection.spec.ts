@@ -8,8 +8,11 @@ import { expect, test } from './fixtures';
 const [WIDTH, HEIGHT] = [400, 300];
 const [CENTRE, RADIUS] = [[200, 150] as const, 90];
 
-/** A light disc on a dark ground with noise, the same in every run. Opaque. */
-function photograph(): Buffer {
+/** How light a disc on a dark ground is. */
+const disc = (x: number, y: number): number => (Math.hypot(x - CENTRE[0], y - CENTRE[1]) < RADIUS ? 175 : 80);
+
+/** An opaque picture with noise, the same in every run. @param level how light a place is. */
+function photograph(level = disc): Buffer {
   let seed = 7;
   const noise = () => {
     seed = (Math.imul(seed, 1103515245) + 12345) & 0x7fffffff;
@@ -18,18 +21,18 @@ function photograph(): Buffer {
   const data = new Uint8Array(WIDTH * HEIGHT * 3);
   for (let pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
     const [x, y] = [(pixel % WIDTH) + 0.5, Math.floor(pixel / WIDTH) + 0.5];
-    const level = (Math.hypot(x - CENTRE[0], y - CENTRE[1]) < RADIUS ? 175 : 80) + noise();
-    data.set([level, level, level], pixel * 3);
+    const light = level(x, y) + noise();
+    data.set([light, light, light], pixel * 3);
   }
   return Buffer.from(encode({ width: WIDTH, height: HEIGHT, data, channels: 3 }));
 }
 
 type At = (x: number, y: number) => Promise<Position>;
 
-async function opened(editor: Editor): Promise<At> {
-  await editor.chooseFile(png('disc.png', photograph()));
+async function opened(editor: Editor, picture = photograph()): Promise<At> {
+  await editor.chooseFile(png('disc.png', picture));
   await expect.poll(() => project(editor).then(({ image }) => image.src)).toBe('disc.png');
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   return (x, y) =>
     editor.page.locator('c2-warp').evaluate(
       (element, place) => {
@@ -45,10 +48,20 @@ const project = ({ page }: Editor) =>
 
 type Ring = readonly (readonly [number, number])[];
 
-async function ring(editor: Editor): Promise<Ring> {
+async function rings(editor: Editor): Promise<readonly Ring[]> {
   const { domain } = await project(editor);
-  return (domain?.kind === 'polygon' && domain.rings[0]) || [];
+  return domain?.kind === 'polygon' ? domain.rings : [];
 }
+
+const ring = async (editor: Editor): Promise<Ring> => (await rings(editor))[0] ?? [];
+
+const areaOf = (corners: Ring): number =>
+  Math.abs(
+    corners.reduce((sum, [x, y], k) => {
+      const [nextX, nextY] = corners[(k + 1) % corners.length] ?? [x, y];
+      return sum + x * nextY - nextX * y;
+    }, 0),
+  ) / 2;
 
 async function click({ page }: Editor, { x, y }: Position): Promise<void> {
   await page.mouse.move(x, y);
@@ -93,10 +106,10 @@ test('an opaque picture opens with its boundary held; the switch frees it', asyn
   const editor = await Editor.open(page);
   expect((await project(editor)).fix_boundary).toBe(false);
   await opened(editor);
-  await expect(editor.switch('Hold the boundary')).toBeChecked();
-  await editor.switch('Hold the boundary').click();
+  await expect(editor.switch('Lock the outline')).toBeChecked();
+  await editor.switch('Lock the outline').click();
   expect((await project(editor)).fix_boundary).toBe(false);
-  // By its address alone, as on other pages.
+  // By its address only, as on other pages.
   await page.locator('c2-warp').evaluate(
     (element, address) => {
       element.removeAttribute('project');
@@ -119,6 +132,50 @@ test('clicks around a disc select it along its edge, within two pixels', async (
   expect(away(corners)).toBeLessThan(2);
 });
 
+test('clicks up a side of a thin rocket keep to that side and all corners', async ({ page }) => {
+  const editor = await Editor.open(page);
+  // From a tip at (200, 20) down to a foot at y = 280, 12 px wide. The ground to its right is nearly as light.
+  const rocket = (x: number, y: number): number => {
+    const half = Math.min(6, (y - 20) / 8);
+    return y < 280 && Math.abs(x - 200) < half ? 200 : x < 200 ? 60 : 130;
+  };
+  const at = await opened(editor, photograph(rocket));
+  await takeLasso(editor);
+  const clicked = [
+    [200, 21],
+    [194, 280],
+    [206, 280],
+  ] as const;
+  for (const [x, y] of [...clicked, clicked[0]]) await click(editor, await at(x, y));
+  await expect.poll(() => ring(editor)).not.toHaveLength(0);
+  const corners = await ring(editor);
+  expect(await rings(editor)).toHaveLength(1);
+  for (const [x, y] of clicked)
+    expect(Math.min(...corners.map((corner) => Math.hypot(corner[0] - x, corner[1] - y)))).toBeLessThan(9);
+  expect(areaOf(corners)).toBeGreaterThan(2200);
+  expect(areaOf(corners)).toBeLessThan(4000);
+});
+
+test('a drag in the form of an eight selects both lobes, and both bend', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await opened(editor);
+  await takeLasso(editor);
+  const places: Position[] = [];
+  for (let k = 0; k <= 48; k++) {
+    const turn = (2 * Math.PI * (k + 0.5)) / 48;
+    places.push(await at(200 + 150 * Math.cos(turn), 150 + 90 * Math.sin(2 * turn)));
+  }
+  const [first = { x: 0, y: 0 }] = places;
+  await page.mouse.move(first.x, first.y);
+  await page.mouse.down();
+  for (const { x, y } of places.slice(1)) await page.mouse.move(x, y);
+  await page.mouse.up();
+  await expect.poll(() => rings(editor)).toHaveLength(2);
+  for (const lobe of await rings(editor)) expect(areaOf(lobe)).toBeGreaterThan(8000);
+  for (const x of [110, 290]) await expect.poll(() => editor.mapped(x, 150)).not.toBeNull();
+  await expect(editor.notice).toBeHidden();
+});
+
 test('drags and clicks make one outline, and Backspace takes the last back', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await opened(editor);
@@ -129,11 +186,11 @@ test('drags and clicks make one outline, and Backspace takes the last back', asy
   await click(editor, await at(CENTRE[0], CENTRE[1] - RADIUS));
   await expect(bar).toContainText('Add corners, or finish');
   await page.keyboard.press('Backspace');
-  await expect(bar).toContainText('2 corners more');
+  await expect(bar).toContainText('2 more corners');
   // With Alt held, a click sets a straight edge and a drag draws freely.
   await page.keyboard.down('Alt');
   await click(editor, await at(290, 150));
-  await expect(bar).toContainText('One corner more');
+  await expect(bar).toContainText('One more corner');
   const path = [];
   for (let k = 0; k <= 10; k++) path.push(await at(300 + 5 * k, 160 + 10 * k));
   await page.mouse.move(path[0]?.x ?? 0, path[0]?.y ?? 0);
@@ -181,7 +238,7 @@ test('a bar that begins outside of the selection says so, and can extend it', as
   await selectRectangle(editor, at);
   await page.keyboard.press('b');
   await click(editor, await at(350, 150));
-  await expect(page.getByText('Outside of the selection, the picture stays still.')).toBeVisible();
+  await expect(page.getByText('The picture does not bend outside the selection.')).toBeVisible();
   await editor.button('Extend the selection').click();
   await expect.poll(async () => Math.max(...(await ring(editor)).map(([x]) => x))).toBeGreaterThan(350);
   await click(editor, await at(280, 150));
@@ -206,7 +263,7 @@ test('corners of the selection are dragged, added and removed', async ({ page })
   const added = await at(200, 270);
   await page.mouse.dblclick(added.x, added.y);
   await expect.poll(() => ring(editor)).toHaveLength(4);
-  // By keys alone: the corners are tab stops behind the stage.
+  // With the keyboard only: the corners are tab stops behind the stage.
   await page.locator('c2-warp .stage').focus();
   await page.keyboard.press('Tab');
   const first = page.getByRole('button', { name: /^Corner 1 of the selection/ });

@@ -108,7 +108,7 @@ test('the eraser, the sizes and a dab have keys; the overlay stays with other to
   await editor.button(/^Overlays/).click();
   await page.getByRole('checkbox', { name: 'Stiffness' }).click();
   await expect(
-    page.getByRole('img', { name: 'Blue is a little stiff, yellow keeps its form' }),
+    page.getByRole('img', { name: 'Blue is slightly stiff, yellow keeps its shape' }),
   ).toBeVisible();
   await expect
     .poll(async () => meanDifference(plain, await editor.screenshot(at(540, 660))))

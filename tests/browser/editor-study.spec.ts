@@ -5,7 +5,7 @@ import type { C2Warp } from '../../web/src/element';
 import { bytes, Editor } from './editor';
 import { expect, test } from './fixtures';
 
-const card = ({ page }: Editor): Locator => page.getByRole('region', { name: 'See the paper' });
+const card = ({ page }: Editor): Locator => page.getByRole('region', { name: 'How the warp works' });
 
 const project = ({ page }: Editor) =>
   page.locator('c2-warp').evaluate((element) => (element as C2Warp).project);
@@ -47,9 +47,9 @@ test.describe('settings', () => {
     await set('Opacity', '0.3');
     const choose = (group: string, name: string) =>
       card(editor).getByRole('group', { name: group }).getByRole('button', { name }).click();
-    await choose('Rule of supports', 'Paper');
+    await choose('Support rule', 'Paper');
     await choose('Continuity', 'C²');
-    await choose('Filling of the falloff', 'Half');
+    await choose('Falloff shape', 'Half');
     await choose('Blend', 'Rigid');
     expect(await project(editor)).toMatchObject({
       samples: 4000,
@@ -57,7 +57,7 @@ test.describe('settings', () => {
       pose: { mode: 'rigid', blend: 'rigid', density: 20 },
       domain: { kind: 'alpha', threshold: 0.3 },
     });
-    await expect(editor.solved).toContainText(/2\d virtual handles/);
+    await expect(editor.solved).toContainText(/2\d helper points/);
     for (let step = 0; step < 9; step++) await editor.button(/^Undo/).click();
     expect(await project(editor)).toEqual(before);
     await expect(number(editor, 'α')).toHaveValue('1');
@@ -87,11 +87,11 @@ test.describe('settings', () => {
     const editor = await Editor.open(page);
     await openSettings(editor);
     const before = await project(editor);
-    await editor.button('As in the paper').click();
+    await editor.button('Paper defaults').click();
     const { weighting, pose } = await project(editor);
     expect(weighting).toEqual({ shape_factor: 1, degree: 5, filling: 'line', support: 'paper' });
     expect(pose).toEqual({ mode: 'harmonic', blend: 'linear', density: 0 });
-    await editor.button('As in the editor').click();
+    await editor.button('Editor defaults').click();
     expect(await project(editor)).toEqual(before);
   });
 
@@ -170,7 +170,7 @@ test.describe('the lens', () => {
     const spoken = page.locator('c2-warp .shell > .spoken[role="status"]');
     await expect(spoken).toHaveText(/^x 512, y 260: head 100 %/);
     for (let press = 0; press < 3; press++) await page.keyboard.press('Shift+ArrowDown');
-    await expect(spoken).toHaveText(/^x 512, y \d+: .*virtual handles \d+/);
+    await expect(spoken).toHaveText(/^x 512, y \d+: .*helper points \d+/);
     await page.keyboard.press('i');
     await expect(card(editor)).toHaveCount(0);
     await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
@@ -203,9 +203,9 @@ test.describe('the lens', () => {
     await openPage(editor, 'Lens');
     const foot = await editor.position('left foot');
     await page.mouse.click(foot.x + 20, foot.y - 40);
-    await card(editor).getByText('Virtual handles', { exact: true }).click();
-    await weight(editor, 'Virtual \\d+').first().click();
-    await expect(card(editor).getByRole('heading', { name: /^Falloff of virtual handle/ })).toBeVisible();
+    await card(editor).getByText('Helper points', { exact: true }).click();
+    await weight(editor, 'Helper \\d+').first().click();
+    await expect(card(editor).getByRole('heading', { name: /^Falloff of helper point/ })).toBeVisible();
     const grip = card(editor).locator('.grip');
     await grip.scrollIntoViewIfNeeded();
     const at = await editor.centre(grip);
@@ -221,7 +221,7 @@ test.describe('the lens', () => {
     await expect(editor.button('Undo')).toBeDisabled();
   });
 
-  test('is saved as an SVG that stands by itself', async ({ page }) => {
+  test('is saved as a self-contained SVG', async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.handle('head').focus();
     await openPage(editor, 'Lens');
@@ -235,7 +235,7 @@ test.describe('the lens', () => {
   test('is open to readers', async ({ page }) => {
     const editor = await Editor.open(page);
     await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
-    await editor.button('Look at the weights of a point').click();
+    await editor.button('Inspect the weights at a point').click();
     const scene = page.getByRole('application');
     const box = await scene.boundingBox();
     await page.mouse.click((box?.x ?? 0) + 300, (box?.y ?? 0) + 300);
@@ -249,7 +249,7 @@ test.describe('cells and rounds', () => {
     const editor = await Editor.open(page);
     await openPage(editor, 'Cells');
     await expect(
-      card(editor).getByRole('heading', { name: '5 cells of handles, 150 of virtual handles' }),
+      card(editor).getByRole('heading', { name: 'Cells: 5 of handles, 150 of helper points' }),
     ).toBeVisible();
     const farthest = page.locator('.marks .radii .of-farthest');
     await expect(farthest).toBeAttached();
@@ -277,9 +277,7 @@ test.describe('cells and rounds', () => {
     await expect(inserted).toHaveCount(0);
     await expect(page.locator('.marks .round .entering:not(.pale)')).not.toHaveCount(0);
     const words = card(editor).locator('.round-words');
-    await expect(words).toHaveText(
-      /^Round 1: .* A virtual handle enters in the cell of [a-z ]+, \d+ px away/,
-    );
+    await expect(words).toHaveText(/^Round 1: .* A helper point enters the cell of [a-z ]+, \d+ px away/);
     await editor.button('Next round').click();
     await expect(count).toHaveText(/^2 \//);
     expect(await dots.count()).toBeGreaterThan(5);
@@ -292,10 +290,10 @@ test.describe('cells and rounds', () => {
     await editor.button('Play').click();
     await expect(count).toHaveText(/^(\d+) \/ \1$/);
     await expect(editor.button('Play')).toBeVisible();
-    await expect(words).toHaveText(/^Round \d+: the end/);
+    await expect(words).toHaveText(/^Round \d+: done/);
     const svg = await savedFigure(editor);
     expectOnItsOwn(svg);
-    expect(svg).toContain('>allowed</text>');
+    expect(svg).toContain('>limit</text>');
   });
 
   test('two close handles need rounds until the score is allowed', async ({ page }) => {
@@ -305,14 +303,14 @@ test.describe('cells and rounds', () => {
     });
     await expect(editor.handle('close')).toBeVisible();
     await openPage(editor, 'Settings');
-    await editor.waitForSolve(() => editor.button('As in the paper').click());
+    await editor.waitForSolve(() => editor.button('Paper defaults').click());
     await card(editor).getByRole('button', { name: 'Rounds' }).click();
     const score = card(editor).getByRole('img', { name: /^The score is/ });
-    await expect(score).toHaveAttribute('aria-label', /^The score is -0\.\d+\. It may be at most -0\.05\.$/);
+    await expect(score).toHaveAttribute('aria-label', /^The score is -0\.\d+\. The limit is -0\.05\.$/);
     await card(editor).getByRole('slider', { name: 'Round' }).press('Home');
     await expect(score).toHaveAttribute('aria-label', /^The score is 0\.\d+/);
     await expect(card(editor).locator('.round-words')).toHaveText(
-      /reaches \d+ px far, and \d+ px are allowed/,
+      /reaches \d+ px, beyond the limit of \d+ px/,
     );
   });
 });
@@ -320,8 +318,8 @@ test.describe('cells and rounds', () => {
 test('three methods stand side by side, and follow a drag', async ({ page }) => {
   const editor = await Editor.open(page);
   await openPage(editor, 'Compare');
-  const names = ['paper', 'rigid', 'plain distance'];
-  const pictures = names.map((name) => card(editor).getByRole('img', { name: `The picture by ${name}` }));
+  const names = ['as in the paper', 'in rigid mode', 'with plain distances'];
+  const pictures = names.map((name) => card(editor).getByRole('img', { name: `The picture warped ${name}` }));
   for (const picture of pictures) await expect(picture.locator('canvas:not(.waiting)')).toBeVisible();
   const shots = () => Promise.all(pictures.map((picture) => picture.screenshot()));
   await editor.waitFrames();

@@ -1,4 +1,4 @@
-/** Suggested handles: by button, key and menu, beside handles that are there, and for photographs. */
+/** Suggested handles: by button, key and menu, beside existing handles, and for photographs. */
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
@@ -47,22 +47,22 @@ test('N keeps the handles that are there, and adds those that are missing', asyn
   const before = await project(editor);
   await editor.handle('head').focus();
   await page.keyboard.press('n');
-  await expect(notices(editor)).toContainText(/Added \d+ handles?\. The 5 that were there stay\./);
+  await expect(notices(editor)).toContainText(/Added \d+ handles?\. The 5 existing handles stay\./);
   const { handles } = await project(editor);
   expect(handles.slice(0, 5)).toEqual(before.handles);
   const names = handles.map(({ id }) => id);
   expect(new Set(names).size).toBe(names.length);
   // All places have one now.
   await page.keyboard.press('n');
-  await expect(notices(editor)).toContainText('No handle was added');
+  await expect(notices(editor)).toContainText('No handles were added');
   await page.keyboard.press('Control+z');
   await expect(editor.handles).toHaveCount(5);
 });
 
-test('N that comes before its picture waits, and a photograph gets even rows', async ({ page }) => {
+test('N before a picture is open waits, and a photograph gets even rows', async ({ page }) => {
   const editor = await Editor.open(page);
   const chooser = page.waitForEvent('filechooser');
-  await editor.button('Open a picture or a project').click();
+  await editor.button('Open a picture or project').click();
   const bytes = await page.evaluate(async () => {
     const canvas = new OffscreenCanvas(4000, 3000);
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;
@@ -75,7 +75,9 @@ test('N that comes before its picture waits, and a photograph gets even rows', a
   await page.keyboard.press('n');
   await expect(editor.handles).toHaveCount(9);
   expect((await project(editor)).image.src).toBe('lawn.jpg');
-  await expect(page.locator('c2-warp').getByText(/even rows, since there is no outline/)).toBeVisible();
+  await expect(
+    page.locator('c2-warp').getByText(/even rows, because the picture has no outline/),
+  ).toBeVisible();
 });
 
 test('the menu of the picture suggests handles', async ({ page }) => {

@@ -146,7 +146,52 @@ test('a wave made by pointer survives a reload, plays, and is the same by comman
   await expectSameByCommand(editor, Number(stopped), info);
 });
 
-test('a motion is made, moved and eased by keyboard alone', async ({ page }) => {
+test('a walk made by dragging has whole depths, in the keys of drags that cross', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await open(editor);
+  await timeline(editor).getByRole('button', { name: 'New clip' }).click();
+  const scale = await editor.scale();
+  const depths = async (handle: string) => {
+    const track = (await clips(editor))[0]?.tracks.find((track) => track.handle === handle);
+    return (track?.keys ?? []).map(({ time, depth }) => [time, depth ?? null] as const);
+  };
+  await goTo(editor, 1);
+  await editor.dragHandle('right hand', { x: (600 - 900) * scale, y: (800 - 516) * scale });
+  await expect
+    .poll(() => depths('right-hand'))
+    .toEqual([
+      [0, 1],
+      [1, 1],
+    ]);
+  // The panel says so.
+  await expect(page.getByRole('spinbutton', { name: 'Depth (Auto)' })).toHaveValue('1');
+  await goTo(editor, 0.5);
+  await editor.dragHandle('right hand', { x: 6, y: -20 });
+  await goTo(editor, 1.5);
+  await editor.dragHandle('right hand', { x: 60, y: -40 });
+  await expect
+    .poll(() => depths('right-hand'))
+    .toEqual([
+      [0, 1],
+      [0.5, null],
+      [1, 1],
+      [1.5, null],
+    ]);
+  // A depth that a person sets is not automatic, and belongs only to its key.
+  await page.keyboard.press('[');
+  await expect(editor.field('depth')).toHaveValue('0');
+  await expect(page.getByRole('spinbutton', { name: 'Depth (Auto)' })).toHaveCount(0);
+  await goTo(editor, 1.2);
+  await expect(editor.field('depth')).toHaveValue('1');
+  expect(await depths('right-hand')).toEqual([
+    [0, 1],
+    [0.5, null],
+    [1, 1],
+    [1.5, 0],
+  ]);
+});
+
+test('a motion is created, moved and eased with only the keyboard', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('t');
   await expect(timeline(editor)).toBeFocused();
@@ -185,6 +230,115 @@ test('a motion is made, moved and eased by keyboard alone', async ({ page }) => 
   expect((await editor.shownPose('left hand')).y).toBe(516);
 });
 
+/** Adds a clip, stopped, and shows the key of the head at its second time. */
+async function sway(editor: Editor): Promise<Locator> {
+  await open(editor);
+  await timeline(editor).getByRole('button', { name: 'Sway' }).click();
+  await timeline(editor).getByRole('button', { name: 'Stop' }).click();
+  return keys(editor, 'head').nth(1);
+}
+
+const times = async (editor: Editor, handle: string): Promise<readonly number[]> =>
+  (await way(editor, handle)).map(([time]) => time);
+
+test('the keyboard deletes, moves, copies and cuts a pressed key', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const key = await sway(editor);
+  const before = await times(editor, 'head');
+  const [first = 0, second = 0, third = 0] = before;
+  await key.click();
+  await expect(key).toBeFocused();
+  await page.keyboard.press('Delete');
+  expect(await times(editor, 'head')).toEqual(before.filter((time) => time !== second));
+  await expect(editor.handles).toHaveCount(5);
+  await page.keyboard.press('Control+z');
+  expect(await times(editor, 'head')).toEqual(before);
+  await expect(key).toHaveAttribute('aria-pressed', 'true');
+
+  const pose = await editor.projectHandle('head');
+  await page.keyboard.press('ArrowRight');
+  await expect(keys(editor, 'head').nth(2)).toHaveAttribute('aria-pressed', 'true');
+  await expect(ruler(editor)).toHaveAttribute('aria-valuenow', String(Number(third.toFixed(3))));
+  await page.keyboard.press('Shift+ArrowLeft');
+  await expect(timeline(editor).locator('.clip-key[aria-pressed="true"]')).toHaveCount(2);
+  await page.keyboard.press('ArrowDown');
+  await expect(timeline(editor).locator('.clip-key[aria-pressed="true"]')).toHaveAttribute(
+    'data-key-of',
+    'left-hand',
+  );
+  await key.click();
+  await page.keyboard.press('Alt+ArrowRight');
+  expect((await times(editor, 'head'))[1]).toBeCloseTo(second + 1 / 30, 4);
+  await page.keyboard.press('Control+z');
+  expect(await editor.projectHandle('head')).toEqual(pose);
+
+  await key.click();
+  await page.keyboard.press('Control+c');
+  await goTo(editor, first + 0.1);
+  await page.keyboard.press('Control+v');
+  expect(await times(editor, 'head')).toHaveLength(before.length + 1);
+  await page.keyboard.press('Control+x');
+  expect(await times(editor, 'head')).toEqual(before);
+  await page.keyboard.press('Control+v');
+  expect(await times(editor, 'head')).toHaveLength(before.length + 1);
+});
+
+test('the keyboard is about keys that were dragged, boxed or reached by Tab', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const key = await sway(editor);
+  const count = (await times(editor, 'head')).length;
+  const at = await editor.centre(key);
+  await editor.drag(at, { x: 30, y: 0 });
+  await page.keyboard.press('Delete');
+  expect(await times(editor, 'head')).toHaveLength(count - 1);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+
+  const all = await timeline(editor).locator('.clip-key').count();
+  await editor.drag({ x: at.x - 20, y: at.y - 8 }, { x: 40, y: 60 });
+  const selected = await timeline(editor).locator('.clip-key[aria-pressed="true"]').count();
+  expect(selected).toBeGreaterThan(1);
+  await timeline(editor)
+    .getByRole('button', { name: /^Onion skin/ })
+    .click();
+  await timeline(editor).getByRole('button', { name: 'Zoom in' }).click();
+  await timeline(editor).getByRole('combobox', { name: 'Loop' }).focus();
+  await page.keyboard.press('Backspace');
+  await expect(timeline(editor).locator('.clip-key')).toHaveCount(all - selected);
+  await expect(editor.handles).toHaveCount(5);
+  await page.keyboard.press('Control+z');
+
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await expect(timeline(editor).locator('.clip-key[aria-pressed="true"]')).toHaveCount(0);
+  await tabTo(editor, keys(editor, 'head').first());
+  await expect(keys(editor, 'head').first()).toHaveAttribute('aria-pressed', 'true');
+  await page.keyboard.press('Delete');
+  await expect(timeline(editor).locator('.clip-key')).toHaveCount(all - 1);
+  await expect(editor.handles).toHaveCount(5);
+});
+
+test('Escape lets go of keys before their handle, and a press on the handle takes it', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const key = await sway(editor);
+  const shell = page.locator('c2-warp .shell');
+  await key.click();
+  // The marks of the handle step back.
+  await expect(shell).toHaveClass(/of-keys/);
+  await page.keyboard.press('Escape');
+  await expect(key).toHaveAttribute('aria-pressed', 'false');
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
+  await expect(shell).not.toHaveClass(/of-keys/);
+  await key.click();
+  const { x, y } = await editor.position('head');
+  await page.mouse.click(x, y);
+  await expect(key).toHaveAttribute('aria-pressed', 'false');
+  await page.keyboard.press('ArrowUp');
+  await expect(editor.button('Undo: move head')).toBeEnabled();
+  await page.keyboard.press('Delete');
+  await expect(editor.handle('head')).toHaveCount(0);
+});
+
 test('a motion is recorded while R is held', async ({ page }, info) => {
   const editor = await Editor.open(page);
   await open(editor);
@@ -201,7 +355,7 @@ test('a motion is recorded while R is held', async ({ page }, info) => {
   for (let step = 1; step <= 24; step++) {
     const before = await now();
     await page.mouse.move(from.x + 3 * step, from.y - 60 * Math.sin(step / 4));
-    // Time goes on with the frames of the screen, however slow they are.
+    // Time advances with the frames of the screen, at any frame rate.
     if (step > 1) await expect.poll(now).toBeGreaterThan(before);
   }
   await page.mouse.up();
@@ -253,7 +407,7 @@ test('clips are named, set, duplicated and deleted', async ({ page }) => {
   await open(editor);
   await timeline(editor).getByRole('button', { name: 'Breathe' }).click();
   await timeline(editor).getByRole('button', { name: 'Rename the clip' }).click();
-  const name = timeline(editor).getByRole('textbox', { name: 'Name of the clip' });
+  const name = timeline(editor).getByRole('textbox', { name: 'Clip name' });
   await expect(name).toBeFocused();
   await page.keyboard.type('calm');
   await page.keyboard.press('Enter');

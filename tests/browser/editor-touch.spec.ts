@@ -17,7 +17,7 @@ test('one finger drags a hand, and the sheet shows numbers on request', async ({
   await expect.poll(async () => (await editor.shownPose('right hand')).y).toBeLessThan(420);
   await expect(page.getByRole('heading', { name: 'Right hand' })).toBeVisible();
   await expect(editor.field('y')).toBeHidden();
-  await editor.button('Numbers').tap();
+  await editor.button('Values').tap();
   await expect(editor.field('y')).toBeVisible();
   await editor.button('Undo').tap();
   await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
@@ -61,14 +61,14 @@ test('the sheet does not cover the selection, and hides during a drag', async ({
   await expect(page.getByRole('heading', { name: 'Head' })).toBeVisible();
   for (const name of ['head', 'left hand', 'left foot'])
     await expect.poll(() => covers(name), name).toBe(false);
-  await editor.button('Numbers').tap();
+  await editor.button('Values').tap();
   await expect(editor.field('depth')).toBeVisible();
   await expect.poll(() => covers('head')).toBe(false);
-  await editor.button('Numbers').tap();
+  await editor.button('Values').tap();
   await expect(editor.field('depth')).toBeHidden();
   await editor.handle('left foot').tap();
   await expect(page.getByRole('heading', { name: 'Left foot' })).toBeVisible();
-  await editor.button('Numbers').tap();
+  await editor.button('Values').tap();
   await expect(editor.field('depth')).toBeVisible();
   await expect.poll(() => covers('left foot')).toBe(false);
   const session = await fingers(page);
@@ -83,12 +83,12 @@ test('the sheet does not cover the selection, and hides during a drag', async ({
 test('the bending mode can be changed while a handle is selected', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').tap();
-  await editor.button('How the picture bends').tap();
+  await editor.button('Bending settings').tap();
   await expect(editor.field('x')).toBeHidden();
-  await editor.switch('Hold the boundary').tap();
-  await expect(editor.switch('Hold the boundary')).toBeChecked();
+  await editor.switch('Lock the outline').tap();
+  await expect(editor.switch('Lock the outline')).toBeChecked();
   await editor.handle('left hand').tap();
-  await expect(editor.switch('Hold the boundary')).toBeHidden();
+  await expect(editor.switch('Lock the outline')).toBeHidden();
   await expect(page.getByRole('heading', { name: 'Left hand' })).toBeVisible();
 });
 
@@ -137,7 +137,7 @@ const small = async (page: Page): Promise<string[]> => {
 test('every control is at least 44 px, and tools are at the bottom', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').tap();
-  await editor.button('Numbers').tap();
+  await editor.button('Values').tap();
   await expect(editor.field('depth')).toBeVisible();
   expect(await small(page)).toEqual([]);
   const tools = await page.getByRole('group', { name: 'Tools' }).boundingBox();
@@ -164,10 +164,10 @@ test('the sheet of a bar has one row of buttons, and room for all numbers', asyn
     const warp = element as C2Warp;
     warp.selection = [warp.addHandle({ kind: 'bar', rest: ends, posed: ends, depth: -10 })];
   });
-  await editor.button('Numbers').tap();
+  await editor.button('Values').tap();
   await expect(editor.field('depth')).toBeVisible();
   const places = await Promise.all(
-    ['Add a corner', 'Numbers', 'Reset to rest', 'Delete'].map((name) => editor.centre(editor.button(name))),
+    ['Add a corner', 'Values', 'Reset to rest', 'Delete'].map((name) => editor.centre(editor.button(name))),
   );
   expect(new Set(places.map(({ y }) => Math.round(y))).size).toBe(1);
   expect(places.map(({ x }) => x)).toEqual(places.map(({ x }) => x).sort((a, b) => a - b));
@@ -181,7 +181,7 @@ test('the on-screen keyboard moves nothing and leaves the numbers visible', asyn
   await page.setViewportSize({ width: 360, height: 740 });
   const editor = await Editor.open(page);
   await editor.handle('head').tap();
-  await editor.button('Numbers').tap();
+  await editor.button('Values').tap();
   const zoom = await editor.zoom();
   await editor.field('depth').tap();
   await expect(editor.field('depth')).toBeFocused();
@@ -313,7 +313,7 @@ test('icons have words, and settings leave the picture in view', async ({ page }
     const feet = await Promise.all(['left foot', 'right foot'].map((name) => editor.position(name)));
     return feet.some(({ y }) => y > top);
   };
-  for (const name of ['How the picture bends', /^Overlays/]) {
+  for (const name of ['Bending settings', /^Overlays/]) {
     await editor.button(name).tap();
     await expect(sheet).toBeVisible();
     await expect.poll(covered).toBe(false);
@@ -329,10 +329,10 @@ test('colours and keys are in a menu, which has room on a phone', async ({ page 
   await expect(page.locator('c2-warp')).toHaveAttribute('theme', 'dark');
   await editor.button('More').tap();
   await expect(editor.button('Reset all handles')).toBeDisabled();
-  await page.getByRole('button', { name: 'Keys', exact: true }).tap();
-  const keys = page.getByRole('dialog', { name: 'Keys' });
+  await page.getByRole('button', { name: 'Keyboard shortcuts', exact: true }).tap();
+  const keys = page.getByRole('dialog', { name: 'Keyboard shortcuts' });
   await expect(keys).toBeVisible();
-  await editor.button('Close the list of keys').tap();
+  await editor.button('Close the keyboard shortcuts').tap();
   await expect(keys).toBeHidden();
 });
 

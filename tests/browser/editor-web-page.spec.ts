@@ -86,7 +86,7 @@ test('the copied code plays in a page beside the file', async ({ page, context }
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await opened(page);
   await copyCode(page).click();
-  await expect(page.getByText('Copied. The code shows gingerbread.c2rig')).toBeVisible();
+  await expect(page.getByText('Copied. Put gingerbread.c2rig')).toBeVisible();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   expect(copied).toBe(await code(page).inputValue());
   expect(copied.trim().split('\n')).toHaveLength(2);
@@ -139,8 +139,8 @@ test('a bake can be cancelled, and another one follows', async ({ page }) => {
   await exportRig(page).click();
   await expect(editor.solved).toContainText('Exporting');
   await editor.button('Cancel').click();
-  await expect(page.getByText('The export was cancelled')).toBeAttached();
-  await expect(editor.solved).toContainText('sample');
+  await expect(page.getByText('Export cancelled')).toBeAttached();
+  await expect(editor.solved).toContainText('mesh point');
   await expect(page.getByRole('alert')).toHaveCount(0);
   await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -155,6 +155,6 @@ test('a clip that is too long for a rig is named', async ({ page }) => {
   await opened(page, { ...WAVE, duration: 700 });
   await exportRig(page).click();
   await expect(page.getByRole('alert')).toContainText(
-    'Clip "wave" lasts 700 s: a rig has clips of up to 600 s.',
+    'Clip "wave" lasts 700 s: a clip of a rig can last up to 600 s.',
   );
 });

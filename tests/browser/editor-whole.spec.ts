@@ -28,7 +28,7 @@ test('an exported PNG that holds the original opens again as the rig', async ({ 
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 0, y: -80 });
   const told = await editor.settled(() => editor.shownPose('right hand'));
-  const download = await downloadWhole(editor, 'Export a PNG that opens again');
+  const download = await downloadWhole(editor, 'Export an editable PNG');
   expect(download.suggestedFilename()).toBe('gingerbread-warped.png');
   const file = await bytes(download);
   const { width, height } = decode(file);
@@ -45,7 +45,7 @@ test('an exported PNG that holds the original opens again as the rig', async ({ 
   expect(alpha[(560 * width + 900) * 4 + 3]).toBe(255);
 });
 
-test('any exported PNG names its picture, and goes on with it', async ({ page }) => {
+test('any exported PNG names its picture, and continues with it', async ({ page }) => {
   const editor = await Editor.open(page);
   const original = await page.request.get('/samples/gingerbread.png');
   await editor.dragHandle('right hand', { x: 0, y: -80 });
@@ -68,7 +68,7 @@ test('a damaged project in a PNG is named, and the picture opens as one', async 
   file[at] = 'C'.charCodeAt(0);
   await bring(editor, 'drop', png('posted.png', file));
   await expect(
-    page.getByText('posted.png opened as a picture only. The project in this picture is damaged.'),
+    page.getByText('posted.png opened without its project. The project in this picture is damaged.'),
   ).toBeVisible();
   await expect(page).toHaveTitle('posted.png – c2warp');
 });

@@ -74,7 +74,7 @@ export class Editor {
 
   async ready(): Promise<void> {
     await expect(this.handle('left hand')).toBeVisible();
-    await expect(this.solved).toContainText('sample');
+    await expect(this.solved).toContainText('mesh point');
   }
 
   /** Runs a step that needs another solve, and waits until the status line shows other numbers. */
@@ -83,7 +83,7 @@ export class Editor {
     await step();
     const isOther = async () => {
       const text = await this.solved.textContent();
-      return text !== before && /sample/.test(text ?? '');
+      return text !== before && /mesh point/.test(text ?? '');
     };
     await expect.poll(isOther, 'another solution').toBe(true);
   }
@@ -104,7 +104,7 @@ export class Editor {
   }
 
   field(name: 'x' | 'y' | 'rotation' | 'scale' | 'depth'): Locator {
-    return this.page.getByRole('spinbutton', { name: `${name === 'rotation' ? 'turn' : name} (` });
+    return this.page.getByRole('spinbutton', { name: `${name} (` });
   }
 
   async shownPose(name: string): Promise<ShownPose> {
@@ -284,7 +284,7 @@ export class Editor {
   /** Presses the button to open files, and chooses these. */
   async chooseFile(files: string | { name: string; mimeType: string; buffer: Buffer }): Promise<void> {
     const chooser = this.page.waitForEvent('filechooser');
-    const open = this.button('Open a picture or a project');
+    const open = this.button('Open a picture or project');
     // On phones it is in the menu.
     if (!(await open.isVisible())) await this.button('Open recent work').click();
     await open.click();

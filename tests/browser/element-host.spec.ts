@@ -1,5 +1,6 @@
 /** A page in control of `<c2-warp>`: questions, features, the tool in hand, sources, and points by thousands. */
 import type { C2Warp } from '../../web/src/element';
+import type { C2WarpPlayer } from '../../web/src/player';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
@@ -138,7 +139,7 @@ test('features that a page leaves out are not there, nor are their keys', async 
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('features', 'save'));
   await expect(editor.button('Save')).toBeVisible();
   await expect(page.getByRole('group', { name: 'Tools' })).toBeHidden();
-  for (const name of ['Open a picture or a project', 'Export', 'Animate'])
+  for (const name of ['Open a picture or project', 'Export', 'Animate'])
     await expect(page.getByRole('button', { name, exact: true })).toBeHidden();
   await page.keyboard.press('p');
   expect(await tool(editor)).toBe('select');
@@ -236,7 +237,7 @@ test('exports take one object of options, and refuse the rest by name', async ({
     'toBlob: expected an object of options such as { scale: 2 }, found a string',
     'toBlob: expected an object of options such as { scale: 2 }, found a function',
     'toBlob: expected an object of options such as { scale: 2 }, found a number',
-    expect.stringContaining('toBlob: there is no option "size"'),
+    expect.stringContaining('toBlob: unknown option "size"'),
     'scale: expected a number above 0',
     'type: expected one of image/png, image/jpeg, image/webp',
   ]);
@@ -304,6 +305,140 @@ test('`loaded` rejects with the reason if the first picture cannot be opened', a
   expect(told).toBe('picture');
 });
 
+test('`loaded` belongs to the newest picture that the page has asked for', async ({ page }) => {
+  await Editor.open(page);
+  const told = await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const unhandled: string[] = [];
+    addEventListener('unhandledrejection', ({ reason }) => unhandled.push(String(reason)));
+    const ended = (promise: Promise<void>) =>
+      promise.then(
+        () => warp.naturalWidth,
+        (reason) => (reason instanceof DOMException ? reason.name : reason.code),
+      );
+    const told: unknown[] = [];
+    // The picture of the page is open. Each of these is another one, also if it fails.
+    const first = warp.loaded;
+    told.push(warp.naturalWidth, first === warp.loaded);
+    warp.src = '/samples/cat.png';
+    warp.removeAttribute('project');
+    told.push(await ended(warp.loaded));
+    warp.src = '/samples/robot.png';
+    const replaced = [warp.loaded];
+    warp.src = '/samples/snake.png';
+    replaced.push(warp.loaded);
+    const call = warp.load('/samples/gingerbread.png');
+    replaced.push(warp.loaded);
+    told.push(await Promise.all(replaced.map(ended)));
+    await call;
+    warp.src = 'data:text/plain,no picture';
+    told.push(await ended(warp.loaded), warp.naturalWidth);
+    await warp.load('data:text/plain,no file').catch(() => {});
+    told.push(await ended(warp.loaded));
+    // It is opened again after a move.
+    document.body.append(warp);
+    told.push(await ended(warp.loaded));
+    // A person is faster.
+    warp.src = '/samples/robot.png';
+    const before = warp.loaded;
+    await warp.updateComplete;
+    const cat = await (await fetch('/samples/cat.png')).blob();
+    const opened = new Promise((resolve) => warp.addEventListener('load', resolve, { once: true }));
+    warp.src = '/samples/snake.png';
+    const slow = warp.loaded;
+    await warp.updateComplete;
+    warp.openFiles([new File([cat], 'cat.png', { type: 'image/png' })]);
+    told.push(await ended(before), await ended(slow));
+    await opened;
+    told.push(await ended(warp.loaded));
+    // Nobody waits for these.
+    warp.src = 'data:text/plain,nothing';
+    warp.src = '/samples/cat.png';
+    await warp.loaded;
+    await new Promise((resolve) => setTimeout(resolve));
+    return { told, unhandled };
+  });
+  expect(told).toEqual({
+    told: [
+      1024,
+      true,
+      760,
+      ['AbortError', 'AbortError', 1024],
+      'picture',
+      1024,
+      'picture',
+      1024,
+      'AbortError',
+      'AbortError',
+      760,
+    ],
+    unhandled: [],
+  });
+});
+
+test('attributes and properties read back at once what a page set', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const read = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const read: unknown[] = [];
+    warp.tool = 'point';
+    read.push(warp.tool, warp.getAttribute('tool'));
+    warp.readOnly = true;
+    // People could not choose it now.
+    warp.tool = 'bar';
+    read.push(warp.readonly, warp.hasAttribute('readonly'), warp.tool, warp.toolSource);
+    warp.removeAttribute('readonly');
+    read.push(warp.readOnly, warp.tool);
+    warp.theme = 'dark';
+    read.push(warp.getAttribute('theme'));
+    warp.removeAttribute('theme');
+    read.push(warp.theme);
+    warp.src = 'samples/cat.png';
+    read.push(warp.getAttribute('src'), warp.src === new URL('samples/cat.png', document.baseURI).href);
+    return read;
+  });
+  expect(read).toEqual([
+    'point',
+    'point',
+    true,
+    true,
+    'point',
+    'bar',
+    false,
+    'bar',
+    'dark',
+    'auto',
+    'samples/cat.png',
+    true,
+  ]);
+  await expect(editor.page.locator('.tools [aria-pressed=true]')).toHaveAccessibleName(/[Bb]ar/);
+});
+
+test('properties that were set before the element was defined count, and read back', async ({ page }) => {
+  await page.goto('/harness/');
+  const read = await page.evaluate(async () => {
+    const tags = ['c2-warp', 'c2-warp-player'] as const;
+    const early = tags.map((tag) => {
+      const element = document.createElement(tag);
+      element.setAttribute('src', '/samples/none.png');
+      Object.assign(element, { src: '/samples/cat.png', autoplay: true });
+      if (tag === 'c2-warp') Object.assign(element, { tool: 'hand', readOnly: true });
+      document.body.append(element);
+      return element;
+    });
+    for (const url of ['/element/c2warp.js', '/player/c2warp-player.js']) await import(url);
+    const [warp, player] = early as [C2Warp, C2WarpPlayer];
+    return {
+      warp: [warp.getAttribute('src'), warp.autoplay, warp.tool, warp.readonly],
+      player: [player.getAttribute('src'), player.autoplay],
+    };
+  });
+  expect(read).toEqual({
+    warp: ['/samples/cat.png', true, 'hand', true],
+    player: ['/samples/cat.png', true],
+  });
+});
+
 test('a form submits the project, and needs a picture where it is required', async ({ page }) => {
   await Editor.open(page);
   const told = await page.evaluate(async (sample) => {
@@ -361,11 +496,11 @@ test('a signal gives a picture up, while it is read and while it is solved', asy
   await expect.poll(() => asked).toBe(1);
   await page.evaluate(() => (Reflect.get(globalThis, 'giveUp') as () => void)());
   expect(await told).toEqual({ reasons: ['early', 'read', 'solved'], handles: 5 });
-  await expect(editor.solved).toContainText('sample');
+  await expect(editor.solved).toContainText('mesh point');
   expect(await heard(editor)).toEqual([]);
 });
 
-test('pictures of other origins are asked for with cookies where the page says so', async ({ page }) => {
+test('pictures of other origins are requested with cookies if the page allows it', async ({ page }) => {
   const editor = await Editor.open(page);
   const cookies: string[] = [];
   const allowed = { 'Access-Control-Allow-Credentials': 'true' };

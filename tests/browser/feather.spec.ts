@@ -117,6 +117,6 @@ test('a feather is typed after a lasso, softens the moved part, and is one step'
   expect(await exported(50)).not.toBe(sharp);
   await field.fill('65');
   await field.press('Enter');
-  await expect(page.getByText('Feather takes a number from 0 to 64.').first()).toBeVisible();
+  await expect(page.getByText('Feather: enter a number from 0 to 64.').first()).toBeVisible();
   await expect.poll(featherOf).toBe(13);
 });

@@ -206,7 +206,7 @@ for (const [width, height] of [
         editor.addHandle({ id: 'blob', kind: 'point', rest: [500, 640] });
         editor.addHandle({ id: 'other', kind: 'point', rest: [500, 640] });
       });
-      await expect(element.locator('.notice.error')).toContainText('ápárt');
+      await expect(element.locator('.notice.error')).toContainText('sámé pláçé');
       await checked('a refusal of the solver');
       for (const name of ['disabled', 'posable'] as const) {
         await element.evaluate((editor, name) => editor.setAttribute(name, ''), name);

@@ -14,6 +14,33 @@ const RIG = new URL('../../web/src/player/fixtures/posable.c2rig', import.meta.u
 
 const names = (members: readonly { readonly name: string }[]) => members.map(({ name }) => name).sort();
 
+/** An attribute and the property that it sets; a property and the attribute that it sets. */
+type Reflection = readonly [text: string | null, value: unknown, written: unknown, attribute: string | null];
+
+/** By the rules of HTML for attributes of this type, whose property begins with `first`. */
+function reflections(
+  { text, words }: Documented['attributes'][number]['type'],
+  name: string,
+  first: unknown,
+): Reflection[] {
+  const absent: Reflection = [null, first, null, null];
+  if (text === 'boolean')
+    return [['', true, true, ''], absent, ['false', true, 'yes', ''], [null, false, false, null]];
+  if (text === 'number')
+    return [['12', 12, 12, '12'], ['7.9px', 7, 3, '3'], ['-1', 0, 0, '0'], ['x', 0, 1, '1'], absent];
+  const known = (words ?? []).map((word): Reflection => [word.toUpperCase(), word, word, word]);
+  const invalid = name === 'crossorigin' ? 'anonymous' : first;
+  if (words) return [...known, ['', invalid, '', ''], ['none of these', invalid, 'x', 'x'], absent];
+  if (['src', 'project', 'poster'].includes(name))
+    return [
+      ['/favicon.svg', '/favicon.svg', '/favicon.svg', '/favicon.svg'],
+      ['', '', '', ''],
+      ['http://[', 'http://[', '/favicon.svg', '/favicon.svg'],
+      absent,
+    ];
+  return [['open', 'open', 'open', 'open'], ['', '', '', ''], [' A ', ' A ', 3, '3'], absent];
+}
+
 /** A page with both elements, which show nothing yet. */
 async function openBlank(page: Page): Promise<void> {
   await page.goto('/harness/');
@@ -75,25 +102,40 @@ for (const element of ALL) {
     const documented = names(element.attributes);
     expect(documented).toEqual(expect.arrayContaining(observed));
     if (element === WARP) expect(documented).toEqual([...observed].sort());
-    for (const { name, fieldName, type, reflects } of element.attributes) {
-      if (fieldName === undefined) continue;
-      const isBoolean = type.text === 'boolean';
-      const value = isBoolean ? '' : (type.words?.[0] ?? '/favicon.svg');
-      const expected = isBoolean ? true : value;
-      const found = await page.evaluate(
-        async ([tag, name, field, value, property, reflects]) => {
-          const [first, second] = [document.createElement(tag), document.createElement(tag)];
-          first.setAttribute(name, value);
-          Reflect.set(second, field, property);
-          // Only connected elements update.
-          if (reflects) document.body.append(second);
-          if (reflects) await Reflect.get(second, 'updateComplete');
-          second.remove();
-          return [Reflect.get(first, field), second.getAttribute(name)];
+    for (const { name, fieldName = '', type, default: initial = 'null' } of element.attributes) {
+      const first = JSON.parse(initial.replaceAll("'", '"'));
+      const read = await page.evaluate(
+        ([tag, name, field, rows]) => {
+          const results = [false, true].map((connected) => {
+            const [read, written] = [document.createElement(tag), document.createElement(tag)];
+            if (connected) document.body.append(read, written);
+            const values = [Reflect.get(read, field)];
+            for (const [text] of rows) {
+              if (text === null) read.removeAttribute(name);
+              else read.setAttribute(name, text);
+              values.push(Reflect.get(read, field));
+            }
+            const texts = rows.map(([, , value]) => {
+              Reflect.set(written, field, value);
+              return written.getAttribute(name);
+            });
+            // Frameworks take a property back so.
+            Reflect.set(written, field, undefined);
+            const removed = written.getAttribute(name);
+            read.remove();
+            written.remove();
+            return { values, texts, removed };
+          });
+          return results;
         },
-        [tagName, name, fieldName, value, expected, reflects ?? false] as const,
+        [tagName, name, fieldName, reflections(type, name, first).map(([...row]) => row)] as const,
       );
-      expect(found, name).toEqual([expected, reflects ? value : null]);
+      const rows = reflections(type, name, first);
+      const origin = new URL(page.url()).origin;
+      const values = rows.map(([, value]) => (value === '/favicon.svg' ? `${origin}${value}` : value));
+      const texts = rows.map(([, , , text]) => text);
+      for (const found of read)
+        expect(found, name).toEqual({ values: [first, ...values], texts, removed: null });
     }
   });
 }

@@ -48,7 +48,7 @@ export async function unmarked(page: Page): Promise<readonly string[]> {
   return shown.filter((text) => /\p{L}/u.test(rest(text.slice(text.indexOf('|') + 1))));
 }
 
-/** A text without what is marked or the same in all languages. */
+/** A text without its marked parts and those that are the same in all languages. */
 function rest(text: string): string {
   let [left, before] = [text, ''];
   // From the inside: marked texts hold others.

@@ -1,4 +1,4 @@
-/** The built modules, imported where there is no DOM. */
+/** The built modules, imported without a DOM. */
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -35,7 +35,7 @@ test('the package has one module of the element, for pages, servers and workers'
   expect(dependencies).toBeUndefined();
 });
 
-test('servers import the elements, and no list of Lit versions hears of it', async ({ request }) => {
+test('servers import the elements without an entry in the list of Lit versions', async ({ request }) => {
   const folder = await mkdtemp(join(tmpdir(), 'c2warp-import-'));
   await writeFile(join(folder, 'package.json'), '{ "type": "module" }');
   try {
@@ -88,7 +88,7 @@ test('workers import the elements', async ({ page, baseURL }) => {
   }
 });
 
-test('a second Lit in the page hears of none before it', async ({ page }) => {
+test('a second Lit in the page does not detect the first', async ({ page }) => {
   await page.goto('/plain/');
   await page.waitForFunction(() => customElements.get('c2-warp') !== undefined);
   const globals = await page.evaluate(() =>

@@ -159,7 +159,7 @@ test('frames of a displaced picture equal those of the editor', async ({ page },
   expect((await difference(resting, webgl, info)).mean).toBeGreaterThan(3);
 });
 
-/** The sample in the harmonic mode, where handles turn as they are told. */
+/** The sample in the harmonic mode, without automatic rotations. */
 const posable = (): Project => ({
   ...project,
   pose: { mode: 'harmonic', blend: 'linear', density: 100 },
@@ -251,7 +251,7 @@ test('handles are posed without a solver, as in the editor, until the clip plays
     'there is no handle "tail"',
     'left-hand: posed: expected two numbers',
     'left-hand: posed: expected two numbers',
-    'left-hand: rotation: expected degrees, since turning by itself needs the solver',
+    'left-hand: rotation: expected degrees, because automatic rotation needs the solver',
     'left-hand: scale: expected a number above 0',
   ]);
 
@@ -280,7 +280,7 @@ test('a rig that was baked without poses says that it cannot be posed', async ({
   expect(said).toEqual([0, 'this rig cannot be posed: it was baked without the poses of its handles']);
 });
 
-/** Addresses of what the page loads for poses by the solver. */
+/** Addresses that the page loads to pose with the solver. */
 function solverRequests(page: Page): string[] {
   const asked: string[] = [];
   page.on('request', (request) => {
@@ -290,7 +290,7 @@ function solverRequests(page: Page): string[] {
   return asked;
 }
 
-/** The sample in the rigid mode, with a head that turns by itself. */
+/** The sample in the rigid mode, with an automatic rotation of the head. */
 const solved = (): Project => ({
   ...project,
   pose: { mode: 'rigid', blend: 'rigid', density: 100 },
@@ -314,7 +314,7 @@ test('handles of the rigid mode are posed as in the editor', async ({ page }, in
     { id: 'head', posed: [560, 220] as [number, number], depth: 1 },
   ];
   const expected = await poseBy(page, posed, changes);
-  // Grips show that the solver is there.
+  // Grips show that the solver is loaded.
   await player(page).evaluate((element) => {
     (element as C2WarpPlayer).posable = true;
   });
@@ -373,7 +373,7 @@ test('clips play on without the solver, and one sentence says why nothing can be
         : fetch(input, init);
   });
   const said = await added(page, { src: '/solved.c2rig', posable: '' }, 'error');
-  expect(said).toMatch(/^The handles cannot be posed: the server answers 404 for \S+pose_bg\.wasm\.$/);
+  expect(said).toMatch(/^The handles cannot be posed: the server answered 404 for \S+pose_bg\.wasm\.$/);
   await expect(player(page).locator('[part=handle]')).toHaveCount(0);
   await player(page).evaluate((element) => (element as C2WarpPlayer).play());
   await expect.poll(async () => (await state(page)).currentTime).toBeGreaterThan(0);
@@ -431,7 +431,7 @@ test('readers take handles by pointer and by keyboard, also from a clip', async 
   expect(await posed('left-hand')).toEqual([124, 516]);
   const grips = await new AxeBuilder({ page }).include('c2-warp-player').analyze();
   expect(grips.violations).toEqual([]);
-  // Rigs that were baked without poses offer none.
+  // Rigs that were baked without poses have no grips.
   await player(page).evaluate((element) => {
     (element as C2WarpPlayer).src = '/wave.c2rig';
     return new Promise((resolve) => element.addEventListener('loadeddata', resolve, { once: true }));
@@ -439,7 +439,7 @@ test('readers take handles by pointer and by keyboard, also from a clip', async 
   await expect(player(page).locator('[part=handle]')).toHaveCount(0);
 });
 
-test('a poster is shown until the rig is there and if it fails, and nothing moves', async ({ page }) => {
+test('a poster is shown until the rig is loaded or fails, with a stable layout', async ({ page }) => {
   let release = () => {};
   const held = new Promise<void>((resolve) => {
     release = resolve;
@@ -502,6 +502,79 @@ test('it plays, updates and ends as a video does', async ({ page }) => {
   expect((await state(page)).paused).toBe(true);
 });
 
+test('each rate and each end of each loop is that of a video', async ({ page }) => {
+  const kinds = ['none', 'repeat', 'alternate'] as const;
+  const short = kinds.map((loop) => ({ name: loop, duration: 0.2, loop, tracks: [] }));
+  await open(page, { 'short.c2rig': baked({ ...project, clips: short }) });
+  const rates = [1, -1, 2, -0.5, 0];
+  const played = await page.evaluate(
+    ([kinds, rates]) => {
+      const frames = async (count: number) => {
+        for (let k = 0; k < count; k++) await new Promise(requestAnimationFrame);
+      };
+      const playedBy = async (clip: string, rate: number, share: number, loop: boolean) => {
+        const player = document.createElement('c2-warp-player');
+        Object.assign(player, { src: '/short.c2rig', clip, loop });
+        player.style.width = '20px';
+        const loaded = new Promise((resolve) => player.addEventListener('loadeddata', resolve));
+        document.body.append(player);
+        await loaded;
+        const { duration } = player;
+        const events: string[] = [];
+        for (const type of ['play', 'pause', 'timeupdate', 'ended'])
+          player.addEventListener(type, () => events.push(type));
+        player.playbackRate = rate;
+        player.currentTime = share * duration;
+        const sought = `${player.ended} ${events.splice(0)}`;
+        await player.play();
+        const begun = player.currentTime / duration;
+        const isThere = () => (rate > 0 ? player.ended : rate < 0 && player.currentTime === 0);
+        await frames(5);
+        if (!loop && rate !== 0) while (!isThere()) await frames(1);
+        await frames(2);
+        const there = player.currentTime / duration;
+        const { paused, ended } = player;
+        const told = events.splice(0);
+        // Whatever it did, it can be played forwards from here.
+        player.playbackRate = 1;
+        await player.play();
+        await frames(3);
+        const goesOn = loop || player.currentTime > 0 || player.ended;
+        player.remove();
+        return { sought, begun, there: loop ? null : there, paused, ended, events: told, goesOn };
+      };
+      const rows = [false, true].flatMap((loop) =>
+        kinds.flatMap((kind) =>
+          rates.flatMap((rate) => [0, 0.5, 1].map((share) => ({ kind, rate, share, loop }))),
+        ),
+      );
+      return Promise.all(
+        rows.map(async (row) => ({
+          ...row,
+          ...(await playedBy(row.kind, row.rate, row.share, row.loop)),
+        })),
+      );
+    },
+    [kinds, rates] as const,
+  );
+  expect(played).toHaveLength(90);
+  for (const { kind, rate, share, loop, events, ...result } of played) {
+    const isAtEnd = share === 1 && rate >= 0 && !loop;
+    const row = `${kind}, rate ${rate}, from ${share}${loop ? ', loop' : ''}`;
+    expect(result, row).toEqual({
+      sought: isAtEnd ? 'true timeupdate,ended' : 'false timeupdate',
+      begun: isAtEnd ? 0 : share,
+      there: loop ? null : rate > 0 ? 1 : rate < 0 || isAtEnd ? 0 : share,
+      paused: rate > 0 && !loop,
+      ended: rate > 0 && !loop,
+      goesOn: true,
+    });
+    const others = events.filter((type) => type !== 'timeupdate');
+    expect(others, row).toEqual(rate > 0 && !loop ? ['play', 'pause', 'ended'] : ['play']);
+    if (!loop) expect(events.includes('timeupdate'), row).toBe(isAtEnd || rate > 0 || rate * share < 0);
+  }
+});
+
 test('clips are chosen by name, and unknown ones are named', async ({ page }) => {
   await open(page);
   await added(page, { src: '/wave.c2rig', clip: 'there and back' }, 'loadeddata');
@@ -517,10 +590,10 @@ test('clips are chosen by name, and unknown ones are named', async ({ page }) =>
     player.clip = 'jump';
     return player.error?.message;
   });
-  expect(message).toBe('There is no clip “jump”: there is “wave”, “there and back”.');
+  expect(message).toBe('There is no clip “jump”. The rig has “wave”, “there and back”.');
 });
 
-test('nothing plays by itself with reduced motion', async ({ page }) => {
+test('nothing plays automatically with reduced motion', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await open(page);
   await added(page, { src: '/wave.c2rig', autoplay: '', loop: '' }, 'loadeddata');
@@ -545,7 +618,7 @@ test('time stands still out of sight', async ({ page }) => {
   await expect.poll(async () => (await state(page)).currentTime).toBeGreaterThan(0);
 });
 
-test('a damaged rig is reported, its content stays, and the page goes on', async ({ page }) => {
+test('a damaged rig is reported, its content remains, and the page continues', async ({ page }) => {
   const altered = Buffer.from(rig);
   altered[200] = (altered[200] ?? 0) ^ 1;
   await open(page, {
@@ -556,8 +629,8 @@ test('a damaged rig is reported, its content stays, and the page goes on', async
   });
   const messages = ['cut', 'altered', 'page'].map((name) => added(page, { src: `/${name}.c2rig` }, 'error'));
   expect(await Promise.all(messages)).toEqual([
-    `This rig is damaged: it has ${rig.length - 100} bytes in place of ${rig.length}.`,
-    'This rig is damaged: its checksum differs.',
+    `This rig is damaged: it has ${rig.length - 100} bytes instead of ${rig.length}.`,
+    'This rig is damaged: its checksum does not match.',
     'This is not a rig.',
   ]);
   const codes = await page

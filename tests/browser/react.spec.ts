@@ -51,7 +51,7 @@ for (const version of ['react', 'react-18']) {
       expect(await heard(page)).toHaveLength(2);
     });
 
-    test('leaves alone what a reader has changed, until the page gives another value', async ({ page }) => {
+    test('keeps changes by a reader, until the page sets another value', async ({ page }) => {
       await open(page, `/${version}/`);
       await page.evaluate((source) => {
         const { C2Warp, createElement, createRoot } = Reflect.get(globalThis, 'page') as ReactPage;

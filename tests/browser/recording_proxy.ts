@@ -3,7 +3,7 @@ import { createServer, request as forward, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 
 export class RecordingProxy {
-  /** The addresses of requests; the host alone of encrypted connections. */
+  /** The addresses of requests, or only the host for encrypted connections. */
   readonly asked: string[] = [];
   readonly #server: Server;
 

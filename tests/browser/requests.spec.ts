@@ -9,7 +9,7 @@ import { RecordingProxy } from './recording_proxy';
 /** In the page and its workers, without a network: an object in memory, or the address itself. */
 const LOCAL = /^(blob|data):/;
 
-test('open, pose, export, film, rig and save ask the own server alone', async ({ browser }) => {
+test('open, pose, export, film, rig and save only send requests to the own server', async ({ browser }) => {
   test.slow();
   const [server, proxy] = [await AppServer.start(await builtEditor('first')), await RecordingProxy.start()];
   const context = await browser.newContext({
@@ -39,7 +39,7 @@ test('open, pose, export, film, rig and save ask the own server alone', async ({
           .toBe('activated');
         await page.reload();
         // The reload may come before the browser has stored that the sample is open again.
-        await expect(editor.solved).toContainText('sample');
+        await expect(editor.solved).toContainText('mesh point');
         await editor.openRecent('gingerbread');
         await editor.ready();
       }

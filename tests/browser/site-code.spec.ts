@@ -257,7 +257,7 @@ test('the start of the player bakes a rig, and its page plays it', async ({ page
     await page.evaluate('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
     expect(await time()).toBe(0);
 
-    // Only the paper's mode poses without a solver, and only if no handle turns by itself.
+    // Only the paper's mode poses without a solver, and only without automatic rotations.
     const project = JSON.parse(readFileSync(join(folder, 'gingerbread.c2warp.json'), 'utf8'));
     const handles = project.handles.map((handle: object) => ({ ...handle, rotation: 0 }));
     writeFileSync(
@@ -267,7 +267,7 @@ test('the start of the player bakes a rig, and its page plays it', async ({ page
     runIn(folder, line.replaceAll('cat', 'gingerbread'));
     const posing = blocks.filter(isPlayerScript).map(({ code }) => `<script type="module">${code}</script>`);
     expect(posing).toHaveLength(1);
-    // A clip that plays would go on in place of the pose.
+    // A playing clip would replace the pose.
     const still = html.replace(' autoplay loop', '');
     await openExample(page, still + posing.join(''), readFileSync(join(folder, 'gingerbread.c2rig')));
     const hand = () =>

@@ -13,7 +13,7 @@ const FIGURES = ['distance', 'cells', 'insertion', 'basis', 'weights', 'modes'] 
 
 test.describe.configure({ timeout: BUILD_MS + 120_000 });
 
-/** Scrolls to a figure and waits until its controls are there. */
+/** Scrolls to a figure and waits until its controls exist. */
 async function shown(page: Page, name: (typeof FIGURES)[number]): Promise<Locator> {
   const figure = page.locator('.live-figure').nth(FIGURES.indexOf(name));
   await figure.scrollIntoViewIfNeeded();

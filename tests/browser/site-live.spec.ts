@@ -39,6 +39,48 @@ test('a visitor of the landing page drags the picture', async ({ page }) => {
   );
 });
 
+test('the landing page shows its picture from the first paint, and nothing moves', async ({ page }) => {
+  await page.setViewportSize({ width: 1300, height: 900 });
+  let release = () => {};
+  const held = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  await page.route('**/element/c2warp.js', async (route) => {
+    await held;
+    await route.continue();
+  });
+  await openPage(page, '/site/');
+  const drawing = page.locator('.warp-picture img');
+  await expect(drawing).toBeVisible();
+  const shown = () =>
+    drawing.evaluate((image: HTMLImageElement) => {
+      const { x, y, width, height } = image.getBoundingClientRect();
+      const rim = Number.parseFloat(getComputedStyle(image).padding);
+      const scale = Math.min(
+        (width - 2 * rim) / image.naturalWidth,
+        (height - 2 * rim) / image.naturalHeight,
+      );
+      return { at: [x + width / 2, y + height / 2], size: [width, height], scale };
+    });
+  await expect.poll(async () => (await shown()).scale).toBeGreaterThan(0.3);
+  const { at, size, scale } = await shown();
+  const below = await page.getByRole('heading', { name: 'Two lines in your page' }).boundingBox();
+  release();
+  await expect.poll(() => mapped(page, [512, 640])).not.toBeNull();
+  await expect(drawing).toBeHidden();
+  const after = await warpOf(page).evaluate((element) => {
+    const warp = element as C2Warp;
+    const { width, height } = warp.getBoundingClientRect();
+    return { at: warp.imageToClient([512, 640]), size: [width, height], scale: warp.zoom };
+  });
+  expect(after.size).toEqual(size);
+  expect(Math.hypot((after.at?.[0] ?? 0) - (at[0] ?? 0), (after.at?.[1] ?? 0) - (at[1] ?? 0))).toBeLessThan(
+    1,
+  );
+  expect(Math.abs(after.scale - scale)).toBeLessThan(0.002);
+  expect(await page.getByRole('heading', { name: 'Two lines in your page' }).boundingBox()).toEqual(below);
+});
+
 test('the picture of the landing page follows the colours of the site', async ({ page }) => {
   await page.setViewportSize({ width: 1300, height: 800 });
   await openPage(page, '/site/');
@@ -67,6 +109,18 @@ test('a rig of the playground opens elsewhere with the same handles', async ({ p
   await expect.poll(() => mapped(other, [340, 400])).not.toBeNull();
   expect(await handlesOf(other)).toEqual(handles);
   await expect(other.getByRole('combobox', { name: 'Picture' })).toHaveValue('cat');
+
+  // Another address in the same window asks before it takes the place of an edited rig.
+  const asked: string[] = [];
+  page.once('dialog', (dialog) => {
+    asked.push(dialog.message());
+    return dialog.dismiss();
+  });
+  await page.evaluate(() => {
+    location.hash = '#rig=AAAA';
+  });
+  await expect.poll(() => asked).toEqual(['Open the rig of this address in place of yours?']);
+  expect(await handlesOf(page)).toEqual(handles);
 });
 
 test('the text of the playground bends the picture, and says why it cannot', async ({ page }) => {

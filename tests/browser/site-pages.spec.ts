@@ -121,5 +121,5 @@ test('a phone has all pages in its menus', async ({ page }) => {
 
 test('an address without a page says so', async ({ page }) => {
   await page.goto('/site/404.html', { timeout: BUILD_MS });
-  await expect(page.getByRole('heading', { name: 'There is no such page' })).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'Page not found' })).toBeVisible();
 });

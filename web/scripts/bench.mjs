@@ -1,9 +1,9 @@
 /**
- * `npm run bench`: times of the solver, natively and in Chromium's WebAssembly, in the form of the paper's tables, and
- * of exports, films and playing.
+ * `npm run bench`: measures exports, films and playback, and the solver, natively and in Chromium's WebAssembly, in the
+ * form of the paper's tables.
  *
  * The crate `c2warp-bench` defines the cases of the solver and measures them. The run fails if a part does not build or
- * run, never because of a time.
+ * run, but never because of slow times.
  */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
@@ -79,7 +79,7 @@ await main(async () => {
     `\n${cpus().length} × ${cpu?.model.trim() ?? 'unknown'}, load ${load.toFixed(1)} at the start.`,
   );
   if (load > cpus().length / 2)
-    console.log('Other programs were running: times are longer and less certain.');
+    console.log('Other programs were running, so times are longer and less certain.');
 });
 
 /**

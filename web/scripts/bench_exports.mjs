@@ -1,7 +1,7 @@
 /**
- * The exports of `npm run bench`: a picture of 12 megapixels in each format, as the element writes it in Chromium.
+ * The exports of `npm run bench`: the element exports a picture of 12 megapixels in each format, in Chromium.
  *
- * Times are compared with that of drawing alone, in the same run. Drawing and compressing run side by side, in two
+ * Times are compared with the time for drawing only, in the same run. Drawing and compressing run side by side, in two
  * workers.
  */
 import { readFileSync } from 'node:fs';
@@ -17,7 +17,7 @@ export async function exportTable() {
   return withServedEditor(async (browser, address) => {
     const page = await browser.newPage();
     await page.goto(address);
-    await page.locator('c2-warp .solved', { hasText: 'sample' }).waitFor({ timeout: 120_000 });
+    await page.locator('c2-warp .solved', { hasText: 'mesh point' }).waitFor({ timeout: 120_000 });
     return table(await page.evaluate(readFileSync(join(ROOT, 'tests/bench/exports.js'), 'utf8')));
   });
 }

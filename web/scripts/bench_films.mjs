@@ -2,7 +2,7 @@
  * The films of `npm run bench`: frames a second of `c2warp animate`, and milliseconds of CPU a frame while players and
  * the editor's timeline play in Chromium.
  *
- * Chromium draws on the CPU, in another process. So only the work of the page's main thread is counted.
+ * Chromium draws on the CPU, in another process. So only the work on the page's main thread is counted.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -101,7 +101,7 @@ export async function playingTable() {
     }
     const page = await browser.newPage();
     await page.goto(address);
-    await page.locator('c2-warp .solved', { hasText: 'sample' }).waitFor({ timeout: 120_000 });
+    await page.locator('c2-warp .solved', { hasText: 'mesh point' }).waitFor({ timeout: 120_000 });
     await page.locator('c2-warp').press('t');
     await page.locator('c2-warp').press('k');
     rows.push(
@@ -110,7 +110,7 @@ export async function playingTable() {
     return [
       '## Playing in Chromium',
       '',
-      'Milliseconds of the main thread a frame. Drawing in the graphics process comes on top.',
+      'Milliseconds of the main thread per frame. Drawing in the graphics process takes extra time.',
       '',
       '| | script | all |',
       '|---|---:|---:|',

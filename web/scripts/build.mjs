@@ -1,7 +1,7 @@
 /**
  * `npm run build`: writes the editor as static files to web/dist, the element for other pages to web/dist/element, the
- * player of rigs to web/dist/player, the component for React to web/dist/react, and the solver without a screen, with
- * the command, to web/dist/core. The manifest of the elements, and what is made from it, lies beside the element.
+ * player of rigs to web/dist/player, the component for React to web/dist/react, and the headless solver, with the
+ * command, to web/dist/core. The manifest of the elements, and the files generated from it, are beside the element.
  */
 import { copyFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-/** `npm run check`: all checks that do not run the program. */
+/** `npm run check`: runs all checks that do not run the program. */
 import { runChecks } from './checks.mjs';
 import { prepare, prepareRustLints } from './prepare.mjs';
 import { main, StepError } from './steps.mjs';

@@ -1,11 +1,11 @@
-/** The checks of `npm run check`: formats, lints, types, imports and prose of both languages, and generated files. */
+/** The checks of `npm run check`: format, lints, types, imports and prose of both languages, and generated files. */
 import { OF_CRATES } from './packing.mjs';
 import { heading, run, toolPath } from './steps.mjs';
 
 /** The tables of quality are linted and tested by `npm run test:long`: their solver takes minutes to compile. */
 export const NOT_OF_QUALITY = ['--exclude', 'c2warp-quality'];
 
-/** The library as its users compile it: without features, and with each alone. */
+/** The library as its users compile it: without features, and with each feature separately. */
 const FEATURES = ['', 'serde', 'schema', 'raster', 'cloud', 'rig', 'poser-bytes'];
 
 /** @type {[title: string, program: string, args: string[]][]} */
@@ -34,7 +34,7 @@ const CHECKS = [
       args,
     ]);
   }),
-  // Everything that it needs is there after the lints.
+  // The lints have built everything that it needs.
   [
     'Packing of the crates',
     'cargo',

@@ -1,6 +1,6 @@
 /**
- * A Chromium for the browser tests: the one named by the variable CHROMIUM, or one in PATH. On Debian and its
- * derivatives, it is installed by apt if that is permitted.
+ * Finds a Chromium for the browser tests: the one named by the variable CHROMIUM, or one in PATH. On Debian and its
+ * derivatives, apt installs one if permitted.
  */
 import { accessSync, constants, existsSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
@@ -50,7 +50,7 @@ export async function prepareChromium() {
   const found = findChromium();
   if (found !== undefined) {
     if (isExecutable(found)) return;
-    throw new StepError(`CHROMIUM names ${found}, which cannot be run.`);
+    throw new StepError(`CHROMIUM names ${found}, but it cannot be run.`);
   }
   const missing = 'No Chromium for the browser tests: install one, or name it in the variable CHROMIUM.';
   const root = process.getuid?.() === 0;

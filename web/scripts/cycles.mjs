@@ -2,7 +2,8 @@
  * `node web/scripts/cycles.mjs`: fails if files or folders of the core or of the page import one another in a circle.
  *
  * The files and folders within each folder are the nodes of a graph. A folder has the imports of all its files. The
- * `mod.rs` of a folder is no node in it: it may use its children, and they may use its items. Unit tests do not count.
+ * `mod.rs` of a folder is not a node of that folder's graph: it may use its children, and they may use its items. Unit
+ * tests do not count.
  */
 import { readFileSync } from 'node:fs';
 import { join, posix, relative, sep } from 'node:path';

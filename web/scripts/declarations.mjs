@@ -1,4 +1,4 @@
-/** The type declarations of a built entry: those of the compiler's output that it reaches. */
+/** The type declarations of a built entry: the files of the compiler's output that the entry reaches. */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { ROOT, step, toolPath } from './steps.mjs';

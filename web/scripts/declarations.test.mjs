@@ -34,7 +34,7 @@ export async function wave(player: C2WarpPlayer): Promise<number> {
 }
 `;
 
-/** The first example of the manual, as a page of its own. */
+/** The first example of the manual, as a separate page. */
 const [EXAMPLE = ''] = blocksOf(readFileSync(join(ROOT, 'web/docs/element.md'), 'utf8'), 'ts');
 
 describe('the declarations of the element and the player', () => {

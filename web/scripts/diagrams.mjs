@@ -1,4 +1,4 @@
-/** The drawings of Mermaid diagrams: each is named by its source, so that an old one is never shown. */
+/** The drawings of Mermaid diagrams. Names depend on the source of a diagram, so outdated drawings are never shown. */
 import { createHash } from 'node:crypto';
 import { join } from 'node:path';
 import { ROOT } from './steps.mjs';

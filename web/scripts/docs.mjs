@@ -2,7 +2,7 @@
  * `npm run docs [-- --base /PATH/]`: writes the site to web/dist-site, as static files.
  *
  * It holds the pages of web/docs and web/site, the element, the player and the core beside them, and the documentation
- * of the Rust library. Without `--base` it is for the root of a server.
+ * of the Rust library. Without `--base`, the site is for the root of a server.
  */
 import { cpSync } from 'node:fs';
 import { join } from 'node:path';
@@ -34,7 +34,7 @@ await main(async () => {
   const target = join(ROOT, process.env.CARGO_TARGET_DIR ?? 'target');
   cpSync(join(target, 'doc'), join(SITE, 'rustdoc'), { recursive: true });
   heading('Site');
-  console.log(`It is in ${SITE}, for a server that has it at ${base}`);
+  console.log(`The site is in ${SITE}, for a server that serves it at ${base}`);
 });
 
 /** @returns {string} */
@@ -48,6 +48,6 @@ function requestedBase() {
     );
   }
   if (!/^\/(?:.*\/)?$/.test(base))
-    throw new StepError(`--base begins and ends with a slash, unlike "${base}".`);
+    throw new StepError(`--base: expected a path that begins and ends with a slash, found "${base}".`);
   return base;
 }

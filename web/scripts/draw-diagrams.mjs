@@ -1,9 +1,9 @@
 /**
  * `node web/scripts/draw-diagrams.mjs SCRIPT`: draws the Mermaid diagrams of web/docs as SVG, for the site. Code hosts
- * draw them by themselves.
+ * draw them on their own.
  *
- * SCRIPT is `dist/mermaid.min.js` of the npm package mermaid, version 11. It is no dependency of the project, since
- * diagrams change rarely. The site does not build while a drawing is missing.
+ * SCRIPT is `dist/mermaid.min.js` of the npm package mermaid, version 11. The project does not depend on it, because
+ * diagrams change rarely. The site does not build if a drawing is missing.
  */
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

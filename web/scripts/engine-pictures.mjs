@@ -1,6 +1,6 @@
 /**
- * `node web/scripts/engine-pictures.mjs`: draws web/screenshots/engines.webp. It shows two times of a clip by the
- * command, by three.js from the glTF, and by DragonBones' runtime, whose vertices three.js draws.
+ * `node web/scripts/engine-pictures.mjs`: draws web/screenshots/engines.webp. The picture shows two frames of a clip,
+ * drawn by the command, by three.js from the glTF, and by DragonBones' runtime, whose vertices three.js draws.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

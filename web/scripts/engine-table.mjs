@@ -1,6 +1,6 @@
 /**
- * `node web/scripts/engine-table.mjs`: the table of web/docs/engines.md. Exports the samples in all formats, and
- * compares the vertices of two foreign readers along the clips.
+ * `node web/scripts/engine-table.mjs`: prints the table of web/docs/engines.md. Exports the samples in all formats, and
+ * compares the vertices that two other readers compute along the clips.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs';

@@ -1,6 +1,6 @@
 /**
- * Draws every sample at rest and posed, side by side. `web/screenshots/poses.json` says where handles go; the command
- * `c2warp` warps the pictures.
+ * Draws every sample at rest and posed, side by side. `web/screenshots/poses.json` lists the positions of handles; the
+ * command `c2warp` warps the pictures.
  */
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -48,7 +48,7 @@ export async function drawFigures(browser) {
 
 /**
  * @param {string} name
- * @param {Record<string, unknown>} posed places of handles; the others stay
+ * @param {Record<string, unknown>} posed positions of handles; the others stay
  * @param {string} folder
  * @param {string} output
  */

@@ -1,6 +1,6 @@
 /**
- * The licences of a build's parts: the npm packages bundled in the page and in its workers, and the crates linked into
- * the WebAssembly modules. They require that their text accompanies every copy.
+ * Collects the licences of a build: of the npm packages bundled in the page and in its workers, and of the crates
+ * linked into the WebAssembly modules. These licences require that their text accompanies every copy.
  */
 import { execFile } from 'node:child_process';
 import { readdir, readFile } from 'node:fs/promises';
@@ -20,7 +20,7 @@ import { ROOT } from './steps.mjs';
 /** @typedef {import('vite').Plugin} Plugin */
 
 const FILE = 'LICENSES.md';
-const MODULES = ['c2warp-bind', 'c2warp-film-bind', 'c2warp-export-bind', 'c2warp-drawing-bind'];
+const MODULES = ['c2warp-bind', 'c2warp-film-bind', 'c2warp-export-bind'];
 const TARGET = 'wasm32-unknown-unknown';
 
 /**
@@ -65,7 +65,7 @@ export async function licencesOf(folders, linked = MODULES) {
   const own = await readFile(join(ROOT, 'LICENSE-MIT'), 'utf8');
   return [
     `# c2warp\n\n${own.trim()}\n`,
-    'c2warp also holds the following, and the standard library of Rust (MIT or Apache-2.0).\n',
+    'c2warp also includes the following, and the standard library of Rust (MIT or Apache-2.0).\n',
     ...chapters,
   ].join('\n');
 }
@@ -139,7 +139,7 @@ async function licenceTexts({ name, license, folder, authors }) {
     return Promise.all(chosen.map((file) => readFile(join(folder, file), 'utf8')));
   }
   if (!/\bMIT\b/.test(license)) throw new Error(`${name} (${license}) comes without the text of its licence`);
-  // Some crates name the licence alone. Its text is the same for all but the holders.
+  // Some crates give only the name of the licence. Its text is the same for all but the holders.
   const holders = authors?.length ? authors.join(', ') : `the authors of ${name}`;
   const own = await readFile(join(ROOT, 'LICENSE-MIT'), 'utf8');
   return [own.replace(/^Copyright .*$/m, () => `Copyright (c) ${holders}`)];

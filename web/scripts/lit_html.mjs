@@ -1,8 +1,8 @@
 /**
- * Makes lit-html a private part of the element: it imports without a DOM, and a page's own Lit does not hear of it.
+ * Makes lit-html a private part of the element: it can be imported without a DOM, and does not affect a page's own Lit.
  *
- * lit-html has a build for servers that draws in browsers as well. It tells a global list of its version, with which a
- * second Lit warns of several. It also asks a global for polyfills, and names a policy of Trusted Types.
+ * lit-html has a build for servers that draws in browsers as well. It adds its version to a global list, and a second
+ * Lit then warns of multiple versions. It also reads polyfills from a global, and names a policy of Trusted Types.
  */
 import { readFile } from 'node:fs/promises';
 
@@ -19,7 +19,7 @@ const PARTS = [
  */
 export function privateLit(script) {
   return PARTS.reduce((code, [text, instead]) => {
-    if (!code.includes(text)) throw new Error(`lit-html does not hold ${text}`);
+    if (!code.includes(text)) throw new Error(`lit-html does not contain ${text}`);
     return code.replace(text, instead);
   }, script);
 }

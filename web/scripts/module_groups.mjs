@@ -6,7 +6,7 @@ const SECTION = { custom: 0, import: 2, code: 10, data: 11 };
 /** The part of a custom section "name" that has the names of functions. */
 const FUNCTION_NAMES = 1;
 
-/** The first pattern that fits the name of a function tells its group. */
+/** The first pattern that matches the name of a function determines its group. */
 const GROUPS = /** @type {const} */ ([
   [/core::slice::sort/, 'sorts of the standard library'],
   [/^<?c2warp::project::json|serde|c2warp::project/, 'project and JSON'],
@@ -26,8 +26,8 @@ const GROUPS = /** @type {const} */ ([
 /** @typedef {{ name: string, raw: number, brotli: number }} Group Sizes in bytes. */
 
 /**
- * The groups of a module, the largest first. Groups are compressed alone. Their sizes are scaled to that of the module,
- * which compresses better as a whole.
+ * The groups of a module, the largest first. Each group is compressed separately. Their sizes are scaled to that of the
+ * module, which compresses better as a whole.
  * @param {Uint8Array} module with a name section
  * @returns {Group[]}
  */

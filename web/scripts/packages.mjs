@@ -11,7 +11,7 @@ import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { launchChromium, prepareChromium } from './chromium.mjs';
 import { built, exampleNames, installed, linesOf, readExample, served } from './packages/embedding.mjs';
-import { secondsToFirstDeed } from './packages/first_deed.mjs';
+import { secondsToFirstInteraction } from './packages/first_interaction.mjs';
 import { builtPackage } from './packing.mjs';
 import { heading, main } from './steps.mjs';
 
@@ -64,7 +64,7 @@ async function row(example, embedding, folder, tarball, browser) {
     const server = await served(embedding, folder);
     const page = await browser.newPage({ viewport: { width: 900, height: 700 }, reducedMotion: 'reduce' });
     try {
-      const seconds = await secondsToFirstDeed(page, server.address, example);
+      const seconds = await secondsToFirstInteraction(page, server.address, example);
       const kilobytes = Math.round(server.bytes() / 1000);
       console.log(`works: ${seconds.toFixed(1)} s, ${kilobytes} kB`);
       return { works: true, cells: [embedding.title, lines, 'yes', seconds.toFixed(1), kilobytes] };

@@ -1,4 +1,4 @@
-/** The packages of a release: that of npm and the crates. They are packed and checked as users would get them. */
+/** The packages of a release: the npm package and the crates. They are packed and checked as users would get them. */
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
@@ -74,7 +74,7 @@ export async function npmPackage(folder) {
 async function lint(title, args) {
   heading(title);
   const { code } = await run(process.execPath, args);
-  if (code !== 0) throw new StepError(`${title}: the package has a fault. It is named above.`);
+  if (code !== 0) throw new StepError(`${title}: the package has an error. It is named above.`);
 }
 
 /** @param {string} folder */

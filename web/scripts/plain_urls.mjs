@@ -1,7 +1,7 @@
 /**
- * Writes the addresses of a build's own files as bundlers expect them: `new URL("./file", import.meta.url)`.
+ * Rewrites the addresses of a build's own files to the form that bundlers expect: `new URL("./file", import.meta.url)`.
  *
- * Vite nests two such expressions for assets. Next and webpack replace the inner one by an address of this machine.
+ * Vite nests two such expressions for assets. Next and webpack replace the inner one with an address on this machine.
  */
 
 /** An inner address that is resolved once more. */

@@ -1,4 +1,4 @@
-/** The bounds on the downloads of the player. */
+/** Checks the sizes of the player's downloads. */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';

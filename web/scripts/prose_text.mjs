@@ -1,7 +1,7 @@
 /**
  * The prose of a file: paragraphs of its comments or of its Markdown, and names of its tests.
  *
- * Code, tables, addresses and the marks of comments, lists and links are left out. A code span becomes one word.
+ * Code, tables, addresses and the markup of comments, lists and links are left out. A code span counts as one word.
  */
 import { rustSpans, scriptSpans } from './spans.mjs';
 

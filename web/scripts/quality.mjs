@@ -1,12 +1,12 @@
 /**
- * `npm run quality`: errors of distances, second maxima of weights, jumps of their derivatives, suggested handles,
- * fills of pictures whose truth is known, and the quality of poses by every mode and by other methods, beside the
- * optimum too.
+ * `npm run quality`: measures errors of distances, second maxima of weights, jumps of their derivatives, suggested
+ * handles, fills compared with the original pictures, and the quality of poses. Poses of every mode are compared with
+ * other methods and with the optimum.
  *
  * Prints tables and writes sheets of pictures. The crate `c2warp-quality` measures. `npm run quality -- NAME` runs the
  * parts with NAME in their name: poses, `optimum`, `distances`, `maxima`, `continuity`, `suggest` or `fill`. With
  * `photographs`, photographs are edited in the browser, and fills are compared with OpenCV's; with `photographs brush`,
- * only strokes of the brush are measured. The run fails if a part does not build or run, never because of a figure.
+ * only strokes of the brush are measured. The run fails if a part does not build or run, but never because of a result.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -25,7 +25,7 @@ await main(async () => {
   await step('Build', 'cargo', ['build', ...CRATE], 'The comparison does not build. The reason is above.');
   if (names.includes('photographs')) {
     await photographs(OUTPUT);
-    console.log(`\nSheets of pictures are in ${OUTPUT}/photographs.`);
+    console.log(`\nPicture sheets are in ${OUTPUT}/photographs.`);
     return;
   }
   await step(
@@ -34,5 +34,5 @@ await main(async () => {
     ['run', '--quiet', ...CRATE, '--', OUTPUT, ...names],
     'The comparison failed. The reason is above.',
   );
-  console.log(`\nSheets of pictures are in ${OUTPUT}.`);
+  console.log(`\nPicture sheets are in ${OUTPUT}.`);
 });

@@ -1,7 +1,8 @@
 /**
- * `npm run release -- VERSION`: makes all that a release uploads, from a clean clone, and stops before the upload.
+ * `npm run release -- VERSION`: builds everything that a release uploads, from a clean clone, and stops before the
+ * upload.
  *
- * A folder beside the system's other temporary files then has the clone, the packages and the notes.
+ * The clone, the packages and the notes are then in a temporary folder.
  */
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -31,7 +32,7 @@ await main(async () => {
     'Packages',
     process.execPath,
     [join(source, 'web/scripts/release_packages.mjs'), packages],
-    'A package cannot be made. The reason is above.',
+    'A package cannot be built. The reason is above.',
   );
   writeFileSync(join(folder, 'notes.md'), `${notes}\n`);
 

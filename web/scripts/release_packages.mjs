@@ -1,4 +1,4 @@
-/** Makes the packages of a release in a folder: `node web/scripts/release_packages.mjs FOLDER`. */
+/** Builds the packages of a release in a folder: `node web/scripts/release_packages.mjs FOLDER`. */
 import { resolve } from 'node:path';
 import { crates, npmPackage } from './packing.mjs';
 import { main, StepError } from './steps.mjs';

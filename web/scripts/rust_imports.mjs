@@ -1,10 +1,10 @@
 /**
  * The imports between files of a Rust crate.
  *
- * An import leads through re-exports to the file that defines the item. A `mod.rs` or `lib.rs` does not depend on
+ * Imports are followed through re-exports to the file that defines the item. A `mod.rs` or `lib.rs` does not depend on
  * children that it only re-exports. Unit tests at the end of a file do not count.
  *
- * Known limits: globs lead to the module itself, and macros are not followed.
+ * Known limits: globs resolve to the module itself, and macros are not followed.
  */
 import { rustSpans } from './spans.mjs';
 

@@ -1,6 +1,6 @@
 /**
- * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, its lens, the
- * timeline, every sample posed, and one pose by the methods that `npm run quality` compares.
+ * `npm run screenshots`: takes the pictures of the documentation. They show the editor with the bent sample, its lens,
+ * the timeline, every sample posed, and one pose by each method that `npm run quality` compares.
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ import { heading, main, ROOT, step } from './steps.mjs';
 
 const FOLDER = join(ROOT, 'web/screenshots');
 
-/** How the sample is bent: moves of handles from their rest places, in whole steps on screen. */
+/** How the sample is bent: moves of handles from their rest positions, in whole steps on screen. */
 const PULLS = /** @type {const} */ ([
   ['left hand', 30, -90],
   ['right hand', 0, 50],
@@ -84,7 +84,7 @@ async function takeLens(page) {
   const head = await page.getByRole('button', { name: 'Handle head' }).boundingBox();
   if (!head) throw new Error('the handle head is not on screen');
   await page.mouse.click(head.x - 70, head.y + 150);
-  await page.getByRole('region', { name: 'Weights' }).getByText('Virtual handles', { exact: true }).waitFor();
+  await page.getByRole('region', { name: 'Weights' }).getByText('Helper points', { exact: true }).waitFor();
   const path = join(FOLDER, 'lens.png');
   await page.screenshot({ path });
   console.log(path);

@@ -1,4 +1,4 @@
-/** The imports between TypeScript files, those of types included. */
+/** The imports between TypeScript files, including type imports. */
 import { posix } from 'node:path';
 import { scriptSpans } from './spans.mjs';
 

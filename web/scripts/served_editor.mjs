@@ -1,4 +1,4 @@
-/** The editor, served for a Chromium that scripts drive. */
+/** Serves the editor for a Chromium that scripts control. */
 import { join } from 'node:path';
 import { launchChromium } from './chromium.mjs';
 import { ROOT } from './steps.mjs';

@@ -1,4 +1,4 @@
-/** The pages of the site, without the parts that `npm run docs` puts beside them. */
+/** Builds the pages of the site, without the parts that `npm run docs` adds. */
 import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, relative, sep } from 'node:path';

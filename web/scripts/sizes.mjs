@@ -1,6 +1,6 @@
 /**
- * `npm run sizes`: what downloads are made of, in kB, as the tables of `web/docs/versions.md`. The solver and the poser
- * of rigs by groups of functions, and the script that a page waits for by folders.
+ * `npm run sizes`: the composition of the downloads in kB, as the tables of `web/docs/versions.md`. The solver and the
+ * poser of rigs by groups of functions, and the script that a page waits for by folders.
  */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -26,9 +26,9 @@ await main(async () => {
     'It does not build. The reason is above.',
   );
   const module = (/** @type {string} */ name) => moduleGroups(readFileSync(join(ROOT, OUTPUT, name)));
-  print('Solver: the part that all pages load', module('c2warp_bg.wasm'));
+  print('Solver: the part that every page loads', module('c2warp_bg.wasm'));
   print('Solver: the later part', module('c2warp_later_bg.wasm'));
-  print('Poser: what a rig adds whose readers pose it', module('pose_bg.wasm'));
+  print('Poser: loaded for rigs whose handles can be posed', module('pose_bg.wasm'));
   print('Script of the element', await folders());
 });
 

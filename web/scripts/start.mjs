@@ -37,7 +37,7 @@ function requestedPort() {
   if (text === undefined) return undefined;
   const port = Number(text);
   if (!Number.isInteger(port) || port < 1 || port > 65_535) {
-    throw new StepError(`--port wants a number from 1 to 65535, not "${text}".`);
+    throw new StepError(`--port: expected a number from 1 to 65535, found "${text}".`);
   }
   return port;
 }

@@ -1,6 +1,6 @@
 /**
  * Steps of a command line job. Each prints its title and the output of its programs. A failed step ends the job with
- * one line of advice. This file uses no npm packages, because it also installs them.
+ * one line of advice. This file uses no npm packages, because it installs them.
  */
 import { spawn, spawnSync } from 'node:child_process';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const OFFLINE =
   /ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ENETUNREACH|ETIMEDOUT|ECONNRESET|resolve host|could not connect|error sending request|failed to download|spurious network error|temporary failure/i;
 
-/** Whether a program failed for want of a network. @param {string} output */
+/** Whether a program failed because it had no network. @param {string} output */
 export const lacksNetwork = (output) => OFFLINE.test(output);
 
 /** Command line tools among the npm packages. Node runs them directly: quicker than npx, and the same on Windows. */

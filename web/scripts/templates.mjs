@@ -62,7 +62,7 @@ async function check(name, folder, tarball) {
   const others = found.filter((place) => !expected.includes(place));
   if (expected.length === 0 || missed.length > 0 || others.length > 0)
     throw new StepError(
-      `${output}\nNot reported: ${missed.join(', ') || 'none'}. Wrongly: ${others.join(', ') || 'none'}.`,
+      `${output}\nNot reported: ${missed.join(', ') || 'none'}. Reported wrongly: ${others.join(', ') || 'none'}.`,
     );
-  console.log(`${expected.length} wrong lines are reported, and no others`);
+  console.log(`all ${expected.length} wrong lines are reported, and no others`);
 }

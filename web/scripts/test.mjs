@@ -22,7 +22,7 @@ const EXAMPLES = ['plain', 'vite', 'next'];
 await main(async () => {
   await prepare();
   await prepareRustLints();
-  // Beside browser tests its build would take minutes longer than it does alone.
+  // Beside browser tests its build would take minutes longer than on its own.
   await buildCommand();
   await prepareChromium();
   mkdirSync(join(ROOT, OUTPUT), { recursive: true });
@@ -74,7 +74,7 @@ async function packages() {
       ...EXAMPLES,
     ]);
     if (code === 0) return { passed: 2, failed: 0, skipped: 0 };
-    // The registry is needed here alone.
+    // Only this step needs the registry.
     return lacksNetwork(output) ? { passed: 1, failed: 0, skipped: 1 } : { passed: 1, failed: 1, skipped: 0 };
   } catch (error) {
     if (!(error instanceof StepError)) throw error;

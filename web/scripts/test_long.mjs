@@ -1,6 +1,6 @@
 /**
  * `npm run test:long`: tests that take too long for `npm test`. These are all random sequences of input while a picture
- * is opened, all random edits and attacks, and the tests of the tables of quality.
+ * opens, all random edits and attacks, and the tests of the quality tables.
  */
 import { prepareChromium } from './chromium.mjs';
 import { prepare, prepareRustLints } from './prepare.mjs';

@@ -1,4 +1,4 @@
-/** `npm run test:packed`: builds, packs and checks the package of npm. `npm test` runs it too. */
+/** `npm run test:packed`: builds, packs and checks the npm package. `npm test` runs it too. */
 import { npmPackage } from './packing.mjs';
 import { main, ROOT } from './steps.mjs';
 

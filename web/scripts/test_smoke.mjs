@@ -1,6 +1,6 @@
 /**
- * `npm run test:smoke`: opens, bends, exports and reloads in Firefox and WebKit of the distribution. A browser that is
- * not installed is left out, with a line that names its packages.
+ * `npm run test:smoke`: opens, bends, exports and reloads in Firefox and WebKit of the distribution. Skips browsers
+ * that are not installed, and names their packages.
  */
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
@@ -16,7 +16,7 @@ await main(async () => {
   await prepare();
   const screen = await openScreen();
   if (screen === null) {
-    console.log('Left out: browsers need a screen. Install xvfb, or set DISPLAY.');
+    console.log('Skipped: browsers need a screen. Install xvfb, or set DISPLAY.');
     return;
   }
   const port = await freePort();
@@ -43,7 +43,7 @@ async function run({ NAME, PACKAGES, start }, display, origin) {
   heading(NAME);
   const visitor = await start(display);
   if (visitor === null) {
-    console.log(`Left out: ${NAME} is not installed. Its packages are ${PACKAGES}.`);
+    console.log(`Skipped: ${NAME} is not installed. Its packages are ${PACKAGES}.`);
     return;
   }
   try {

@@ -1,6 +1,6 @@
 /**
- * Removes comments and indentation from style sheets and shaders, and indentation from markup. Minifiers leave these
- * alone, because they are strings in scripts. Also lets bundlers drop unused classes of the WebAssembly glue.
+ * Removes comments and indentation from style sheets and shaders, and indentation from markup. Minifiers do not change
+ * these, because they are strings in scripts. Also lets bundlers drop unused classes of the WebAssembly glue.
  */
 
 /** A style sheet in a template. Its expressions contain no templates. */

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { trimmedGlue, trimmedMarkup, trimmedShader, trimmedSheets } from './trimmed.mjs';
 
 describe('trimmed', () => {
-  it('removes comments and indentation of style sheets alone', () => {
+  it('only removes comments and indentation of style sheets', () => {
     const code = `/** Stays. */
 const sheet = css\`
   /* Goes,

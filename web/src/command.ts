@@ -1,18 +1,18 @@
 #!/usr/bin/env node
 /**
- * The command `c2warp` for machines without Rust: the same program as WebAssembly, with the files of this machine.
+ * The command `c2warp` for machines without Rust: the same program as WebAssembly, with access to local files.
  *
  * It starts in about 0.2 s. `web/docs/cli.md` has its limits.
  */
 import { readFile } from 'node:fs/promises';
 import { parse, relative, sep } from 'node:path';
 
-/** The exit status of a program of Rust that panicked. */
-const PANICKED = 101;
+/** The exit status of a program that failed. */
+const FAILED = 1;
 
 const program = new URL(/* @vite-ignore */ './command.wasm', import.meta.url);
 
-/** Node warns that its system interface may change. That is no concern of a person at a terminal. */
+/** Node warns that its system interface may change. The warning is of no use at a terminal. */
 function muteExperimentalWarnings(): void {
   const emitWarning = process.emitWarning.bind(process) as (...args: unknown[]) => void;
   process.emitWarning = (...args: unknown[]) => {
@@ -28,7 +28,7 @@ async function run(): Promise<number> {
   const wasi = new WASI({
     version: 'preview1',
     args: ['c2warp', ...process.argv.slice(2)],
-    // The program starts in the root folder, and goes on to this one.
+    // The program starts in the root folder, and changes to this one.
     env: { ...process.env, PWD: `/${relative(root, folder).split(sep).join('/')}` },
     preopens: { '/': root },
     returnOnExit: true,
@@ -41,7 +41,7 @@ async function run(): Promise<number> {
 try {
   process.exitCode = await run();
 } catch (error) {
-  // The program has printed the reason of a panic.
-  if (!(error instanceof WebAssembly.RuntimeError)) console.error(`c2warp: ${String(error)}`);
-  process.exitCode = PANICKED;
+  // Panics and want of memory end the program by an exit status: this is of another kind, such as an overflow.
+  console.error(`c2warp: ${String(error)}`);
+  process.exitCode = FAILED;
 }

@@ -1,4 +1,4 @@
-/** `c2warp/core` for pages and workers: the solver without a screen. `web/docs/core.md` explains it. */
+/** `c2warp/core` for pages and workers: the headless solver. `web/docs/core.md` explains it. */
 import { browser } from './core/browser';
 import type { PictureInput, WarperOptions } from './core/types';
 import { Warper } from './core/warper';

@@ -1,20 +1,21 @@
 /**
  * `<c2-warp>`: the editor as a custom element.
  *
- * Its manifest, types for frameworks and the tables of `web/docs/element.md` are made from the comments here, of
- * `element/events.ts` and of `error.ts`.
+ * Its manifest, types for frameworks and the tables of `web/docs/element.md` are generated from the comments in this
+ * file, in `element/events.ts` and in `error.ts`.
  *
  * `tool` is selected when it is set, when the element is connected, and when `readonly` or `posable` is removed. With
- * `posable` people can only pose the existing handles. The page keeps all wheel, touch and key input that acts on no
- * handle. `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a
+ * `posable`, people can only pose the existing handles. The page keeps all wheel, touch and key input that does not act
+ * on a handle. `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a
  * document.
  *
  * Setting `readonly` or `disabled`, and setting or removing `posable`, cancels the drag, drawing or typed number in
  * progress. A page may have several elements. An element that is removed releases its worker and its WebGL context, and
- * keeps its document until it is connected again. Properties may be set before the element is connected, even before
- * it is defined. Servers and workers can import this file: it defines no element there.
+ * keeps its document until it is connected again. Properties may be set before the element is connected, or even
+ * defined. Servers and workers can import this file, but it defines no element there.
  */
 import type { Drawing } from './compute/drawing';
+import { withNewRotation } from './document/bending';
 import { checkDefaults, type ProjectDefaults } from './document/defaults';
 import { type Document, handleById } from './document/document';
 import { freeId } from './document/edits';
@@ -29,12 +30,12 @@ import {
   posedHandle,
 } from './document/project';
 import type { PageNotification } from './editor/effects';
-import { attributesPending, type Carried, isOpening, nothingCarried } from './editor/opening_state';
+import { attributesPending, type Carried, nothingCarried } from './editor/opening_state';
 import type { PageAttributes, Sample } from './editor/page';
 import type { PageQuestion } from './editor/page_question';
 import { mayReceive } from './editor/permissions';
 import { stem } from './editor/picture';
-import { hasEnded, playedClip, playedDuration } from './editor/played_clip';
+import { hasPlayed, playedClip, playedDuration } from './editor/played_clip';
 import { documentOf, filedProject, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
 import type {
@@ -51,24 +52,24 @@ import { checkedPairs } from './element/checked_pairs';
 import { coded } from './element/coded';
 import { emitter, TypedElement } from './element/events';
 import { checkDrawn, checkWritten, drawingSettings, fileSettings } from './element/export_options';
-import { FormControl } from './element/form_control';
+import { FormControl, SUBMITTED } from './element/form_control';
 import { addLanguage, languageTags } from './element/languages';
-import { loadOf } from './element/load_of';
+import { Loading } from './element/loading';
 import { mediaOf } from './element/media';
 import { emitNotification } from './element/notification';
 import { pageAttributes } from './element/page_attributes';
 import { namedSource } from './element/picture_source';
-import { type Properties, taken } from './element/properties';
+import type { Properties } from './element/properties';
 import { ask } from './element/questions';
 import { ShownLanguage } from './element/shown_language';
 import type { Changes } from './element/updating_element';
-import { asC2WarpError, C2WarpError } from './error';
+import { asC2WarpError, C2WarpError, isAbort } from './error';
 import type { Vec } from './geometry/vec';
 import { EditorRuntime } from './runtime/editor_runtime';
 import { drawOn, writtenFile } from './runtime/exporting';
 import { notLoaded } from './runtime/lazy_view';
 import type { PartialTexts } from './texts/texts';
-import { isToolName, type ToolName } from './tools/machine';
+import { TOOL_NAMES, type ToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
 
@@ -86,12 +87,12 @@ export type { PartialTexts, Texts } from './texts/texts';
 export type { ToolName } from './tools/machine';
 
 /**
- * An editor that warps a picture by handles.
+ * An editor that warps a picture with handles.
  *
- * @slot toolbar - Controls of the page in the toolbar. They keep their keys. With `posable` they are not shown.
+ * @slot toolbar - Controls of the page in the toolbar. They handle their own keys. They are hidden with `posable`.
  * @slot panel - Controls of the page at the end of the panel.
- * @csspart stage - The picture with its handles, and the ground behind them.
- * @csspart handle - A point handle, the middle of a bar or polygon, or a corner: the square that a finger hits.
+ * @csspart stage - The picture with its handles, and the background behind them.
+ * @csspart handle - A point handle, the middle of a bar or polygon, or a corner: the square touch target.
  * @csspart toolbar - The bar at the top.
  * @csspart status - The line at the bottom.
  * @csspart tools - The card of tools.
@@ -100,29 +101,30 @@ export type { ToolName } from './tools/machine';
  * @csspart button - A button in any of these, or beside a drawing.
  * @csspart menu - The context menu, the list of keys, and the menu of a phone.
  * @csspart notice - A message of the editor, and the card that finishes a drawing.
- * @csspart hint - A few words over the picture, such as the purpose of a tool.
- * @cssprop {<color>} --c2-accent - The colour of the selection and the focus. Text on it is white, and nearly black on
+ * @csspart hint - A hint over the picture, such as the purpose of a tool.
+ * @cssprop {<color>} --c2-accent - The colour of the selection and the focus. Text on it is white, or nearly black on
  *   dark colours.
- * @cssprop {<color>} --c2-handle - The colour of handles, bars and polygons, on light and dark pictures alike.
- * @cssprop {<color>} --c2-ground - The first of two colours behind the picture. With `posable`, none unless set.
- * @cssprop {<color>} --c2-checker - The second of them, in the squares of the pattern.
- * @cssprop {<color>} --c2-surface - The colour of bars and cards.
- * @cssprop {<color>} --c2-text - The colour of the text on bars and cards.
- * @cssprop {<length>} --c2-radius - The corner radius of cards.
+ * @cssprop {<color>} --c2-handle - The colour of handles, bars and polygons, on both light and dark pictures.
+ * @cssprop {<color>} --c2-ground - The first of two colours behind the picture. By default, it is near that of the
+ *   surface. With `posable`, it is transparent unless set.
+ * @cssprop {<color>} --c2-checker - The second colour, in the squares of the pattern.
+ * @cssprop {<color>} --c2-surface - The colour of bars, cards and hints, and of the text of tooltips.
+ * @cssprop {<color>} --c2-text - The colour of the text on bars, cards and hints.
+ * @cssprop {<length>} --c2-radius - The corner radius of cards. Buttons, fields and hints have radii relative to it.
  * @cssprop --c2-font - The font family.
  */
 export class C2Warp extends TypedElement {
   /** @internal */
   static override readonly styles = editorStyle;
 
-  /** It is a control of its form. */
+  /** The element is a form control. */
   static readonly formAssociated = true;
 
   /**
    * The tags of all languages: those of the package, and those that the page has added.
    *
-   * An element shows the language of its attribute `lang`, or of the nearest ancestor with one, as HTML has it. For
-   * `de-AT` without texts of its own it shows `de`, and without any English. It follows `dir` in the same way.
+   * An element uses the language of its attribute `lang`, or of the nearest ancestor with one, as in HTML. For `de-AT`
+   * without its own texts, it uses `de`; for an unknown language, English. It follows `dir` in the same way.
    */
   static get languages(): readonly string[] {
     return languageTags();
@@ -131,8 +133,8 @@ export class C2Warp extends TypedElement {
   /**
    * Adds a language, or changes texts of one. Elements on the page show it at once.
    *
-   * @param tag A BCP 47 tag, such as `pt-BR`. A second call with it replaces the first.
-   * @param texts All texts, or some of them. The others are those of the package, or English.
+   * @param tag A BCP 47 tag, such as `pt-BR`. A second call with the same tag replaces the first.
+   * @param texts All or some texts. Missing texts are those of the package, or English.
    */
   static addLanguage(tag: string, texts: PartialTexts): void {
     addLanguage(tag, texts);
@@ -140,69 +142,72 @@ export class C2Warp extends TypedElement {
 
   /** @internal */
   static override readonly properties: Properties = {
-    src: {},
-    projectSource: { attribute: 'project' },
-    toolSource: { attribute: 'tool' },
-    readonly: { type: Boolean, reflect: true },
-    disabled: { type: Boolean, reflect: true },
-    posable: { type: Boolean, reflect: true },
+    src: { kind: 'address' },
+    projectSource: { attribute: 'project', kind: 'address' },
+    toolSource: { attribute: 'tool', words: TOOL_NAMES },
+    readonly: { kind: 'flag' },
+    disabled: { kind: 'flag' },
+    posable: { kind: 'flag' },
     clip: {},
-    autoplay: { type: Boolean, reflect: true },
-    loop: { type: Boolean, reflect: true },
-    theme: { reflect: true },
+    autoplay: { kind: 'flag' },
+    loop: { kind: 'flag' },
+    theme: { words: ['light', 'dark', 'auto'], initial: 'auto' },
     alt: {},
     hint: {},
     hintFor: { attribute: 'hint-for' },
     autosave: {},
-    samples: { attribute: false },
-    features: {},
-    required: { type: Boolean, reflect: true },
-    name: { reflect: true },
-    submits: { reflect: true },
-    crossOrigin: { reflect: true },
+    samples: { attribute: false, initial: [] },
+    features: { kind: 'optional' },
+    required: { kind: 'flag' },
+    name: {},
+    submits: { words: SUBMITTED, initial: 'project' },
+    crossOrigin: { words: ['anonymous', 'use-credentials'], invalid: 'anonymous' },
   };
 
+  /** @internal */
+  static override readonly accessors = ['readOnly', 'project', 'selection', 'tool', 'defaults'];
+
   /** The address of the picture. A new address replaces the open picture. */
-  declare src: string | null;
-  /** The address of the project file for `src`. Both are opened again when either changes. */
-  declare projectSource: string | null;
-  /** The tool that the page has set last. People may have chosen another one since: see the property `tool`. */
+  declare src: string;
+  /** The address of the project file for `src`. Both are reopened when either changes. */
+  declare projectSource: string;
+  /** The tool that the page set last. People may have chosen another tool since: see the property `tool`. */
   declare toolSource: ToolName | null;
-  /** People can look, pan and zoom, but change nothing. Methods still can. */
+  /** People can view, pan and zoom, but not change anything. Methods still work. */
   declare readonly: boolean;
-  /** People can do nothing. Methods still can. */
+  /** People cannot interact. Methods still work. */
   declare disabled: boolean;
-  /** Only the picture and its handles, for an article. With `readonly`, only the picture. */
+  /** Shows only the picture and its handles, for an article. With `readonly`, only the picture. */
   declare posable: boolean;
-  /** The name of the clip that `play()` plays. Without it the first one. */
-  declare clip: string | null;
-  /** Plays the clip once the picture is open, unless people prefer reduced motion. */
+  /** The name of the clip that `play()` plays. By default, the first clip. */
+  declare clip: string;
+  /** Plays the clip once the picture is open, unless the user prefers reduced motion. */
   declare autoplay: boolean;
-  /** The clip begins again at its end. */
+  /** The clip repeats. */
   declare loop: boolean;
-  /** Light or dark colours. Without it, those of the system. */
-  declare theme: 'light' | 'dark' | null;
-  /** With `posable`: what the picture shows, for screen readers. Without it they read its name. */
-  declare alt: string | null;
+  /** Light or dark colours. By default, `auto`, those of the system. */
+  declare theme: 'light' | 'dark' | 'auto';
+  /** With `posable`: a description of the picture for screen readers. By default, they read its name. */
+  declare alt: string;
   /** A hint, shown until the first change. */
-  declare hint: string | null;
-  /** The id of the handle that the hint points to. Without it the first one. */
-  declare hintFor: string | null;
+  declare hint: string;
+  /** The id of the handle that the hint points to. By default, the first handle. */
+  declare hintFor: string;
   /**
-   * A key in browser storage. Work is stored there after each step, and restored in place of the first `src`.
+   * A key in browser storage. Work is stored there after each step, and restored instead of the first `src`.
    */
-  declare autosave: string | null;
+  declare autosave: string;
   /** Pictures that the menu beside Open offers: a list of `{ name, src, project? }` with addresses. */
   declare samples: readonly Sample[];
-  /** The parts that people get: words of `tools`, `open`, `save`, `export` and `animate`. Without it all. */
+  /** The available features: any of `tools`, `open`, `save`, `export` and `animate`. By default, all. */
   declare features: string | null;
-  /** A form is not submitted without a picture. */
+  /** The form cannot be submitted without a picture. */
   declare required: boolean;
   /** The name under which a form submits the value. */
-  declare name: string | null;
+  declare name: string;
   /** The value in a form: the project as JSON, which is the default, or the warped picture as a PNG file. */
-  declare submits: 'project' | 'picture' | null;
-  /** Whether requests to other origins carry cookies. Without it they do not. */
+  declare submits: 'project' | 'picture';
+  /** Whether requests to other origins carry cookies. By default, and with `anonymous`, they do not. */
   declare crossOrigin: 'anonymous' | 'use-credentials' | null;
 
   readonly #emit = emitter(this);
@@ -213,6 +218,9 @@ export class C2Warp extends TypedElement {
     failed: (error) => this.#emit('error', asC2WarpError(error)),
   });
   #defaults: ProjectDefaults = {};
+  readonly #loading = new Loading();
+  /** Attributes that name another picture have changed: it is asked for once all of them are set. */
+  #asksSource = false;
   /** Calls of `load()`. */
   #asked = 0;
   /** Runs while the element is connected. */
@@ -224,40 +232,28 @@ export class C2Warp extends TypedElement {
   });
   /** While the element is connected. */
   #following = new AbortController();
-  /** What a runtime starts with: what the page set before, and what the last runtime left. */
+  /** The initial state of a runtime: values that the page set earlier, and the state of the last runtime. */
   #carried: Carried = nothingCarried;
   readonly #media = mediaOf(this);
 
-  constructor() {
-    super();
-    this.src = null;
-    this.projectSource = null;
-    this.toolSource = null;
-    this.readonly = false;
-    this.disabled = false;
-    this.posable = false;
-    this.clip = null;
-    this.autoplay = false;
-    this.loop = false;
-    this.theme = null;
-    this.alt = null;
-    this.hint = null;
-    this.hintFor = null;
-    this.autosave = null;
-    this.samples = [];
-    this.features = null;
-    this.required = false;
-    this.name = null;
-    this.submits = null;
-    this.crossOrigin = null;
-    Object.assign(this, taken(this, ['project', 'selection', 'tool', 'defaults']));
+  /**
+   * The same as `readonly`, by the name that form controls have.
+   *
+   * @default false
+   */
+  get readOnly(): boolean {
+    return this.readonly;
+  }
+
+  set readOnly(on: boolean) {
+    this.readonly = on;
   }
 
   /**
    * A copy of the current project. Setting a project for the open picture is an undoable step.
    *
-   * A project that is set earlier is applied to the next picture, whoever opens it. If the sizes differ, the element
-   * emits an `error`. A string is the address of a project file, like the attribute.
+   * A project that is set earlier is applied to the next opened picture. If the sizes differ, the element emits an
+   * `error`. A string is the address of a project file, as in the attribute.
    *
    * @throws C2WarpError `project` that names the invalid key, `image-size` for another size, `disconnected` when read
    *   while the element is not connected.
@@ -269,7 +265,7 @@ export class C2Warp extends TypedElement {
   set project(given: ProjectFile | string | null) {
     if (given === null || typeof given !== 'object') {
       this.#setPageProject(null);
-      this.projectSource = given ?? null;
+      Reflect.set(this, 'projectSource', given);
       return;
     }
     const runtime = this.#runtime;
@@ -282,7 +278,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Ids of the selected handles; null selects none. A selection that is set earlier is applied to the next picture.
+   * Ids of the selected handles; null selects none. A selection that is set earlier is applied to the next opened
+   * picture.
    *
    * @throws TypeError for anything but a list.
    */
@@ -300,10 +297,10 @@ export class C2Warp extends TypedElement {
 
   /**
    * Settings of new projects, with the keys of a project file: `samples`, `weighting`, `pose`, `fix_boundary`, `edges`
-   * and `loose_parts`. Those that are left out are the editor's. Projects that are opened keep their own.
+   * and `loose_parts`. Missing settings keep the defaults of the editor. Opened projects keep their own settings.
    *
-   * @throws RangeError that names an unknown key; TypeError for anything but an object or null. An invalid value is an
-   *   `error` with the code `project`, and all settings are the editor's again.
+   * @throws RangeError that names an unknown key; TypeError for anything but an object or null. An invalid value emits
+   * an `error` with the code `project`, and resets all settings to the editor's.
    */
   get defaults(): ProjectDefaults {
     return deepCopy(this.#defaults);
@@ -317,33 +314,33 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The tool in hand, by whoever chose it. Setting one chooses it, where people could. A name that is none changes
-   * nothing and emits an `error`.
+   * The current tool, chosen by the page or by the user. Setting it selects a tool if people could select it. Unknown
+   * names are ignored and emit an `error`.
    */
   get tool(): ToolName {
-    const { toolSource } = this;
-    return this.#runtime?.state.tools.tool ?? (isToolName(toolSource) ? toolSource : 'select');
+    const runtime = this.#runtime;
+    return runtime?.isAttached ? runtime.state.tools.tool : (this.toolSource ?? 'select');
   }
 
   set tool(name: ToolName | null) {
     const before = this.toolSource;
-    this.toolSource = name ?? null;
+    this.toolSource = name;
     // The attribute has named it before, and a person has chosen another one since.
-    if (name === before && isToolName(name)) this.#takeTool(name);
+    if (before === this.toolSource) this.#takeTool();
   }
 
   /**
    * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
-   * With `notice`, a failure is told to the person too. `signal` gives it up.
+   * With `notice`, the editor also shows failures. `signal` cancels the call.
    *
    * @param source An address, a file, or pixels.
    * @param project A project, or the address of a project file.
-   * @param options With `notice`, the editor names a failure.
-   * @throws C2WarpError if the picture cannot be opened. The previous one stays open. If there was none, the picture
-   *   stays without the handles that the solver refuses.
+   * @param options With `notice`, the editor also shows failures.
+   * @throws C2WarpError if the picture cannot be opened. The previous picture remains open. Without a previous picture,
+   * the new one remains open without the handles that the solver rejects.
    * @throws DOMException AbortError if another picture is opened or the element is removed first; the reason of
    *   `signal` if that is aborted.
-   * @throws TypeError if `source` is none of these.
+   * @throws TypeError for any other `source`.
    */
   async load(
     source: PictureSource,
@@ -357,18 +354,25 @@ export class C2Warp extends TypedElement {
     const copied = typeof given === 'object' && given ? deepCopy(given) : given;
     const asked = ++this.#asked;
     const named = namedSource(source);
-    // An address or a file is asked for at once.
-    const picture = named instanceof Promise ? await coded(named) : named;
-    if (asked !== this.#asked || runtime !== this.#runtime)
-      throw new DOMException('another picture was asked for, or the editor is gone', 'AbortError');
-    options.signal?.throwIfAborted();
-    await coded(runtime.load(picture, copied, options), options.signal);
+    // A picture that the page has named before this one is superseded, not asked for later.
+    this.#askSource();
+    const open = async () => {
+      // An address or a file is asked for at once.
+      const picture = named instanceof Promise ? await coded(named) : named;
+      if (asked !== this.#asked || runtime !== this.#runtime)
+        throw new DOMException('another picture was requested, or the editor was removed', 'AbortError');
+      options.signal?.throwIfAborted();
+      await coded(runtime.load(picture, copied, options), options.signal);
+    };
+    const opened = open();
+    this.#loading.follow(opened);
+    return opened;
   }
 
   /**
-   * Opens files as if a person had dropped them here: a picture, a project, or both. The rest is named in a notice.
+   * Opens files as if they were dropped on the editor: a picture, a project, or both. A notice names the other files.
    *
-   * Does nothing where people may not open files. The person hears of a failure.
+   * Does nothing if people may not open files. The editor shows failures.
    *
    * @param files At least a picture or a project.
    * @throws TypeError for anything but a list of files.
@@ -383,30 +387,45 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Tells a person something in a notice, which passes after some seconds. With `posable` there are none.
+   * Opens content of a link or another program. If a picture is open, a notice asks the person first.
    *
-   * @param text A sentence for people.
+   * @internal
+   */
+  offer(brought: readonly File[] | Sample): void {
+    const opening = Array.isArray(brought)
+      ? ({ type: 'files-received', files: brought.map((file) => ({ name: file.name, file })) } as const)
+      : ({ type: 'sample-chosen', sample: brought as Sample } as const);
+    const names = Array.isArray(brought) ? brought.map(({ name }) => name) : [(brought as Sample).name];
+    this.#present.dispatch({ type: 'offered', names, opening });
+  }
+
+  /**
+   * Shows a notice for some seconds. With `posable`, notices are not shown.
+   *
+   * @param text A sentence for the user.
    */
   inform(text: string): void {
     this.#present.dispatch({ type: 'person-informed', text: String(text) });
   }
 
   /**
-   * Adds a handle, with a generated id if it has none, and returns the id. The solver may refuse the handle
-   * later, for example too close to another. Then an `error` follows, and a `change` that removes this handle alone.
+   * Adds a handle, with a generated id if it has none, and returns the id. Without a rotation, it turns like a handle
+   * that a person adds: automatically in rigid mode. The solver may reject the handle later, for example if it is too
+   * close to another. Then an `error` follows, and a `change` that removes only this handle.
    *
-   * @param handle Its places are in pixels of the picture.
+   * @param handle Positions are in pixels of the picture.
    * @returns The id.
    * @throws RangeError if the id exists already, or the handle is invalid.
    * @throws C2WarpError `no-picture` if no picture is open, `handle-outside` for a point outside the picture.
    */
   addHandle(handle: NewHandle): string {
     const { state, dispatch } = this.#present;
-    if (!state.picture) throw new C2WarpError('no-picture', 'there is no picture yet to put a handle on');
-    if (typeof handle !== 'object' || handle === null) throw new RangeError('a handle: expected an object');
+    if (!state.picture) throw new C2WarpError('no-picture', 'open a picture before you add a handle');
+    if (typeof handle !== 'object' || handle === null) throw new RangeError('addHandle: expected an object');
     const id = handle.id ?? freeId(projectOf(state));
-    if (handleById(documentOf(state), id)) throw new RangeError(`there is a handle "${id}" already`);
-    const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
+    if (handleById(documentOf(state), id)) throw new RangeError(`a handle "${id}" exists already`);
+    const given = checkedHandle(posedHandle({ ...handle, id } as HandleFile));
+    const added = deepCopy(withNewRotation(projectOf(state), given));
     if (added.kind === 'point' && this.#present.isOutside(added.rest))
       throw new C2WarpError(
         'handle-outside',
@@ -420,11 +439,11 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Changes a handle, as a step. Keys that are left out stay.
+   * Changes a handle, as a step. Missing keys do not change.
    *
    * @param id The handle.
-   * @param change Places in pixels of the picture, degrees, and a factor of the size.
-   * @throws RangeError if there is no such handle, the id or kind would change, or the result is invalid.
+   * @param change Positions in pixels of the picture, degrees, and a scale factor.
+   * @throws RangeError if the handle does not exist, the id or kind would change, or the result is invalid.
    */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
     this.#present.dispatch({ type: 'handle-changed', handle: changedHandle(this.#document, id, change) });
@@ -433,11 +452,12 @@ export class C2Warp extends TypedElement {
   /**
    * Poses any number of handles at once, for animation. Takes the handles of a project, or ids with changes.
    *
-   * This is no undo step, emits nothing and is not stored until the next step. Handles that a person holds at the
-   * moment are left alone.
+   * This is not an undo step, emits no events, and is not stored until the next step. Handles that the user is dragging
+   * are not changed.
    *
-   * @param handles Places in pixels of the picture, degrees, and factors of the size.
-   * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
+   * @param handles Positions in pixels of the picture, degrees, and scale factors.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. On an error,
+   *   no handle moves.
    */
   pose(handles: readonly HandlePose[]): void {
     const { state, dispatch } = this.#present;
@@ -451,7 +471,7 @@ export class C2Warp extends TypedElement {
    * Removes a handle, as a step.
    *
    * @param id The handle.
-   * @throws RangeError if there is no such handle.
+   * @throws RangeError if the handle does not exist.
    */
   removeHandle(id: string): void {
     this.#present.dispatch({ type: 'handle-removed', id: namedHandle(this.#document, id).id });
@@ -462,7 +482,7 @@ export class C2Warp extends TypedElement {
     this.#present.dispatch({ type: 'undo-asked' });
   }
 
-  /** Redoes the step that was undone last, if there is one. */
+  /** Redoes the last undone step, if there is one. */
   redo(): void {
     this.#present.dispatch({ type: 'redo-asked' });
   }
@@ -473,17 +493,17 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Plays the clip, from its beginning if it has ended. Closes the timeline. People can go on to pose handles. These
-   * ease back to the clip once they are let go.
+   * Plays the clip, from its beginning if it has ended. Closes the timeline. People can still pose handles, which ease
+   * back to the clip when released.
    *
-   * @throws C2WarpError `clip` if the project has no such clip.
+   * @throws C2WarpError `clip` if the project lacks the clip.
    */
   async play(): Promise<void> {
     const { state, dispatch } = this.#present;
     if (!playedClip(state))
       throw new C2WarpError(
         'clip',
-        this.clip === null ? 'there is no clip' : `there is no clip "${this.clip}"`,
+        this.clip === null ? 'the project has no clip' : `there is no clip "${this.clip}"`,
       );
     dispatch({ type: 'play-asked' });
   }
@@ -493,14 +513,14 @@ export class C2Warp extends TypedElement {
     this.#runtime?.dispatch({ type: 'pause-asked' });
   }
 
-  /** Whether the clip does not play. */
+  /** Whether the clip is paused. */
   get paused(): boolean {
     return !this.#runtime?.state.playback.playing;
   }
 
   /** Whether the clip has played to its end. */
   get ended(): boolean {
-    return this.#runtime !== null && hasEnded(this.#runtime.state);
+    return this.#runtime !== null && hasPlayed(this.#runtime.state);
   }
 
   /**
@@ -518,14 +538,14 @@ export class C2Warp extends TypedElement {
     this.#present.dispatch({ type: 'seek-asked', time: seconds });
   }
 
-  /** Seconds; NaN without a clip. A clip that alternates lasts there and back. */
+  /** Seconds; NaN without a clip. For a clip that alternates, forwards and backwards together. */
   get duration(): number {
     const clip = this.#runtime && playedClip(this.#runtime.state);
     return clip ? playedDuration(clip) : Number.NaN;
   }
 
   /**
-   * The speed of the clip. Below 0 it plays backwards.
+   * The speed of the clip. Below 0 it plays backwards, and stands still at the beginning, as videos do.
    *
    * @default 1
    * @throws TypeError for anything but a finite number.
@@ -540,7 +560,7 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The posed place of a point of the original, image pixels; null outside the warped area.
+   * The posed position of a point of the original, image pixels; null outside the warped area.
    *
    * @param point Pixels of the picture.
    */
@@ -549,8 +569,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The posed places of many points of the original: points × 2, image pixels, and NaN outside the warped area. All are
-   * found in one walk over the mesh, which costs hardly more than that for a single point.
+   * The posed positions of many points of the original: points × 2, image pixels, and NaN outside the warped area. One
+   * walk over the mesh finds all of them, and takes hardly longer than for a single point.
    *
    * @param points Points × 2, pixels of the picture.
    * @throws TypeError unless `points` is a Float64Array of pairs.
@@ -560,10 +580,10 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The points of the original that are drawn at many places of the warped picture: the inverse of `mapPoints`. NaN
-   * where nothing is drawn. Where the picture covers itself, it is the part on top.
+   * The points of the original that are drawn at many points of the warped picture: the inverse of `mapPoints`. NaN
+   * where nothing is drawn. Where the picture covers itself, the part on top.
    *
-   * @param places Places × 2, pixels of the picture.
+   * @param places Points × 2, pixels of the picture.
    * @throws TypeError unless `places` is a Float64Array of pairs.
    */
   unmapPoints(places: Float64Array): Float64Array {
@@ -571,8 +591,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The place of the shown picture, image pixels, under a place in the window such as `[event.clientX, event.clientY]`.
-   * It may lie beside the picture. Null without a picture.
+   * The position in the shown picture, image pixels, under a position in the window such as `[event.clientX,
+   * event.clientY]`. It may lie outside the picture. Null without a picture.
    *
    * @param client CSS pixels in the window.
    */
@@ -581,8 +601,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The place in the window, CSS pixels, of a place of the shown picture such as that of `mapPoint`. Null without a
-   * picture.
+   * The position in the window, CSS pixels, of a position in the shown picture, such as a result of `mapPoint`. Null
+   * without a picture.
    *
    * @param image Pixels of the picture.
    */
@@ -593,15 +613,15 @@ export class C2Warp extends TypedElement {
   /**
    * The warped picture as a file, at `scale` times the source's size: a PNG with alpha, or a JPEG or WebP by `type`.
    *
-   * With `grow` it is enlarged to hold the parts that are bent beyond the frame, with `crop` it holds only the drawn
-   * part. `pixelated` is for pixel art: each pixel is one of the original, or transparent. By default it is drawn as it
-   * is shown. `signal` stops it.
+   * With `grow`, it is enlarged to contain parts that are bent beyond the frame; with `crop`, it contains only the
+   * drawn part. `pixelated` is for pixel art: each pixel is one of the original, or transparent. By default, it is
+   * drawn as shown. `signal` cancels the export.
    *
-   * @param options How it is drawn and written.
-   * @throws C2WarpError `no-picture` if none is open; `scale`, `canvas` or `nothing-drawn` if the result would be
-   *   empty or too large.
-   * @throws TypeError for anything but an object of options, and for an unknown one; RangeError that names an invalid
-   *   option.
+   * @param options How the picture is drawn and written.
+   * @throws C2WarpError `no-picture` if no picture is open; `scale`, `canvas` or `nothing-drawn` if the result would be
+   * empty or too large.
+   * @throws TypeError for anything but an object of options, and for an unknown option; RangeError that names an
+   * invalid option.
    * @throws DOMException AbortError if another picture is opened, or the element is removed, first. The reason of
    *   `signal` if that is aborted.
    */
@@ -614,8 +634,8 @@ export class C2Warp extends TypedElement {
   /**
    * The warped picture on a canvas of the page's document.
    *
-   * @param options How it is drawn.
-   * @throws as `toBlob`.
+   * @param options How the picture is drawn.
+   * @throws the errors of `toBlob`.
    */
   async toCanvas(options: WarpOptions = {}): Promise<HTMLCanvasElement> {
     checkDrawn(options);
@@ -660,14 +680,14 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Resolves once a picture is open and solved, at once if one is.
+   * Resolves once the picture that the page requested last is open and solved. Each `src`, and each `load()`, has its
+   * own promise. Without either, it waits for the first picture that a person opens.
    *
-   * @throws C2WarpError as an `error` event has it, if the picture of `src` cannot be opened and there is no other one.
+   * @throws C2WarpError the error of the `error` event, if the picture cannot be opened.
+   * @throws DOMException AbortError if another picture is requested first, or if `load()` is aborted.
    */
   get loaded(): Promise<void> {
-    const state = this.#runtime?.state;
-    const isOpen = state?.picture && state.solution.ready && !isOpening(state.opening);
-    return isOpen ? Promise.resolve() : loadOf(this);
+    return this.#loading.promise;
   }
 
   /** Tells the editor that the page has stored the present project, as after `beforesave`. */
@@ -676,27 +696,27 @@ export class C2Warp extends TypedElement {
     dispatch({ type: 'project-saved', project: projectOf(state) });
   }
 
-  /** The form that the element is a control of, or null. */
+  /** The form of the element, or null. */
   get form(): HTMLFormElement | null {
     return this.#control.form;
   }
 
-  /** Whether the form may be submitted, and why not, as on form controls. */
+  /** The validity state, as on form controls. */
   get validity(): ValidityState {
     return this.#control.validity;
   }
 
-  /** Why the form may not be submitted, for people; empty if it may. */
+  /** The reason why the form cannot be submitted, for people; empty if it can. */
   get validationMessage(): string {
     return this.#control.validationMessage;
   }
 
-  /** Whether the form may be submitted. Fires `invalid` if not. */
+  /** Whether the form can be submitted. Fires `invalid` if not. */
   checkValidity(): boolean {
     return this.#control.checkValidity();
   }
 
-  /** Whether the form may be submitted. If not, the browser tells people why. */
+  /** Whether the form can be submitted. If not, the browser tells people why. */
   reportValidity(): boolean {
     return this.#control.reportValidity();
   }
@@ -705,7 +725,7 @@ export class C2Warp extends TypedElement {
     this.#control.associate(form);
   }
 
-  /** A form is reset: all handles return to their rest pose. */
+  /** Called on a form reset: all handles return to their rest pose. */
   formResetCallback(): void {
     if (this.naturalWidth > 0) this.reset();
   }
@@ -722,7 +742,7 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Focuses the editor itself, which handles the keys.
+   * Focuses the editor, so that it receives keys.
    *
    * @param options As those of other elements.
    */
@@ -732,13 +752,20 @@ export class C2Warp extends TypedElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.#loading.reopen();
+    this.#asksSource = false;
     const element = {
       node: this,
       root: this.shadowRoot as ShadowRoot,
       texts: () => this.#language.current.texts,
       render: () => this.requestUpdate(),
       rendered: () => this.updateComplete,
-      notifyPage: (notification: PageNotification) => emitNotification(this.#emit, notification),
+      notifyPage: (notification: PageNotification) => {
+        if (notification.type === 'load') this.#loading.opened();
+        emitNotification(this.#emit, notification);
+      },
+      sourceFailed: (reason: unknown) =>
+        this.#loading.failed(isAbort(reason) ? reason : asC2WarpError(reason)),
       ask: (question: PageQuestion) => ask(question, this.#emit),
       setTheme: (theme: 'light' | 'dark') => {
         this.theme = theme;
@@ -770,24 +797,25 @@ export class C2Warp extends TypedElement {
     return shell(viewModel(runtime.state, texts), tag, runtime.dispatch, runtime.canvas, runtime.laterParts);
   }
 
-  /** @internal Asks at once for what the attributes name, so that what a page sets next is for that. */
-  protected override propertyChanged(name: string, before: unknown): void {
-    super.propertyChanged(name, before);
-    // The attributes of the first update are the initial content, not a change.
-    const asks = name === 'src' || (name === 'projectSource' && this.projectSource !== null);
-    if (!asks || !this.hasUpdated || !this.src) return;
-    if (this.#runtime) this.#runtime.dispatch({ type: 'source-changed' });
-    else this.#carried = { ...this.#carried, revision: this.#carried.revision + 1 };
-  }
-
-  /** @internal */
-  protected override willUpdate(changes: Changes): void {
+  /** @internal The editor receives each change immediately, and requests a picture once all attributes are set. */
+  protected override propertyChanged(name: string): void {
+    super.propertyChanged(name);
     const runtime = this.#runtime;
-    if (!runtime || changes.size === 0) return;
+    const asks = (name === 'src' || (name === 'projectSource' && this.hasAttribute('project'))) && this.src;
+    if (asks) this.#loading.renew();
+    // The attributes of the first update are the initial content, not a change.
+    if (asks && this.hasUpdated) {
+      if (runtime) runtime.dispatch({ type: 'source-changed' });
+      else this.#carried = { ...this.#carried, revision: this.#carried.revision + 1 };
+      this.#asksSource = runtime?.isAttached === true;
+    }
+    if (!runtime) return;
+    const locks = name === 'posable' || name === 'readonly';
     // A field that goes commits what is typed.
-    if (changes.has('posable') || changes.has('readonly') || changes.has('disabled')) runtime.untype();
+    if (locks || name === 'disabled') runtime.untype();
     runtime.dispatch({ type: 'page-changed', page: this.#attributes });
-    if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#media() });
+    if (name === 'theme') runtime.dispatch({ type: 'media-changed', media: this.#media() });
+    if (runtime.isAttached && (locks || name === 'toolSource')) this.#takeTool();
   }
 
   /** @internal */
@@ -798,34 +826,32 @@ export class C2Warp extends TypedElement {
     const isFirst = !runtime.isAttached;
     if (isFirst || changes.has('autosave'))
       runtime.dispatch({ type: 'autosave-key-set', key: this.autosave || null });
-    const freed = changes.has('readonly') || changes.has('posable');
     if (!isFirst && (changes.has('posable') || (this.posable && changes.has('readonly'))))
       runtime.rearrange();
-    if (isToolName(this.toolSource) && (isFirst || freed || changes.has('toolSource')))
-      this.#takeTool(this.toolSource);
-    for (const fault of attributeFaults(this, changes)) this.#emit('error', fault);
+    if (isFirst) this.#takeTool();
+    for (const fault of attributeFaults(this, C2Warp.properties, changes)) this.#emit('error', fault);
     this.#control.validate(
       this.required && this.naturalWidth === 0 ? this.#language.current.texts.stage.required : null,
     );
     const stage = this.shadowRoot?.querySelector<HTMLElement>('.stage');
     if (isFirst && stage) runtime.attach(stage, this.#carried.work);
-    else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
+    else this.#askSource();
   }
 
-  /** Whether the changed attributes name something to open. */
-  #namesSource(changes: Changes): boolean {
-    const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
-    return named && Boolean(this.src);
+  /** Opens what changed attributes name. */
+  #askSource(): void {
+    if (this.#asksSource) this.#runtime?.dispatch({ type: 'source-asked' });
+    this.#asksSource = false;
   }
 
-  /** @throws RangeError at once for an invalid option. */
+  /** @throws RangeError immediately for an invalid option. */
   #drawing({ signal, pixelated, ...options }: WarpOptions): Promise<Drawing> {
     const settings = drawingSettings(options);
     if (signal?.aborted) return Promise.reject(signal.reason);
     return this.#present.drawing(settings, pixelated);
   }
 
-  /** The warped picture, named as an export is. */
+  /** The warped picture, with the file name of an export. */
   async #picture(): Promise<File> {
     const blob = await this.toBlob();
     return new File([blob], `${stem(this.#present.state.picture?.name ?? '')}-warped.png`, {
@@ -833,13 +859,15 @@ export class C2Warp extends TypedElement {
     });
   }
 
-  #takeTool(tool: ToolName): void {
-    this.#runtime?.dispatch({ type: 'tool-set', tool });
+  /** Chooses the tool that the page has set. */
+  #takeTool(): void {
+    const { toolSource: tool } = this;
+    if (tool) this.#runtime?.dispatch({ type: 'tool-set', tool });
   }
 
   get #present(): EditorRuntime {
     if (!this.#runtime)
-      throw new C2WarpError('disconnected', '<c2-warp> is not on a page, and has no picture there');
+      throw new C2WarpError('disconnected', '<c2-warp> is not on a page, so it has no picture');
     return this.#runtime;
   }
 
@@ -851,7 +879,7 @@ export class C2Warp extends TypedElement {
     return pageAttributes(this, this.#defaults);
   }
 
-  /** The layout goes the other way where another direction is asked for. */
+  /** Mirrors the layout if the direction changes. */
   #takeDirection(): void {
     const runtime = this.#runtime;
     const media = this.#media();
@@ -859,9 +887,8 @@ export class C2Warp extends TypedElement {
   }
 
   #setDefaults(settings: ProjectDefaults): void {
-    const before = this.#defaults;
     this.#defaults = settings;
-    this.propertyChanged('defaults', before);
+    this.propertyChanged('defaults');
   }
 
   /** The solver checks the values, once it has started. */

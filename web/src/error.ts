@@ -6,30 +6,30 @@ import { type TextKey, type Wording, worded } from './texts/wording';
 /** The code of a failure of the solver itself, not of its input. */
 export const ENGINE = 'engine';
 
-/** The code of a request that the solver broke at, for example for want of memory. Its input is to blame. */
+/** The code of a request on which the solver failed, for example for lack of memory, because of its input. */
 export const TOO_MUCH = 'too-much';
 
 /**
- * Why something failed, for programs. The codes of `SolverErrorCode` are refusals by the solver.
+ * Why something failed, for programs. The codes of `SolverErrorCode` come from the solver.
  *
  * | code | |
  * |---|---|
- * | `attribute` | a value of `tool`, `theme`, `features`, `crossorigin` or `submits` that means nothing |
- * | `address` | there is no such file, or no network |
+ * | `attribute` | an invalid value of `tool`, `theme`, `features`, `crossorigin` or `submits` |
+ * | `address` | the file does not exist, or the network is not available |
  * | `file` | a folder, or a file that no longer exists |
- * | `picture` | not a picture, not a readable one, or one of an unsupported size |
+ * | `picture` | not a picture, an unreadable picture, or a picture of an unsupported size |
  * | `project` | an invalid project; the message names the key |
  * | `image-size` | the project is for a picture of another size |
  * | `engine` | the solver could not be loaded or started, or was disposed of |
  * | `webgl` | the browser has no WebGL2 |
- * | `too-much` | the solver broke, nearly always for want of memory |
- * | `export` | an export that cannot hold this project |
- * | `rig` | not a rig, a damaged one, or one that cannot be posed without the solver |
- * | `clip` | there is no such clip, or no such time |
- * | `points` | a list of points that is no list of pairs |
- * | `no-picture` | there is no picture yet |
+ * | `too-much` | the solver failed, nearly always for lack of memory |
+ * | `export` | an export format that does not support this project |
+ * | `rig` | not a rig, a damaged rig, or a rig that cannot be posed |
+ * | `clip` | the clip or the time does not exist |
+ * | `points` | a list of points that is not a list of pairs |
+ * | `no-picture` | no picture is open |
  * | `disconnected` | the element is not on a page |
- * | `failed` | anything else, such as a full storage; the message says what |
+ * | `failed` | any other failure, such as full storage; the message gives the reason |
  */
 export type C2WarpErrorCode =
   | 'attribute'
@@ -50,7 +50,7 @@ export type C2WarpErrorCode =
   | 'failed'
   | SolverErrorCode;
 
-/** The codes by which the solver refuses its input. */
+/** The codes with which the solver rejects its input. */
 export type SolverErrorCode = ErrorCode;
 
 export interface C2WarpErrorOptions extends ErrorOptions {
@@ -82,7 +82,7 @@ export class C2WarpError extends Error {
 /** An error of the WebAssembly module: it has the same fields, but not the class. */
 type Coded = Partial<Pick<C2WarpError, 'code' | 'handles' | 'wording'>>;
 
-/** The code of an error; empty if it has none. */
+/** The code of an error; empty without one. */
 export function codeOf(error: unknown): C2WarpErrorCode | '' {
   const code = (error as Coded | null)?.code;
   return typeof code === 'string' ? code : '';
@@ -91,7 +91,7 @@ export function codeOf(error: unknown): C2WarpErrorCode | '' {
 /** The ids of the handles that an error names. */
 export const handlesOf = (error: unknown): readonly string[] => (error as Coded | null)?.handles ?? [];
 
-/** The words of an error for people; undefined if it has none but its message. */
+/** The message of an error for people, in any language; undefined if only its English message exists. */
 export const wordingOf = (error: unknown): Wording | undefined => (error as Coded | null)?.wording;
 
 /**
@@ -117,7 +117,7 @@ export const isAbort = (error: unknown): boolean => (error as Error | null)?.nam
 export const asError = (thrown: unknown): Error =>
   thrown instanceof Error ? thrown : new Error(String(thrown));
 
-/** The error that a page hears of. One without a code gets `failed`. */
+/** The error that a page receives. An error without a code gets `failed`. */
 export function asC2WarpError(thrown: unknown): C2WarpError {
   if (thrown instanceof C2WarpError) return thrown;
   const handles = handlesOf(thrown);

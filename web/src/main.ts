@@ -1,7 +1,8 @@
 /** The editor's page: one element fills it, and opens the work of the last visit or else the sample. */
-import { receiveFiles } from './app/given_files';
+import { isShare, receiveFiles } from './app/given_files';
 import { markLanguage } from './app/page_language';
 import { startNewest, storeVersions } from './app/versions';
+import { nameIn } from './editor/address';
 import { C2Warp, type Sample, type Texts } from './element';
 import { languageFor } from './element/languages';
 import { trusted } from './start_worker';
@@ -39,15 +40,16 @@ const tag = markLanguage(C2Warp.languages);
 
 if (editor) {
   editor.samples = samplesIn(en);
-  // A link to the page can name a picture. Stored work then waits among the recent work.
+  // A picture that opens closes the notices before it.
+  const ready = new Promise((resolve) => editor.addEventListener('ready', resolve, { once: true }));
+  // A link to the page can name a picture. Anybody can make one: stored work stays until the person agrees.
   const asked = new URLSearchParams(location.search);
   const [src, project] = [asked.get('src'), asked.get('project')];
-  if (src) {
+  if (src || isShare()) {
     editor.removeAttribute('src');
     editor.removeAttribute('project');
-    // The editor tells the person of a failure.
-    editor.load(src, project, { notice: true }).catch(() => {});
   }
+  if (src) ready.then(() => editor.offer({ name: nameIn(src), src, ...(project && { project }) }));
   // The editor's theme switch sets the attribute.
   new MutationObserver(() => {
     const { theme } = editor;
@@ -65,25 +67,25 @@ if (editor) {
   });
   // Keys then work before the first click, and before the picture is open.
   editor.updateComplete.then(() => editor.focus({ preventScroll: true }));
-  // The element tells the person of a language that does not load.
+  // The element reports languages that do not load.
   languageFor(tag, () => {}).then(({ texts }) => {
     editor.samples = samplesIn(texts);
     if (editor.hasAttribute('hint')) editor.setAttribute('hint', texts.page.hint);
-    runAsApp(editor, texts);
+    runAsApp(editor, ready, texts);
   });
 }
 
 /** Opens files that the system gives, and keeps the editor for use without a network. */
-async function runAsApp(editor: C2Warp, texts: Texts): Promise<void> {
+async function runAsApp(editor: C2Warp, ready: Promise<unknown>, texts: Texts): Promise<void> {
   const waits = await startNewest();
-  // A picture that opens closes the notices before it.
-  const settled = () => editor.loaded.catch(() => {});
-  const inform = (text: string) => settled().then(() => editor.inform(text));
-  receiveFiles((files) => editor.openFiles(files), inform, texts);
+  const inform = (text: string) => ready.then(() => editor.inform(text));
+  const open = (files: readonly File[]) => editor.openFiles(files);
+  const offer = (files: readonly File[]) => ready.then(() => editor.offer(files));
+  receiveFiles({ open, offer, inform }, texts);
   // The development server has no worker: its files change.
   if (import.meta.hot) return;
   // The downloads would slow the first picture down.
-  await settled();
+  await ready;
   await storeVersions(trusted(WORKER, 'c2warp'), waits, inform, texts);
 }
 

@@ -1,4 +1,4 @@
-/** The entry `c2warp/player`: defines `<c2-warp-player>`. Servers can import it, too. */
+/** The entry `c2warp/player`: defines `<c2-warp-player>`. Servers can also import it. */
 import { C2WarpPlayer } from './player/element';
 
 export { C2WarpError, type C2WarpErrorCode } from './error';

@@ -1,9 +1,9 @@
 /**
  * `c2warp/react`: `<c2-warp>` as a component of React 18 and later.
  *
- * React 18 sets attributes alone, and no React hears of events such as `selectionchange` by `onSelectionChange`. So
- * effects set properties and listen. They run before the element first updates, and never on a server. The types of
- * the component are made from the manifest, as the tables are.
+ * React 18 only sets attributes, and no version of React maps `onSelectionChange` to an event such as
+ * `selectionchange`. So effects set properties and add listeners. They run before the element first updates, and never
+ * on a server. The types of the component are generated from the manifest, like the tables.
  */
 import { EVENTS, PROPERTIES } from 'virtual:c2warp-react';
 import {
@@ -37,18 +37,18 @@ export const C2Warp = forwardRef<C2WarpElement, Props>(function C2Warp(props, re
   }, []);
   useSetting(() => {
     current.current = props;
-    for (const [name, initial] of Object.entries(PROPERTIES)) {
+    for (const name of PROPERTIES) {
       // A property that is left out belongs to the element and its reader.
       if (Object.is(props[name], shown.current[name])) continue;
-      Reflect.set(host.current as C2WarpElement, name, props[name] ?? initial);
+      Reflect.set(host.current as C2WarpElement, name, props[name] ?? null);
     }
     shown.current = props;
   });
   return createElement('c2-warp', { ...others(props), ref: host } as HTMLAttributes<C2WarpElement>);
 });
 
-/** What any element has. React 18 knows no `className` on custom elements. */
+/** Properties of any element. React 18 does not support `className` on custom elements. */
 function others(props: Props): Props {
-  const given = Object.entries(props).filter(([name]) => !(name in PROPERTIES || name in EVENTS));
+  const given = Object.entries(props).filter(([name]) => !(PROPERTIES.includes(name) || name in EVENTS));
   return Object.fromEntries(given.map(([name, value]) => [name === 'className' ? 'class' : name, value]));
 }

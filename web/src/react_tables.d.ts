@@ -1,7 +1,7 @@
-/** Tables that the build makes from the manifest: see `web/scripts/manifest/react_tables.mjs`. */
+/** Tables that the build generates from the manifest: see `web/scripts/manifest/react_tables.mjs`. */
 declare module 'virtual:c2warp-react' {
-  /** Properties that the component sets, with their values where it is given none. */
-  export const PROPERTIES: Readonly<Record<string, unknown>>;
+  /** Properties that the component sets. */
+  export const PROPERTIES: readonly string[];
   /** Types of events by their listeners. */
   export const EVENTS: Readonly<Record<string, string>>;
 }

@@ -16,7 +16,7 @@ const importerUrls: Record<string, string> = {};
 /**
  * Starts a module worker.
  *
- * @param policy The name of the policy for Trusted Types. Each script of a page needs one of its own.
+ * @param policy The name of the policy for Trusted Types. Each script of a page needs its own.
  * @throws Error if the page's policy forbids it.
  */
 export function startWorker(address: string, policy = 'c2warp'): Worker {

@@ -19,7 +19,7 @@ const TOLERANCE: f64 = 1e-6;
 /// Makes a domain of rings, measures distances between places in it, and solves it with handles there.
 ///
 /// A distance is symmetric, and not shorter than the straight line. In rings with a part that is narrower than sites
-/// may be, a path may be found one way alone.
+/// may be, a path may be found in one direction only.
 ///
 /// # Panics
 /// If a promise is broken.

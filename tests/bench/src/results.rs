@@ -76,7 +76,7 @@ pub struct Baseline {
 pub struct Evaluation {
     /// Weights with their gradients.
     pub influences_ms: f64,
-    /// Weights alone.
+    /// Only the weights.
     pub weights_ms: f64,
 }
 

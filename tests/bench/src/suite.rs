@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn figure_has_about_the_samples_of_table_2() {
+    fn figure_has_about_the_sample_count_of_table_2() {
         let suite = Suite { clock: native_ms, effort: Effort::TRIAL, fraction: 1.0 };
         let figure = gingerbread();
         let [coarse, middle, _] = TABLE_2.map(|row| row.samples);

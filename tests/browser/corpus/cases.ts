@@ -372,7 +372,8 @@ export const CASES: readonly Case[] = [
     oddity: 'no picture',
     title: 'text',
     file: latin('once upon a time'),
-    editor: /is not a (PNG, JPEG, WebP or SVG )?picture/,
+    editor: /cannot read the file as a picture/,
+    command: /is not a PNG, JPEG, WebP or SVG picture/,
   },
   { oddity: 'no picture', title: 'nothing', file: [], editor: /file is empty/ },
 ];

@@ -210,7 +210,7 @@ fn grown_frames_have_one_size_that_holds_all() {
 }
 
 #[test]
-fn sheet_has_all_frames_and_their_places() {
+fn sheet_has_all_frames_and_their_positions() {
     let folder = turning("none");
     animate(&folder, "--sheet sheet.png");
     let sheet = folder.picture("sheet.png");
@@ -321,7 +321,7 @@ fn damaged_clips_are_named_by_the_path_of_the_key() {
         ),
         (
             |clip| clip["tracks"][0]["keys"][1]["time"] = 0.into(),
-            "clips[0].tracks[0].keys[1].time: expected more than 0",
+            "clips[0].tracks[0].keys[1].time: expected a time after 0",
         ),
         (|clip| clip["tracks"][0]["handle"] = "tail".into(), r#"clips[0].tracks[0].handle: there is no handle "tail""#),
         (|clip| clip["duration"] = 0.into(), "clips[0].duration: expected seconds above 0"),
@@ -343,20 +343,20 @@ fn refused_films_name_the_reason_and_leave_no_file() {
     let names = folder.file_names();
     let refused = |arguments: &str| fail(folder.path(), &format!("animate scene.c2warp.json {arguments}"));
     for (arguments, reason) in [
-        ("-o film.gif --clip wave", r#"there is no clip "wave": it has ["turn"]"#),
-        ("-o film.gif --fps 0", "--fps: expected frames a second above 0 and up to 240, found 0"),
-        ("-o film.png --fps 241", "--fps: expected frames a second above 0 and up to 240, found 241"),
-        ("-o film.gif --fps 60", "--fps: viewers show at most 50 frames of a GIF in a second"),
-        ("-o film.png --range 0.1..0.5", "--range: clip “turn”: expected a range from 0 to 0.4 seconds, "),
-        ("-o film.png --range 0.3..0.1", "the end after the beginning, found 0.3..0.1"),
+        ("-o film.gif --clip wave", r#"there is no clip "wave": the clips are ["turn"]"#),
+        ("-o film.gif --fps 0", "--fps: expected a frame rate above 0 and up to 240, found 0"),
+        ("-o film.png --fps 241", "--fps: expected a frame rate above 0 and up to 240, found 241"),
+        ("-o film.gif --fps 60", "--fps: viewers show a GIF at no more than 50 frames per second"),
+        ("-o film.png --range 0.1..0.5", "--range: clip “turn”: expected a range within 0 to 0.4 seconds that"),
+        ("-o film.png --range 0.3..0.1", "that ends after it begins, found 0.3..0.1"),
         ("-o film.png --range -1..0.1", "found -1..0.1"),
-        ("-o film.mp4", "film.mp4: a film ends with .gif, .png or .webp"),
+        ("-o film.mp4", "film.mp4: the name of a film must end with .gif, .png or .webp"),
         ("-o frame-%04d.gif", "frame-%04d.gif"),
         ("-o film.png --scale 0", "--scale"),
         ("-o nowhere/film.png", "nowhere/film.png: cannot write this file"),
         ("-o nowhere/frame-%d.png", "nowhere/frame-0.png: cannot write this file"),
-        ("--sheet sheet.jpg", "sheet.jpg: a sheet is a PNG"),
-        ("-o film.png --sheet film.png", "film.png: the film is written to this file"),
+        ("--sheet sheet.jpg", "sheet.jpg: a sprite sheet must be a PNG"),
+        ("-o film.png --sheet film.png", "film.png: this is also the output film.png"),
         ("-o film.png --scale 120 --grow", "--scale"),
         ("--sheet sheet.png --scale 40", "need a sheet of"),
     ] {
@@ -379,10 +379,10 @@ fn the_clip_must_be_clear_and_of_a_fair_length() {
         project["clips"].as_array_mut().unwrap().push(other);
     });
     let line = fail(folder.path(), "animate scene.c2warp.json -o film.gif");
-    assert!(line.contains(r#"--clip names the clip to draw: it has ["turn", "hour"]"#), "{line}");
+    assert!(line.contains(r#"name the clip to draw with --clip: the clips are ["turn", "hour"]"#), "{line}");
     let line = fail(folder.path(), "animate scene.c2warp.json -o film.png --clip hour --fps 240");
     assert!(line.contains("--fps: a film of clip “hour” would have 864000 frames, but at most 36000"), "{line}");
     let folder = folder.edited(|project| project["clips"] = json!([]));
     let line = fail(folder.path(), "animate scene.c2warp.json -o film.gif");
-    assert!(line.ends_with("--clip names the clip to draw: it has none"), "{line}");
+    assert!(line.ends_with("name the clip to draw with --clip: the project has no clips"), "{line}");
 }

@@ -65,7 +65,7 @@ fn refused_rigs_leave_the_file_as_it_is() {
     let folder = waving().edited(|project| project["clips"][0]["duration"] = 700.into());
     folder.write("out.c2rig", "before");
     let line = fail(folder.path(), BAKE);
-    assert_eq!(line, "scene.c2warp.json: clip \"wave\" lasts 700 s: a rig has clips of up to 600 s");
+    assert_eq!(line, "scene.c2warp.json: clip \"wave\" lasts 700 s: a clip of a rig can last up to 600 s");
     assert_eq!(fs::read(folder.file("out.c2rig")).unwrap(), b"before");
     let line = fail(folder.path(), "bake scene.c2warp.json -o out.png");
     assert_eq!(line, "out.png: the extension means Png, but the output is a rig: use .c2rig");

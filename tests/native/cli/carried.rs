@@ -47,14 +47,14 @@ fn a_png_is_a_project_by_its_text_chunk() {
         assert_eq!(fs::read(folder.file("other.png")).unwrap(), fs::read(folder.file("out.png")).unwrap());
     }
     let line = fail(folder.path(), "warp posted.png -o posted.png");
-    assert!(line.contains("posted.png: this is the project file"), "{line}");
+    assert!(line.contains("posted.png: this is the input posted.png"), "{line}");
 }
 
 #[test]
 fn a_png_without_a_project_is_rejected_by_name() {
     let folder = SceneFolder::new("strip");
     let line = fail(folder.path(), "warp strip.png -o out.png");
-    assert!(line.contains("strip.png: this PNG carries no project"), "{line}");
+    assert!(line.contains("strip.png: this PNG contains no project"), "{line}");
     let [broken, _] = with_texts(&[("c2warp", "{")]);
     folder.write("broken.png", broken);
     let line = fail(folder.path(), "warp broken.png -o out.png");

@@ -25,7 +25,7 @@ fn problems(folder: &SceneFolder) -> Vec<[String; 3]> {
 }
 
 #[test]
-fn errors_of_the_format_and_of_handles_are_found_at_once() {
+fn errors_of_the_format_and_of_handles_are_found_together() {
     let folder = SceneFolder::new("ring").edited(|project| {
         let handles = project["handles"].as_array_mut().unwrap();
         handles.insert(0, json!({ "id": "gap", "kind": "point", "rest": [64, 64] }));
@@ -56,7 +56,7 @@ fn errors_of_the_format_and_of_handles_are_found_at_once() {
 }
 
 #[test]
-fn what_looks_wrong_is_a_warning() {
+fn suspicious_content_is_a_warning() {
     let turned = SceneFolder::new("fold");
     assert_eq!(problems(&turned), [["warning", "handles", "folds"]]);
     let calm = turned.at_rest().edited(|project| {
@@ -79,7 +79,7 @@ fn what_looks_wrong_is_a_warning() {
 }
 
 #[test]
-fn wrong_displacements_are_named_with_what_is_wrong() {
+fn invalid_displacements_are_reported_with_the_reason() {
     let good = all_by_24_px();
     let values = good["values"].as_str().unwrap();
     assert_eq!(values.len(), 88);

@@ -191,7 +191,7 @@ fn svg(content: &str) -> String {
 }
 
 #[test]
-fn missing_parts_and_excessive_sizes_are_told() {
+fn missing_parts_and_excessive_sizes_are_reported() {
     let remarks = |content: &str| -> Vec<String> {
         Drawing::read(&svg(content)).unwrap().remarks().iter().map(ToString::to_string).collect()
     };

@@ -231,8 +231,8 @@ fn distance_from_outside_the_domain_is_rejected() {
 #[test]
 fn unwritable_outputs_are_rejected() {
     let folder = SceneFolder::new("untouched");
-    for output in ["no/such/folder/out.png", "."] {
-        assert_contains(&fail(folder.path(), &format!("warp {PROJECT} -o {output}")), &["cannot write this file"]);
+    for arguments in ["warp scene.c2warp.json -o no/such/folder/out.png", "bake scene.c2warp.json -o ."] {
+        assert_contains(&fail(folder.path(), arguments), &["cannot write this file"]);
     }
     assert_eq!(folder.file_names(), [PROJECT, "strip.png"]);
 }
@@ -246,7 +246,7 @@ fn project_and_other_extensions_are_rejected_as_outputs() {
     {
         assert_contains(
             &fail(folder.path(), &format!("{subcommand} {PROJECT} -o ./{PROJECT}")),
-            &[PROJECT, "this is the project file"],
+            &[PROJECT, "this is the input"],
         );
     }
     assert!(fs::read(folder.file(PROJECT)).unwrap() == before);
@@ -256,8 +256,8 @@ fn project_and_other_extensions_are_rejected_as_outputs() {
     );
     let with_map = |path: &str, map: &str| fail(folder.path(), &format!("warp {PROJECT} -o {path} --stmap {map}"));
     assert_contains(&with_map("out.png", "map.png"), &["map.png", "means Png", "OpenExr", "use .exr"]);
-    assert_contains(&with_map("out", "out"), &["out: the picture is written to this file"]);
-    assert_contains(&with_map("-", "/dev/stdout"), &["/dev/stdout: the picture is written to this file"]);
+    assert_contains(&with_map("out", "out"), &["out: this is also the output out"]);
+    assert_contains(&with_map("-", "/dev/stdout"), &["/dev/stdout: this is also the output -"]);
     // Extensions of no known type are accepted.
     succeed(folder.path(), &format!("warp {PROJECT} -o out.0001"));
 }

@@ -44,7 +44,7 @@ fn picture_of_another_size_gets_the_same_warp() {
     folder.write("points.csv", "x,y\n");
     succeed(folder.path(), "map scene.c2warp.json --image large.png --at points.csv -o map.csv");
     let line = fail(folder.path(), "inspect scene.c2warp.json --image placed.png");
-    for part in ["placed.png: this picture has", "other proportions", "--fit box", "--fit alpha"] {
+    for part in ["placed.png: this picture of", "other proportions", "--fit box", "--fit alpha"] {
         assert!(line.contains(part), "{line}");
     }
     let opaque = RgbaImage::from_pixel(width, height, Rgba([9, 9, 9, 255]));
@@ -57,7 +57,7 @@ fn picture_of_another_size_gets_the_same_warp() {
 }
 
 #[test]
-fn handles_beside_the_new_outline_move_inside_or_are_named() {
+fn handles_outside_the_new_outline_move_inside_or_are_named() {
     let folder = SceneFolder::new("strip").edited(|project| {
         project["domain"] = json!({ "kind": "alpha" });
         project["handles"] = json!([{ "id": "hat", "kind": "point", "rest": [48, 1] }]);
@@ -154,9 +154,9 @@ fn several_projects_have_results_with_their_names() {
     fs::create_dir(folder.file("solo")).unwrap();
     fs::copy(folder.file("strip.png"), folder.file("solo/strip.png")).unwrap();
     let line = fail(folder.path(), "warp 1.c2warp.json --image solo -o solo");
-    assert_eq!(line, "solo/strip.png: this is the picture itself: choose another folder for the results");
+    assert_eq!(line, "solo/strip.png: this is the input solo/strip.png: choose another output");
     let line = fail(folder.path(), "warp 1.c2warp.json 2.c2warp.json --image strip.png --image strip.png -o out");
-    assert!(line.starts_with("give one project"), "{line}");
+    assert!(line.starts_with("pass one project"), "{line}");
     fs::create_dir(folder.file("empty")).unwrap();
     assert_eq!(fail(folder.path(), "warp 1.c2warp.json --image empty -o out"), "empty: this folder has no files");
 }

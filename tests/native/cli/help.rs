@@ -1,4 +1,4 @@
-//! Tests of what the command tells about itself: help with examples that run, completions, manual pages, the schema.
+//! Tests of the command's own documentation: help with examples that run, completions, manual pages, the schema.
 
 use std::fs;
 use std::path::Path;
@@ -53,7 +53,7 @@ fn every_command_has_an_example_that_runs_and_is_in_the_manual() {
         assert!(!lines.is_empty(), "{name}");
         for line in lines {
             assert!(line.starts_with(&name) && manual.contains(&format!("c2warp {line}")), "cli.md: {line}");
-            // The shell would write what is printed to a file.
+            // The shell would write the output to a file.
             let (arguments, file) = line.split_once(" > ").map_or((&*line, None), |(line, file)| (line, Some(file)));
             let printed = succeed(folder.path(), arguments);
             assert!(file.is_none() || !printed.is_empty(), "{line}");
@@ -85,7 +85,7 @@ fn completions_and_pages_name_all_commands() {
         assert!(page.starts_with(".ie") && page.contains(&format!("c2warp {name}")), "{name}");
     }
     let line = fail(Path::new("."), "man bend");
-    assert!(line.starts_with("there is no command \"bend\": the commands are ") && line.contains("warp"), "{line}");
+    assert!(line.starts_with("unknown command \"bend\": the commands are ") && line.contains("warp"), "{line}");
     for arguments in ["completions zsh", "man", "schema"] {
         succeed_with_closed_pipe(Path::new("."), arguments);
     }

@@ -4,6 +4,7 @@
 
 mod animate;
 mod bake;
+mod bombs;
 mod carried;
 mod check;
 mod command;
@@ -16,6 +17,7 @@ mod inspect;
 mod manual;
 mod maps;
 mod new;
+mod outputs;
 mod scene_folder;
 mod shapes;
 mod stmap;

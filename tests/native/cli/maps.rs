@@ -177,8 +177,8 @@ fn maps_of_a_picture_without_handles_are_the_identity() {
 fn map_outputs_are_checked_before_the_work() {
     let folder = SceneFolder::new("strip");
     for (arguments, expected) in [
-        ("--inverse a.exr --forward a.exr", "a.exr: another map is written to this file"),
-        ("--inverse a.tif", "a.tif: a map ends with .exr or .png"),
+        ("--inverse a.exr --forward a.exr", "a.exr: this is also the output a.exr"),
+        ("--inverse a.tif", "a.tif: the name of a map must end with .exr or .png"),
         ("--inverse a.exr --scale 0", "--scale: "),
         ("--inverse a.exr --clip wave --at 0", "there is no clip \"wave\""),
     ] {

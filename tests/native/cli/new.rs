@@ -24,7 +24,7 @@ fn new_project_has_the_given_handles_and_the_settings_of_the_editor() {
     assert_eq!(made.image.src, "gingerbread.png");
     assert_eq!(made.domain, Some(DomainSpec::Alpha { threshold: 0.5 }));
     assert_eq!(made, made.clone().with_editor_settings());
-    // It warps as it is, and the picture is found from another folder.
+    // It can be warped unchanged, and the picture is found from another folder.
     fs::create_dir(folder.file("rigs")).unwrap();
     succeed(folder.path(), "new gingerbread.png --handles 90,120 -o rigs/one.c2warp.json");
     assert_eq!(project(&folder, "rigs/one.c2warp.json").image.src, "../gingerbread.png");
@@ -45,7 +45,7 @@ fn suggested_handles_can_be_solved() {
     let printed = succeed(folder.path(), "new gingerbread.png --suggest 3 -o -");
     assert_eq!(Project::from_json(&String::from_utf8(printed).unwrap()).unwrap().handles.len(), 3);
     succeed_with_closed_pipe(folder.path(), "new gingerbread.png --suggest 3 -o -");
-    // A photograph has no outline, and the command tells so.
+    // A photograph has no outline, and the command reports it.
     RgbaImage::from_pixel(90, 60, Rgba([9, 99, 200, 255])).save(folder.file("photo.png")).unwrap();
     let ended = command(folder.path(), "new photo.png --suggest").output().unwrap();
     assert!(ended.status.success());
@@ -66,8 +66,8 @@ fn new_projects_replace_nothing_and_refuse_bad_handles() {
     RgbaImage::from_pixel(40, 30, Rgba([9, 9, 9, 3])).save(folder.file("faint.png")).unwrap();
     let before = fs::read(folder.file(PROJECT)).unwrap();
     for (arguments, reason) in [
-        ("new ring.png --handles 20,64 -o scene.c2warp.json", "scene.c2warp.json: this file exists: choose another"),
-        ("new ring.png --suggest --force -o ring.png", "ring.png: this is the picture: choose another output file"),
+        ("new ring.png --handles 20,64 -o scene.c2warp.json", "scene.c2warp.json: this file already exists: choose"),
+        ("new ring.png --suggest --force -o ring.png", "ring.png: this is the input ring.png: choose another output"),
         ("new ring.png --handles 64,64", "ring.png: handle “handle-1” at (64, 64) lies outside the domain"),
         ("new ring.png --handles 3,1e9", "ring.png: handle “handle-1” at (3, 1000000000) lies outside the domain"),
         ("new ring.png --handles 20,64 20,64", "handles “handle-1” and “handle-2” are less than 0.01 px apart"),

@@ -6,7 +6,7 @@ use crate::command::{fail, succeed};
 use crate::scene_folder::SceneFolder;
 
 #[test]
-fn shapes_and_landmarks_are_mapped_in_their_form() {
+fn shapes_and_landmarks_keep_their_format() {
     let folder = SceneFolder::new("strip");
     folder.write("points.csv", "x,y\n40,20\n");
     succeed(folder.path(), "map scene.c2warp.json --at points.csv -o map.csv");

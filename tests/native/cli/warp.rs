@@ -107,7 +107,7 @@ fn displaced_picture_moves_with_and_without_handles() {
 }
 
 #[test]
-fn handle_takes_along_what_is_displaced() {
+fn handle_moves_the_displaced_picture() {
     let folder = SceneFolder::new("strip").at_rest().edited(|project| {
         let handles = project["handles"].as_array_mut().unwrap();
         handles.truncate(1);
@@ -311,7 +311,7 @@ fn a_clip_poses_the_handles_at_a_time() {
     });
     succeed(folder.path(), "warp scene.c2warp.json --clip turn --at 1 -o clip.png");
     let line = fail(folder.path(), "warp scene.c2warp.json --clip wave --at 1 -o out.png");
-    assert!(line.contains(r#"there is no clip "wave": it has ["turn"]"#), "{line}");
+    assert!(line.contains(r#"there is no clip "wave": the clips are ["turn"]"#), "{line}");
     let folder = folder.edited(|project| project["handles"][0]["rotation"] = 20.into());
     succeed(folder.path(), "warp scene.c2warp.json -o out.png");
     assert!(folder.picture("clip.png") == folder.picture("out.png"));

@@ -107,9 +107,9 @@ fn refused_weights_are_named() {
         ),
         ("--every 4 -o a.png", "a.png: a heat map shows one handle"),
         ("--handle left --every 4 -o a.png", "a.png: a heat map shows the whole picture"),
-        ("--handle left -o a.npy", "a.npy: --at or --every tells the points"),
-        ("--every 0.5 -o a.npy", "--every: expected a whole number from 1 on, found 0.5"),
-        ("--every 4 -o a.npy --sites a.npy", "a.npy: the weights are written to this file"),
+        ("--handle left -o a.npy", "a.npy: a table needs points: pass --at or --every"),
+        ("--every 0.5 -o a.npy", "--every: expected a whole number of at least 1, found 0.5"),
+        ("--every 4 -o a.npy --sites a.npy", "a.npy: this is also the output a.npy"),
     ] {
         let line = fail(folder.path(), &format!("{WEIGHTS} {arguments}"));
         assert!(line.contains(expected), "{line}");

@@ -118,7 +118,7 @@ fn pose_of_another_solution_is_rejected() {
     for use_pose in uses {
         let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(use_pose)).expect_err("a pose of another");
         let message = panic.downcast_ref::<String>().expect("a message");
-        assert_eq!(message, "the pose belongs to another solution: make it with the poser of this one");
+        assert_eq!(message, "the pose belongs to another solution: use the poser of this solution");
     }
 }
 

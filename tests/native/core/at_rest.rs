@@ -157,7 +157,7 @@ fn difference(a: &[u8], b: &[u8]) -> f64 {
     a.chunks_exact(4).zip(b.chunks_exact(4)).map(apart).fold(0.0, f64::max)
 }
 
-/// The difference between a picture and what is drawn of it with unmoved handles.
+/// The difference between a picture and its drawing with unmoved handles.
 fn change(project: &Project, solution: &Solution, picture: &Picture<'_>) -> f64 {
     let pose = solution.pose(project).expect("a pose");
     let warped = solution.warped(picture, &pose, ResampleOptions::default()).expect("a picture");

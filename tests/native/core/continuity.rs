@@ -58,7 +58,7 @@ fn second_derivatives_are_continuous_across_shadow_lines_and_no_support_is_cut()
             let (exact, smooth) = (solved(&project).unwrap(), solved(&c2(project)).unwrap());
             let (kinks, _) = relative_jumps(&exact);
             let (shadows, cuts) = relative_jumps(&smooth);
-            // A lone handle has weight 1 everywhere, unless a hole asks for more sites.
+            // A lone handle has weight 1 everywhere, unless a hole requires more sites.
             assert!(kinks[1] > 1e-3 || handles.len() == 1, "{name} {support:?}: a scene with jumps");
             assert!(shadows[1] < 0.02 * shadows[0].max(1e-3), "{name} {support:?}: {shadows:?}");
             assert_eq!(cuts, 0, "{name} {support:?}");
@@ -67,7 +67,7 @@ fn second_derivatives_are_continuous_across_shadow_lines_and_no_support_is_cut()
 }
 
 #[test]
-fn a_search_for_jumps_of_second_derivatives_finds_them_in_exact_weights_alone() {
+fn second_derivatives_jump_only_in_exact_weights() {
     for (name, rings, handles) in bent_scenes() {
         let project = project(&rings, &handles, Support::Smooth);
         let solutions = [project.clone(), c2(project)].map(|project| solved(&project).unwrap());
@@ -112,7 +112,7 @@ fn a_disc_as_a_hole_creases_exact_weights_and_not_c2_weights() {
 }
 
 #[test]
-fn weights_equal_exact_ones_where_no_path_begins_to_bend() {
+fn weights_equal_exact_ones_away_from_shadow_lines() {
     let weights = |rings: &[Vec<DVec2>], handles: &[DVec2], p: DVec2| {
         let project = project(rings, handles, Support::Smooth);
         [project.clone(), c2(project)].map(|project| solved(&project).unwrap().weights_at(p))

@@ -118,7 +118,7 @@ fn inverse_map_returns_the_rest_position() {
         let back = solution.rest_point(&pose, mapped.posed).expect("inside what is drawn");
         assert!(back.distance(p) < 0.1, "{p} came back as {back}");
     }
-    // The background around the ring stays. Outside the picture there is nothing.
+    // The background around the ring stays. Everything outside the picture is empty.
     assert_eq!(solution.rest_point(&pose, DVec2::ZERO), Some(DVec2::ZERO));
     assert_eq!(solution.rest_point(&pose, DVec2::NEG_ONE), None);
 }
@@ -159,7 +159,7 @@ fn contains(corners: [DVec2; 3], p: DVec2) -> bool {
 /// Handles on a bent figure split the legs into cells of many depths and places in the order of the mesh. Wherever both
 /// legs lie, the same one must be drawn.
 #[test]
-fn legs_that_cross_are_whole_whatever_handles_are_added() {
+fn crossing_legs_stay_whole_when_handles_are_added() {
     let mut random = Random(30);
     let mut seen = [0; 2];
     for scene in 0..24 {

@@ -1,4 +1,4 @@
-//! Tests of displaced pictures: a brush moves places at rest before the handles pose them.
+//! Tests of displaced pictures: a brush moves positions at rest before the handles pose them.
 
 use c2warp::{
     Filter, Picture, ResampleOptions, Solution, Solver, SpriteMesh, Stage,
@@ -79,7 +79,7 @@ fn a_displacement_of_zeros_changes_no_bit() {
 }
 
 #[test]
-fn one_handle_takes_a_uniform_displacement_along() {
+fn single_handle_moves_a_uniform_displacement() {
     let by = DVec2::new(10.0, -5.0);
     for blend in [Blend::Linear, Blend::Rigid] {
         let handle = Handle::point("only", [70.0, 50.0]).posed_at([[90.0, 60.0]]).turned(90.0).scaled(1.5);
@@ -138,7 +138,7 @@ fn a_poser_keeps_its_displacement_in_its_bytes() {
 }
 
 #[test]
-fn another_displacement_alone_needs_no_solve() {
+fn changed_displacement_needs_no_solve() {
     let rgba = rgba();
     let picture = Picture::new(160, 120, &rgba).expect("a picture");
     let mut solver = Solver::new();
@@ -214,7 +214,7 @@ fn a_point_cloud_refuses_a_displacement() {
 }
 
 #[test]
-fn warped_pixels_are_those_of_the_displaced_places() {
+fn warped_pixels_are_those_of_the_displaced_points() {
     let project = displaced(&project(Blend::Linear).with_handles([]), Some(uniform(DVec2::new(20.0, 0.0))));
     let (solution, pose) = solved(&project);
     let rgba = rgba();

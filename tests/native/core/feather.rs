@@ -1,4 +1,4 @@
-//! Tests of feathers: a moved part has a soft rim, and the picture at rest stays as it is.
+//! Tests of feathers: a moved part has a soft rim, and the picture at rest does not change.
 
 use c2warp::{
     Canvas, Filter, Picture, ResampleOptions, Solution, Solver, Warped,
@@ -135,7 +135,7 @@ fn rim_begins_at_the_outline_and_ends_at_its_width() {
 }
 
 #[test]
-fn over_a_fill_the_rim_begins_where_the_filled_pixels_end() {
+fn rim_over_a_fill_begins_where_the_filled_pixels_end() {
     let mut project = moved(16.0);
     project.fill = Some(FillSpec::default());
     let warped = warped(&project, &halves(), ResampleOptions::default());
@@ -241,7 +241,7 @@ fn the_same_pixels_on_every_canvas_and_in_bands() {
 }
 
 #[test]
-fn a_solver_that_goes_on_gives_the_same_feather() {
+fn reused_solver_gives_the_same_feather() {
     let rgba = noise();
     let picture = Picture::new(WIDTH, HEIGHT, &rgba).expect("a picture");
     let mut solver = Solver::new();
@@ -258,7 +258,7 @@ fn a_solver_that_goes_on_gives_the_same_feather() {
             let reused = solver.solution().expect("every stage has run");
             assert_eq!(reused.feather(), solved(&project, &rgba).feather());
             let steps = std::iter::from_fn(|| solver.advance_fill(&picture).expect("a step")).count();
-            // The fill depends on the rings alone.
+            // The fill depends only on the rings.
             assert!(steps == 0 || feather == 12.0);
         }
     }

@@ -117,14 +117,14 @@ fn fill_is_the_same_each_time_and_for_each_order_of_handles() {
 }
 
 #[test]
-fn one_colour_goes_on() {
+fn uniform_colour_is_continued() {
     let rgba = pixels(|_, _| [10, 200, 90, 255]);
     let fill = filled(&rgba, &[circle([70.0, 60.0], 30.0, 31)], 0).expect("a fill");
     assert!(fill.rgba().chunks(4).all(|pixel| *pixel == [10, 200, 90, 255]));
 }
 
 #[test]
-fn stripes_go_on_through_the_hole() {
+fn stripes_continue_through_the_hole() {
     let stripes =
         |x: u32, y: u32| if ((x + y / 8) / 6).is_multiple_of(2) { [220, 40, 30, 255] } else { [20, 60, 200, 255] };
     let rgba = pixels(stripes);
@@ -182,7 +182,7 @@ fn other_domains_ignore_a_fill() {
 }
 
 #[test]
-fn fill_is_kept_for_other_handles_and_goes_on_between_solves() {
+fn fill_is_kept_for_other_handles_and_continues_between_solves() {
     let rgba = noise();
     let picture = Picture::new(WIDTH, HEIGHT, &rgba).expect("a picture");
     let mut project = project(vec![circle([70.3, 60.1], 40.7, 31)], [[70.0, 60.0], [75.0, 62.0]]);

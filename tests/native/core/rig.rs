@@ -39,7 +39,7 @@ fn baked(project: &Project, solution: &Solution) -> Rig {
     Rig::bake(project, solution, picture).expect("a valid scene")
 }
 
-/// The greatest distance of a corner of the rig from its place.
+/// The maximum distance of a corner of the rig from its place.
 fn distance(solution: &Solution, rig: &Rig, found: &[DVec2], exact: &[DVec2]) -> f64 {
     let behind = solution.static_background().triangles().len();
     let corners = rig.triangles()[behind..].iter().flatten().zip(solution.triangles().iter().flatten());
@@ -141,7 +141,7 @@ fn handles_are_posed_without_a_solver_in_the_harmonic_mode() {
         for pose in 0..12 {
             project.handles = posed_at_random(&handles, reach, &mut random);
             if pose == 0 {
-                // Bars without a length do not collapse what they pass their motion on to.
+                // Bars without a length do not collapse the parts that they move.
                 project.handles.iter_mut().for_each(|handle| {
                     let [first, others @ ..] = handle.shape.posed_mut() else {
                         unreachable!("every handle has a place")
@@ -164,7 +164,7 @@ fn rigs_of_the_rigid_mode_are_posable_only_if_wanted() {
     assert_eq!(baked(&project, &solution).handles(), None);
     let rig = baked_posable(&project, &solution);
     assert_eq!((rig.handles(), rig.vertices_posed_by(&project.handles)), (Some(&project.handles[..]), None));
-    // A point that turns by itself needs the solver, too.
+    // A point with automatic rotation also needs the solver.
     let (_, solution) = moving("gingerbread", PoseMode::Harmonic, Blend::Linear);
     assert!(baked(&project, &solution).handles().is_some());
     assert!(baked_posable(&project, &solution).poser().is_none());
@@ -175,7 +175,7 @@ fn rigs_of_the_rigid_mode_are_posable_only_if_wanted() {
 
 fn baked_posable(project: &Project, solution: &Solution) -> Rig {
     let picture = RigPicture { width: project.image.width, height: project.image.height, file: b"a picture".to_vec() };
-    let rig = Rig::bake_telling(project, solution, picture, Posable::Always, &mut |_| {}).expect("a valid scene");
+    let rig = Rig::bake_with_progress(project, solution, picture, Posable::Always, &mut |_| {}).expect("a valid scene");
     let read = Rig::from_bytes(&rig.to_bytes().expect("a valid scene")).expect("a valid scene");
     assert!(read == rig);
     read
@@ -224,7 +224,7 @@ fn handles_are_posed_by_the_solver_in_the_rigid_mode() {
 }
 
 #[test]
-fn handles_that_turn_by_themselves_are_posed_by_the_solver() {
+fn automatic_rotations_are_posed_by_the_solver() {
     for (scene, mode) in
         [("gingerbread", PoseMode::Harmonic), ("gingerbread", PoseMode::Rigid), ("tower", PoseMode::Rigid)]
     {
@@ -238,7 +238,7 @@ fn handles_that_turn_by_themselves_are_posed_by_the_solver() {
 
 /// The layout of published rigs: these stay readable.
 #[test]
-fn a_published_rig_is_posed_as_when_it_was_baked() {
+fn published_rig_is_posed_as_when_baked() {
     let file = include_bytes!("../../../web/src/player/fixtures/solved.c2rig");
     let places = include_str!("../../../web/src/player/fixtures/solved.csv");
     let rig = Rig::from_bytes(file).expect("a rig");
@@ -271,7 +271,7 @@ fn poses_of_other_handles_are_refused() {
     assert!(poser.motions(&poses).is_err());
 }
 
-/// The mean difference of the rig's picture from the one of the solution, in steps of 255.
+/// The mean difference of the rig's picture from that of the solution, in steps of 255.
 fn mean_difference(project: &Project, solution: &Solution, rig: &Rig, frame: u32) -> f64 {
     let picture = Scene::named("gingerbread").picture;
     let picture = Picture::new(picture.width(), picture.height(), picture.as_raw()).expect("a valid scene");

@@ -124,7 +124,7 @@ fn mirrored_scene_has_the_mirrored_pose() {
 }
 
 #[test]
-fn picture_that_is_stiff_everywhere_poses_as_a_soft_one() {
+fn uniformly_stiff_picture_poses_like_a_soft_one() {
     let soft = bent_strip(1.0);
     let (solution, pose) = pose_of(&soft);
     for stiffness in [1.0, 0.4] {
@@ -152,7 +152,7 @@ fn more_stiffness_leaves_less_energy() {
 }
 
 #[test]
-fn handles_that_are_pulled_apart_in_a_stiff_place_are_reached() {
+fn handles_pulled_apart_in_a_stiff_area_are_reached() {
     for far in [40.0, 150.0, 1e4] {
         let mut project = bent_strip(0.0);
         for (at, by) in [(1, -far), (3, far)] {
@@ -230,7 +230,7 @@ fn harmonic_mode_has_no_stiffness_and_a_cloud_refuses_it() {
 }
 
 #[test]
-fn mask_goes_along_to_a_picture_of_another_size() {
+fn mask_is_mapped_to_a_picture_of_another_size() {
     let mut project = bent_strip(0.0);
     project.domain = None;
     project.stiffness = Some(disc(DVec2::new(150.0, 200.0), 40.0));

@@ -89,7 +89,7 @@ fn swapped_handles_both_force_the_folds() {
 }
 
 #[test]
-fn a_handle_pushed_through_another_forces_the_folds() {
+fn handle_pushed_through_another_forces_the_folds() {
     for mode in MODES {
         let scene = Scene::new(mode, pushed());
         let forcing = scene.picture.forcing_handles(&scene.poses(), Blend::Linear).unwrap();
@@ -100,7 +100,7 @@ fn a_handle_pushed_through_another_forces_the_folds() {
 }
 
 #[test]
-fn a_bar_that_is_turned_over_forces_the_folds() {
+fn flipped_bar_forces_the_folds() {
     for mode in MODES {
         assert_eq!(Scene::new(mode, turned_over()).forcing(), ["bar"], "{mode:?}");
     }
@@ -137,7 +137,7 @@ fn x(poses: &[HandlePose]) -> f64 {
 }
 
 #[test]
-fn the_nearest_pose_without_folds_moves_the_forcing_handles_alone() {
+fn nearest_pose_without_folds_moves_only_the_forcing_handles() {
     for mode in MODES {
         let scene = Scene::new(mode, pushed());
         let poses = scene.poses();
@@ -156,7 +156,7 @@ fn the_nearest_pose_without_folds_moves_the_forcing_handles_alone() {
 }
 
 #[test]
-fn the_way_out_of_folds_leads_back_to_the_last_pose_without() {
+fn unfolding_returns_towards_the_last_pose_without_folds() {
     let scene = Scene::new(PoseMode::Rigid, pushed());
     let mut last = scene.poses();
     last[4].posed[0] = [190.0, 150.0].into();

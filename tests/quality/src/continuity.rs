@@ -1,4 +1,4 @@
-//! Jumps of the derivatives of weights, for exact distances and for `"continuity": "c2"`, with what the latter costs.
+//! Jumps of the derivatives of weights, for exact distances and for `"continuity": "c2"`, with the cost of the latter.
 
 use std::hint::black_box;
 

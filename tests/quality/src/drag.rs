@@ -47,7 +47,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_handle_moves_all_as_it_moves() {
+    fn single_handle_moves_everything() {
         let mut project =
             Project::for_picture(40, 30).with_handles([Handle::point("a", [20.0, 15.0]).posed_at([[30.0, 9.0]])]);
         project.samples = 200;

@@ -1,9 +1,9 @@
 //! Fills of pictures whose truth is known: things are pasted in, taken out again by a lasso, and the fill is compared
 //! with the truth.
 //!
-//! Beside it stand two classic methods: harmonic diffusion, and the fast marching method of Telea (2004). They go on
-//! smoothly, so their colours are close to the truth on average, but texture ends at the rim. Photographs are compared
-//! with the two methods of OpenCV, and drawn on blind sheets too.
+//! Beside it stand two classic methods: harmonic diffusion, and the fast marching method of Telea (2004). They continue
+//! smoothly, so their colours are close to the original on average, but texture ends at the rim. Photographs are
+//! compared with the two methods of OpenCV, and drawn on blind sheets too.
 
 mod blind;
 mod harmonic;

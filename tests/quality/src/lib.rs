@@ -4,7 +4,7 @@
 //! reference methods exist only in this crate:
 //!
 //! - [`dense_arap`]: as-rigid-as-possible over the whole mesh. It has the quality that the modes aim at, but is slow.
-//! - [`least_squares`]: moving least squares. It knows no domain.
+//! - [`least_squares`]: moving least squares. It ignores the domain.
 //! - [`optimum`]: the least energy that a mesh can have. The editor's method is measured against it.
 //!
 //! [`distances`] compares intrinsic distances with exact geodesics. [`maxima`] counts secondary maxima of weights.

@@ -11,9 +11,9 @@ use crate::poses::{PosedScene, standard_poses, tiles};
 
 /// The number of samples of the common mesh.
 const MESH_SAMPLES: u32 = 3_000;
-/// Least distance between handles at rest, as a fraction of the picture's longer side.
+/// Minimum distance between handles at rest, as a fraction of the picture's longer side.
 const APART: f64 = 0.17;
-/// Least distance of handles from the outline, as the same fraction.
+/// Minimum distance of handles from the outline, as the same fraction.
 const INSIDE: f64 = 0.012;
 /// Length of a bar, as the same fraction.
 const BAR: f64 = 0.15;

@@ -21,8 +21,8 @@ impl ClipPoses {
     /// Takes a clip and handles as JSON, as in a project.
     ///
     /// # Errors
-    /// Any deviation from the format, with the path of the offending key. It begins at the clip, or at the list of
-    /// handles.
+    /// Any deviation from the format, with the path of the offending key. The path starts at the clip, or at the list
+    /// of handles.
     #[wasm_bindgen(constructor)]
     pub fn new(clip_json: &str, handles_json: &str) -> Result<Self, JsValue> {
         Self::try_new(clip_json, handles_json).map_err(|error| to_js(&error))

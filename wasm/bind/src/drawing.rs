@@ -11,9 +11,9 @@ use wasm_bindgen::prelude::*;
 pub enum Canvas {
     /// The picture's own rectangle.
     Picture,
-    /// The picture's own rectangle, grown to hold all that is drawn.
+    /// The picture's own rectangle, grown to contain everything that is drawn.
     Grown,
-    /// The smallest rectangle that holds all that is drawn.
+    /// The smallest rectangle that contains everything that is drawn.
     Covered,
 }
 

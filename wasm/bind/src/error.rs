@@ -1,4 +1,4 @@
-//! Errors as JavaScript knows them: an `Error` whose message is fit to show, with a `code` for programs.
+//! Errors for JavaScript: an `Error` with a message for people, and a `code` for programs.
 
 use js_sys::{Array, Error as JsError, Reflect};
 use wasm_bindgen::JsValue;

@@ -35,12 +35,12 @@ impl Moment {
     }
 }
 
-/// How a clip becomes frames.
+/// The options for the frames of a clip.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FilmOptions {
     /// Frames a second.
     pub(crate) rate: f64,
-    /// The part of the clip, in seconds. Without both, all of it.
+    /// The part of the clip, in seconds. Without both bounds, the whole clip.
     pub(crate) from: Option<f64>,
     pub(crate) to: Option<f64>,
     pub(crate) resample: ResampleOptions,
@@ -88,7 +88,7 @@ impl Filming {
         self.times.count()
     }
 
-    /// Whether the film begins again after its last frame.
+    /// Whether the film repeats after its last frame.
     #[must_use]
     #[wasm_bindgen(getter)]
     pub fn endlessly(&self) -> bool {
@@ -110,19 +110,19 @@ impl Filming {
         Self { solution, playback, blend: project.pose.blend, times, options, extent }
     }
 
-    /// All of the picture at the scale of the film. It has the colours of all frames.
+    /// The whole picture at the scale of the film. It contains the colours of all frames.
     pub(crate) fn picture_at_rest(&self, picture: &Picture<'_>) -> Result<Drawing, Error> {
         Drawing::at_rest(picture, self.options)
     }
 
-    /// A frame, ready to be drawn; `None` if there is no such frame.
+    /// A frame, ready to be drawn; `None` if the frame is out of range.
     pub(crate) fn drawing(&mut self, picture: &Picture<'_>, frame: u32) -> Option<Result<Drawing, Error>> {
         let pose = self.pose(frame)?;
         let options = ResampleOptions { canvas: Canvas::Fixed(self.extent), ..self.options };
         Some(pose.and_then(|pose| self.solution.drawing(picture, &pose, options)))
     }
 
-    /// Grows the rectangle of all frames to hold this one; `None` if there is no such frame.
+    /// Grows the rectangle of all frames to hold this one; `None` if the frame is out of range.
     pub(crate) fn include(&mut self, picture: &Picture<'_>, frame: u32) -> Option<Result<(), Error>> {
         let pose = self.pose(frame)?;
         let options = ResampleOptions { canvas: Canvas::Grown, ..self.options };

@@ -10,11 +10,11 @@ use wasm_bindgen::prelude::*;
 use crate::error::to_js;
 
 /// The times of a film's frames, in seconds. It takes a clip and its handles as JSON, as in a project, frames a second,
-/// and the part of the clip to show. Without `from` and `to`, the film shows all of the clip.
+/// and the part of the clip to show. Without `from` and `to`, the film shows the whole clip.
 ///
 /// # Errors
-/// With the code `film` for a rate, a part or a length that no film has. Any deviation of the JSON from the format, by
-/// the path of the offending key.
+/// With the code `film` for an unsupported rate, part or length. Any deviation of the JSON from the format, by the path
+/// of the offending key.
 #[wasm_bindgen]
 pub fn frame_times(
     clip_json: &str,
@@ -30,7 +30,7 @@ pub fn frame_times(
     seconds().map_err(|error| to_js(&error))
 }
 
-/// The times of a clip's frames. Without `from` and `to`, of all of it.
+/// The times of a clip's frames. Without `from` and `to`, those of the whole clip.
 pub(crate) fn times(clip: &Clip, rate: f64, from: Option<f64>, to: Option<f64>) -> Result<FrameTimes, Error> {
     let is_part = from.is_some() || to.is_some();
     let range = is_part.then(|| from.unwrap_or(0.0)..to.unwrap_or(clip.duration));

@@ -1,4 +1,4 @@
-//! Poses of handles as one flat array. It crosses the border once a frame.
+//! Poses of handles as one flat array. The array is passed to the module once per frame.
 //!
 //! [`HandlePose::from_numbers`] describes it, and `web/src/document/handle_poses.ts` writes it.
 

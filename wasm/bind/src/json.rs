@@ -5,7 +5,7 @@ use std::io::{Result, Write};
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
-/// Writes numbers by the standard library, as messages do: serde_json has large tables for that.
+/// Writes numbers with the standard library, as messages do, because serde_json would add large tables.
 struct Compact;
 
 impl Formatter for Compact {
@@ -16,6 +16,6 @@ impl Formatter for Compact {
 
 pub(crate) fn json(value: &impl Serialize) -> String {
     let mut text = Vec::new();
-    value.serialize(&mut Serializer::with_formatter(&mut text, Compact)).expect("numbers under names are JSON");
+    value.serialize(&mut Serializer::with_formatter(&mut text, Compact)).expect("a map of numbers is valid JSON");
     String::from_utf8(text).expect("JSON is UTF-8")
 }

@@ -1,9 +1,8 @@
-//! The core of c2warp for JavaScript: thin wrappers that turn typed arrays, JSON and errors into each other's
-//! terms.
+//! The core of c2warp for JavaScript: thin wrappers that convert typed arrays, JSON and errors.
 //!
-//! [`Session`] lives in a worker and solves; [`PosedPicture`] lives in the page and answers for a solution.
-//! Arrays are copied out once, into typed arrays that the caller may transfer: views of the module's memory
-//! become invalid when it grows.
+//! [`Session`] solves in a worker; [`PosedPicture`] runs in the page and answers questions about a solution. Arrays are
+//! copied out once, into typed arrays that the caller may transfer: views of the module's memory become invalid when it
+//! grows.
 
 mod cell_borders;
 mod clip_playback;
@@ -35,14 +34,14 @@ pub use posed_picture::{PictureArrays, PosedPicture};
 pub use session::Session;
 pub use solution::Solution;
 
-/// Reads a project file and writes it again with every key.
+/// Checks a project file.
 ///
 /// # Errors
 /// Any deviation from the format, with the path of the offending key.
 #[wasm_bindgen]
-pub fn project_check(json: &str) -> Result<String, JsValue> {
-    let project = Project::from_json(json).map_err(|reason| error::to_js(&reason.into()))?;
-    Ok(project.to_json())
+pub fn project_check(json: &str) -> Result<(), JsValue> {
+    Project::from_json(json).map_err(|reason| error::to_js(&reason.into()))?;
+    Ok(())
 }
 
 /// The version of this module.

@@ -1,6 +1,6 @@
-//! Questions about many points at once. They solve first if necessary.
+//! Queries about many points. They solve first if necessary.
 //!
-//! The answers are those of the command, bit for bit. Weights have the closed form of eq. 2 at any point, while
+//! The results equal those of the command, bit for bit. Weights have the closed form of eq. 2 at any point, while
 //! [`PosedPicture`](crate::PosedPicture) interpolates over the mesh.
 
 use std::sync::Arc;
@@ -18,12 +18,13 @@ use crate::{
 
 #[wasm_bindgen]
 impl Session {
-    /// The posed places of rest points: points × 3 numbers posed x, posed y, growth of areas. NaN outside the domain.
+    /// The posed positions of rest points: points × 3 numbers posed x, posed y, growth of areas. NaN outside the
+    /// domain.
     ///
-    /// `points` are pairs of coordinates. With a clip as JSON and a time, the handles are posed as there.
+    /// `points` are pairs of coordinates. With a clip as JSON and a time, the clip poses the handles.
     ///
     /// # Errors
-    /// As [`begin`](Self::begin) and [`advance`](Self::advance), and for handles without a pose.
+    /// The errors of [`begin`](Self::begin) and [`advance`](Self::advance), and an error for handles without a pose.
     pub fn map(
         &mut self,
         project_json: &str,
@@ -36,10 +37,10 @@ impl Session {
         Ok(mapped.flat_map(|at| at.map_or([f64::NAN; 3], |at| [at.posed.x, at.posed.y, at.det])).collect())
     }
 
-    /// The rest points that are drawn at places of the warped picture: points × 2. NaN where nothing is drawn.
+    /// The rest points that are drawn at points of the warped picture: points × 2. NaN where nothing is drawn.
     ///
     /// # Errors
-    /// As [`map`](Self::map).
+    /// The errors of [`map`](Self::map).
     pub fn inverse(
         &mut self,
         project_json: &str,
@@ -55,7 +56,7 @@ impl Session {
     /// The mesh in a pose.
     ///
     /// # Errors
-    /// As [`map`](Self::map).
+    /// The errors of [`map`](Self::map).
     pub fn posed_mesh(
         &mut self,
         project_json: &str,
@@ -70,10 +71,10 @@ impl Session {
         })
     }
 
-    /// The weights of sites at rest points. A point outside the domain has none.
+    /// The weights of sites at rest points. A point outside the domain has no weights.
     ///
     /// # Errors
-    /// As [`begin`](Self::begin) and [`advance`](Self::advance).
+    /// The errors of [`begin`](Self::begin) and [`advance`](Self::advance).
     pub fn weights(&mut self, project_json: &str, points: &[f64]) -> Result<PointWeights, JsValue> {
         let project = read(project_json)?;
         let solution = self.try_solve(&project).map_err(|error| to_js(&error))?;
@@ -90,11 +91,11 @@ impl Session {
         Ok(weights)
     }
 
-    /// The intrinsic distances from a place to rest points, in pixels. Infinite where no path leads, NaN outside the
+    /// The intrinsic distances from a point to rest points, in pixels. Infinite where no path exists, NaN outside the
     /// domain.
     ///
     /// # Errors
-    /// As [`weights`](Self::weights), and for a place outside the domain.
+    /// The errors of [`weights`](Self::weights), and an error for a point outside the domain.
     pub fn distances(&mut self, project_json: &str, x: f64, y: f64, points: &[f64]) -> Result<Vec<f64>, JsValue> {
         let navigation = self.solved_as(project_json)?.navigation();
         let distances = navigation.distances_from(DVec2::new(x, y)).map_err(|error| to_js(&error))?;
@@ -102,11 +103,10 @@ impl Session {
         Ok(pairs(points).into_iter().map(|p| to(p).unwrap_or(f64::NAN)).collect())
     }
 
-    /// The shortest path between two places, as the coordinates of its vertices. Empty if no path leads from one to the
-    /// other.
+    /// The shortest path between two points, as the coordinates of its vertices. Empty if no path connects them.
     ///
     /// # Errors
-    /// As [`distances`](Self::distances).
+    /// The errors of [`distances`](Self::distances).
     pub fn path(&mut self, project_json: &str, x: f64, y: f64, to_x: f64, to_y: f64) -> Result<Vec<f64>, JsValue> {
         let navigation = self.solved_as(project_json)?.navigation();
         let distances = navigation.distances_from(DVec2::new(x, y)).map_err(|error| to_js(&error))?;
@@ -142,7 +142,7 @@ pub struct PosedMesh {
 
 #[wasm_bindgen]
 impl PosedMesh {
-    /// Vertices × 2: posed places, in the order of a solution's vertices.
+    /// Vertices × 2: posed positions, in the order of a solution's vertices.
     #[must_use]
     #[wasm_bindgen(getter)]
     pub fn positions(&self) -> Vec<f32> {
@@ -156,7 +156,7 @@ impl PosedMesh {
         self.triangles.clone()
     }
 
-    /// Triangles × 3 vertices: those over the domain that are turned over.
+    /// Triangles × 3 vertices: the flipped triangles over the domain.
     #[must_use]
     #[wasm_bindgen(getter)]
     pub fn folds(&self) -> Vec<u32> {
@@ -164,7 +164,7 @@ impl PosedMesh {
     }
 }
 
-/// Weights above 0 in rows, one row a point. Every getter copies: call each once, then free it.
+/// Weights above 0 in rows, one row per point. Every getter copies: call each once, then free it.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct PointWeights {

@@ -1,7 +1,7 @@
-//! A solved picture in the page: mesh, weights and poser, and every question about a pose.
+//! A solved picture in the page: mesh, weights and poser, and all queries about a pose.
 //!
-//! Everything that crosses the border during a drag is a number or a typed array. Poses have the layout of
-//! `handle_poses`. Points are returned as `[rest x, rest y, posed x, posed y, rotation in degrees, scale]`.
+//! During a drag, only numbers and typed arrays are exchanged with the page. Poses have the layout of `handle_poses`.
+//! Points are returned as `[rest x, rest y, posed x, posed y, rotation in degrees, scale]`.
 
 use c2warp::{
     BorderPiece, Error, deform,
@@ -42,7 +42,7 @@ extern "C" {
     fn poser(this: &PictureArrays) -> Vec<u8>;
 }
 
-/// A picture of one solution, and its present pose. A pose that cannot be made leaves the present one.
+/// A picture of one solution, and its present pose. The present pose remains if a new pose cannot be computed.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct PosedPicture(deform::PosedPicture);
@@ -52,7 +52,7 @@ impl PosedPicture {
     /// Takes the arrays of a solution, the number of its samples, and the solved handles as JSON.
     ///
     /// # Errors
-    /// For arrays that are not parts of one solution.
+    /// For arrays that do not belong to one solution.
     #[wasm_bindgen(constructor)]
     pub fn new(arrays: &PictureArrays, samples: usize, handles_json: &str) -> Result<Self, JsValue> {
         Self::try_new(arrays, samples, handles_json).map_err(|error| to_js(&error))
@@ -64,7 +64,7 @@ impl PosedPicture {
     /// motion is T(p) = posed + [a c; b d] (p − rest).
     ///
     /// # Errors
-    /// For poses that do not fit the solved handles, or cannot be made.
+    /// For poses that do not match the solved handles, or cannot be computed.
     pub fn set_pose(&mut self, poses: &[f64], rigid: bool) -> Result<Vec<f32>, JsValue> {
         let pose = self.0.set_pose(&read(poses)?, blend(rigid)).map_err(|error| to_js(&error))?;
         Ok(pose.packed())
@@ -86,22 +86,22 @@ impl PosedPicture {
         self.0.drawn_triangles().concat()
     }
 
-    /// The point that a rest point is posed at, as six numbers; `undefined` outside the mesh.
+    /// The posed position of a rest point, as six numbers; `undefined` outside the mesh.
     pub fn map(&self, x: f64, y: f64) -> Option<Vec<f64>> {
         self.0.map(DVec2::new(x, y)).map(numbers)
     }
 
-    /// Points × 2: where rest points are posed, or a pair of NaN outside the mesh.
+    /// Points × 2: the posed positions of rest points, or a pair of NaN outside the mesh.
     pub fn map_points(&self, points: &[f64]) -> Vec<f64> {
         flat_or_nan(self.0.map_points(&pairs(points)))
     }
 
-    /// Points × 2: the rest points that are drawn at places, or a pair of NaN beside the picture.
+    /// Points × 2: the rest points that are drawn at given points, or a pair of NaN beside the picture.
     pub fn locate_points(&self, points: &[f64]) -> Vec<f64> {
         flat_or_nan(self.0.locate_points(&pairs(points)))
     }
 
-    /// The posed course of lines at rest, as places no farther apart than `step` at rest. In both arrays, a pair of NaN
+    /// The posed course of lines at rest, as points no farther apart than `step` at rest. In both arrays, a pair of NaN
     /// separates lines.
     pub fn posed_lines(&self, lines: &[f64], step: f64) -> Vec<f32> {
         let places: Vec<DVec2> = lines.as_chunks::<2>().0.iter().copied().map(DVec2::from_array).collect();
@@ -109,29 +109,30 @@ impl PosedPicture {
         flat(self.0.posed_lines(&lines, step).join(&DVec2::NAN).into_iter())
     }
 
-    /// The rest point that is drawn at a place, as six numbers; `undefined` beside the picture.
+    /// The rest point that is drawn at a point, as six numbers; `undefined` beside the picture.
     pub fn locate(&self, x: f64, y: f64) -> Option<Vec<f64>> {
         self.0.locate(DVec2::new(x, y)).map(numbers)
     }
 
     /// The rest points under the corners of a drawing, corners × 2, all on the layer of the first: six numbers each.
-    /// Beside the picture its nearest part continues. `undefined` without triangles.
+    /// Beside the picture, its nearest part is continued. `undefined` without triangles.
     pub fn layer_under(&self, corners: &[f64]) -> Option<Vec<f64>> {
         Some(self.0.layer_under(&pairs(corners))?.into_iter().flat_map(numbers).collect())
     }
 
-    /// Where a handle can be placed, at most `within` away, as six numbers; `undefined` farther away.
+    /// The nearest position for a handle, at most `within` away, as six numbers. Without one, `undefined`.
     pub fn placement(&self, x: f64, y: f64, within: f64) -> Option<Vec<f64>> {
         self.0.placement(DVec2::new(x, y), within).map(numbers)
     }
 
-    /// The box around all places where the present pose draws one part of the picture over another.
+    /// The box around all areas where the present pose draws one part of the picture over another.
     pub fn crossed(&self) -> Option<Vec<f64>> {
         self.0.crossed().map(edges)
     }
 
-    /// How the parts that the `selected` handles move lie to the parts that they cross in the present pose. It must be
-    /// that of `poses`. −1 is behind one of the parts, 0 level with one of them, 1 in front of all.
+    /// The depth of the parts that the `selected` handles move, relative to the parts that they cross in the present
+    /// pose. The present pose must be that of `poses`. −1 is behind one of the parts, 0 level with one of them, 1 in
+    /// front of all.
     ///
     /// # Errors
     /// As for [`set_pose`](Self::set_pose).
@@ -145,7 +146,8 @@ impl PosedPicture {
         })
     }
 
-    /// Rest points × 2: for each 1 if the present pose draws another part of the picture over it, else 0.
+    /// Takes rest points × 2. Returns 1 for each point that the present pose covers with another part of the picture,
+    /// else 0.
     pub fn hidden(&self, rest: &[f64]) -> Vec<u8> {
         self.0.hidden(&pairs(rest)).into_iter().map(u8::from).collect()
     }
@@ -165,7 +167,7 @@ impl PosedPicture {
         self.0.creases().iter().flat_map(|crease| &crease.triangles).flatten().copied().collect()
     }
 
-    /// The number of triangles in the visible creases of any pose; infinite for a pose that cannot be made.
+    /// The number of triangles in the visible creases of a pose; infinite for a pose that cannot be computed.
     ///
     /// # Errors
     /// For a malformed array.
@@ -174,9 +176,9 @@ impl PosedPicture {
         Ok(count.map_or(f64::INFINITY, |count| count as f64))
     }
 
-    /// The farthest poses between two with at most `allowed` triangles in visible creases: the fraction of the way,
-    /// then the poses. `turns` has for each handle its turn at the start and at the end, and 1 if its rotation is a
-    /// number, else 0.
+    /// The farthest pose on the way between two poses that has at most `allowed` triangles in visible creases: the
+    /// fraction of the way, then the poses. `turns` has for each handle its turn at the start and at the end, and 1 if
+    /// its rotation is a number, else 0.
     ///
     /// # Errors
     /// For a malformed array.
@@ -230,8 +232,8 @@ impl PosedPicture {
         Ok(limit_numbers(&self.0.group_fold_limit(&way, blend(rigid), allowed as usize)))
     }
 
-    /// The indices of the handles that force the visible creases of a pose, from the one that forces most. None for a
-    /// pose that cannot be made.
+    /// The indices of the handles that force the visible creases of a pose, from the one that forces most. Empty for a
+    /// pose that cannot be computed.
     ///
     /// # Errors
     /// For a malformed array.
@@ -240,7 +242,8 @@ impl PosedPicture {
         Ok(forcing.into_iter().map(|handle| handle as u32).collect())
     }
 
-    /// The nearest poses without visible creases; `undefined` if there are none. `last` are earlier poses without.
+    /// The nearest poses without visible creases; `undefined` if none are found. `last` are earlier poses without
+    /// creases.
     ///
     /// # Errors
     /// For a malformed array.
@@ -255,7 +258,8 @@ impl PosedPicture {
         }))
     }
 
-    /// Vertices: how far each follows a move of the `selected` handles, by index; 1 moves as far as they do.
+    /// Vertices: how far each vertex follows a move of the `selected` handles, given by index; 1 moves as far as they
+    /// do.
     ///
     /// # Errors
     /// As for [`set_pose`](Self::set_pose).
@@ -264,7 +268,7 @@ impl PosedPicture {
         self.0.reach(&read(poses)?, blend(rigid), &selected, diagonal).map_err(|error| to_js(&error))
     }
 
-    /// Makes the picture as stiff as a project says, as JSON. Later poses are those of a solution of it.
+    /// Sets the stiffness of a project, given as JSON. Later poses equal those of a solution of that project.
     ///
     /// # Errors
     /// Any deviation from the format, with the path of the offending key.
@@ -273,7 +277,7 @@ impl PosedPicture {
         Ok(())
     }
 
-    /// Vertices: how stiff a project makes each, from 0 to 1.
+    /// Vertices: the stiffness of each vertex in a project, from 0 to 1.
     ///
     /// # Errors
     /// As for [`set_stiffness`](Self::set_stiffness).
@@ -282,18 +286,17 @@ impl PosedPicture {
     }
 
     /// Displaces the picture by a grid of control points: two values each, rows from top to bottom. The present pose
-    /// and later ones are those of a solution of a project with this displacement. No column and row, and no value,
-    /// displace nothing.
+    /// and later ones equal those of a solution with this displacement. An empty grid displaces nothing.
     ///
     /// # Errors
-    /// For sides out of range, or another number of values. The picture then stays.
+    /// For sides out of range, or a wrong number of values. The picture then does not change.
     pub fn set_displacement(&mut self, width: u32, height: u32, values: &[i16]) -> Result<(), JsValue> {
         let is_none = width == 0 && height == 0 && values.is_empty();
         let displacement = (!is_none).then(|| Displacement::new(width, height, values.to_vec()));
         self.0.set_displacement(displacement.as_ref()).map_err(|error| to_js(&error))
     }
 
-    /// Vertices × 2: the mesh before the handles pose it, at rest unless it is displaced.
+    /// Vertices × 2: the mesh before the handles pose it. It is at rest unless displaced.
     pub fn displaced_positions(&self) -> Vec<f32> {
         flat(self.0.displaced_vertices().iter().copied())
     }
@@ -303,7 +306,7 @@ impl PosedPicture {
         flat(self.0.displaced_points(&points(rest)).iter().copied())
     }
 
-    /// Vertices: the number of sites that move each.
+    /// Vertices: the number of sites that move each vertex.
     pub fn coverage(&self) -> Vec<u32> {
         self.0.coverage().collect()
     }

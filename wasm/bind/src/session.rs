@@ -1,4 +1,4 @@
-//! Solves in a worker: one picture, and one project after another.
+//! Solves projects for one picture, one after another, in a worker.
 
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ pub struct Session {
     height: u32,
     rgba: Vec<u8>,
     solver: Solver,
-    /// The solve in progress, and that of the solver's solution.
+    /// The solve in progress, and the one that produced the solver's solution.
     solving: Option<Solve>,
     solved: Option<Solve>,
 }
@@ -56,7 +56,7 @@ struct FittedProject<'a> {
 #[derive(Debug, Serialize)]
 struct Suggestion {
     handles: Vec<SuggestedPoint>,
-    /// Whether there is an outline that they follow. Otherwise they are in even rows.
+    /// Whether the handles follow an outline. Otherwise they are in even rows.
     outlined: bool,
 }
 
@@ -78,14 +78,15 @@ impl Session {
     /// Takes a picture: straight RGBA, rows from top to bottom.
     ///
     /// # Errors
-    /// For a size that cannot be warped. The previous picture stays.
+    /// For a size that cannot be warped. The previous picture remains.
     pub fn set_picture(&mut self, width: u32, height: u32, rgba: Vec<u8>) -> Result<(), JsValue> {
         Picture::new(width, height, &rgba).map_err(|error| to_js(&error))?;
         *self = Self { width, height, rgba, ..Self::default() };
         Ok(())
     }
 
-    /// Begins to solve a project and drops a solve in progress. The last solution stays until this solve has finished.
+    /// Begins to solve a project and drops a solve in progress. The last solution remains until this solve has
+    /// finished.
     ///
     /// # Errors
     /// For a project that cannot be solved with this picture.
@@ -97,7 +98,7 @@ impl Session {
     /// Runs the next stage and names it; `undefined` when the solve has finished.
     ///
     /// # Errors
-    /// For handles that cannot be solved. The error ends the solve, and the last solution stays.
+    /// For handles that cannot be solved. The error ends the solve, and the last solution remains.
     pub fn advance(&mut self) -> Result<Option<String>, JsValue> {
         self.try_advance().map(|stage| stage.map(String::from)).map_err(|error| to_js(&error))
     }
@@ -105,7 +106,7 @@ impl Session {
     /// The last solution.
     ///
     /// # Errors
-    /// Before a solve has finished.
+    /// If no solve has finished yet.
     pub fn solution(&self) -> Result<Solution, JsValue> {
         let (Some(Solve { project, ms }), Some(solution)) = (&self.solved, self.solver.solution()) else {
             return Err(with_code("there is no solution yet", "engine"));
@@ -118,7 +119,7 @@ impl Session {
         Ok(Solution::new(solution, json(&report)))
     }
 
-    /// Asks for the fill behind the domain of a project that is solved.
+    /// Begins to fill the background of a solved project.
     ///
     /// # Errors
     /// For a project that breaks the format.
@@ -128,10 +129,11 @@ impl Session {
         Ok(())
     }
 
-    /// Runs the next step of the fill. Returns the part that is done, from 0 to 1; `undefined` when nothing is left.
+    /// Runs the next step of the fill. Returns the completed fraction, from 0 to 1; `undefined` when the fill has
+    /// finished.
     ///
     /// # Errors
-    /// For a domain that covers all of the picture.
+    /// For a domain that covers the whole picture.
     pub fn advance_fill(&mut self) -> Result<Option<f64>, JsValue> {
         let picture = Picture::new(self.width, self.height, &self.rgba);
         picture.and_then(|picture| self.solver.advance_fill(&picture)).map_err(|error| to_js(&error))
@@ -146,10 +148,10 @@ impl Session {
     /// Prepares to draw the warped picture at full quality. Solves first if necessary.
     ///
     /// Its size is that of the picture times `scale`, unless the canvas differs. `pixelated` is for pixel art. With a
-    /// clip as JSON and a time in seconds, the handles are posed as there, along the way from the clip's beginning.
+    /// clip as JSON and a time in seconds, the clip poses the handles, following its path from the beginning.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`], and for a result that is empty or too large.
+    /// The errors of [`Session::begin`] and [`Session::advance`], and one for a result that is empty or too large.
     pub fn draw(
         &mut self,
         project_json: &str,
@@ -165,10 +167,10 @@ impl Session {
     }
 
     /// Prepares to draw the frames of a film of a clip, given as JSON. `rate` is in frames a second. Without `from` and
-    /// `to`, in seconds, the film shows all of the clip. Solves first if necessary.
+    /// `to`, in seconds, the film shows the whole clip. Solves first if necessary.
     ///
     /// # Errors
-    /// As [`draw`](Self::draw). With the code `film` for a rate, a part or a length that no film has.
+    /// The errors of [`draw`](Self::draw), and one with the code `film` for an unsupported rate, part or length.
     #[allow(clippy::too_many_arguments, reason = "wasm-bindgen has no structs of plain values")]
     pub fn film(
         &mut self,
@@ -184,11 +186,11 @@ impl Session {
         self.try_film(project_json, clip_json, film).map_err(|error| to_js(&error))
     }
 
-    /// Grows all frames of a film to hold all that one of them draws, counted from 0. Call it for each frame before any
-    /// of them is drawn.
+    /// Grows all frames of a film to hold everything that the given frame draws, counted from 0. Call it for each frame
+    /// before drawing any.
     ///
     /// # Errors
-    /// As [`frame`](Self::frame), and if the frames would be too large.
+    /// The errors of [`frame`](Self::frame), and one for frames that would be too large.
     pub fn include(&self, filming: &mut Filming, frame: u32) -> Result<(), JsValue> {
         let picture = Picture::new(self.width, self.height, &self.rgba);
         of_frame(picture.and_then(|picture| filming.include(&picture, frame).transpose()))
@@ -197,7 +199,7 @@ impl Session {
     /// Prepares to draw a frame of a film, counted from 0.
     ///
     /// # Errors
-    /// If there is no such frame, or its handles have no pose.
+    /// If the frame is out of range, or its handles have no pose.
     pub fn frame(&self, filming: &mut Filming, frame: u32) -> Result<Drawing, JsValue> {
         let picture = Picture::new(self.width, self.height, &self.rgba);
         of_frame(picture.and_then(|picture| filming.drawing(&picture, frame).transpose())).map(Drawing::from)
@@ -209,10 +211,10 @@ impl Session {
     /// If the rows do not exist.
     pub fn rows(&self, drawing: &Drawing, from: u32, to: u32) -> Result<Vec<u8>, JsValue> {
         let picture = Picture::new(self.width, self.height, &self.rgba).map_err(|error| to_js(&error))?;
-        drawing.rows(&picture, from..to).ok_or_else(|| with_code("there are no such rows", "engine"))
+        drawing.rows(&picture, from..to).ok_or_else(|| with_code("the rows are out of range", "engine"))
     }
 
-    /// Prepares to draw all of the picture at the scale of a film, which has the colours of all its frames.
+    /// Prepares to draw the whole picture at the scale of a film, which has the colours of all its frames.
     ///
     /// # Errors
     /// Without a picture.
@@ -222,19 +224,19 @@ impl Session {
         drawing.map(Drawing::from).map_err(|error| to_js(&error))
     }
 
-    /// A project that was made for another picture, fitted to this one: the JSON of `FittedProject`.
+    /// A project for another picture, fitted to this one, as the JSON of `FittedProject`.
     ///
-    /// With the project's own picture in straight RGBA, the outlines of both are lined up, if both have transparency.
-    /// Otherwise the rectangle of its picture is stretched onto this one.
+    /// With the project's own picture in straight RGBA, the outlines of both are aligned, if both have transparency.
+    /// Otherwise the rectangle of its picture is stretched to this one.
     ///
     /// # Errors
-    /// Those of `c2warp::fit`.
+    /// The errors of `c2warp::fit`.
     #[allow(clippy::needless_pass_by_value, reason = "wasm-bindgen takes no optional slices")]
     pub fn fit(&self, project_json: &str, own_rgba: Option<Vec<u8>>) -> Result<String, JsValue> {
         self.try_fit(project_json, own_rgba.as_deref()).map_err(|error| to_js(&error))
     }
 
-    /// Point handles where an animator would begin, beside those of the project: the JSON of `Suggestion`.
+    /// Point handles where an animator would begin, in addition to those of the project, as the JSON of `Suggestion`.
     ///
     /// # Errors
     /// For a project without a domain in this picture.
@@ -245,7 +247,7 @@ impl Session {
     /// The borders between the cells of a project's solution. Solves first if necessary.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`].
+    /// The errors of [`Session::begin`] and [`Session::advance`].
     pub fn cell_borders(&mut self, project_json: &str) -> Result<CellBorders, JsValue> {
         self.solved_as(project_json).map(|solution| solution.cell_borders().into())
     }
@@ -253,7 +255,7 @@ impl Session {
     /// A project's solution, explained as the JSON of `Study`. Solves first if necessary.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`].
+    /// The errors of [`Session::begin`] and [`Session::advance`].
     pub fn study(&mut self, project_json: &str) -> Result<String, JsValue> {
         self.solved_as(project_json).map(|solution| json(&solution.study()))
     }
@@ -262,7 +264,7 @@ impl Session {
     /// necessary.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`].
+    /// The errors of [`Session::begin`] and [`Session::advance`].
     pub fn lens(&mut self, project_json: &str, x: f64, y: f64) -> Result<Option<String>, JsValue> {
         self.solved_as(project_json).map(|solution| solution.lens(DVec2::new(x, y)).map(|lens| json(&lens)))
     }
@@ -335,7 +337,7 @@ impl Session {
         solution.drawing(&Picture::new(self.width, self.height, &self.rgba)?, &pose, options)
     }
 
-    /// The solution of a project and its pose, at a moment of a clip if there is one.
+    /// The solution of a project and its pose, at a moment of a clip if one is given.
     pub(crate) fn try_pose(
         &mut self,
         project: &Project,
@@ -362,7 +364,7 @@ impl Session {
         Ok(Filming::new(solution, &project, clip, times, options, [width, height]))
     }
 
-    /// As [`try_solve`](Self::try_solve), with the fill behind the domain.
+    /// Like [`try_solve`](Self::try_solve), with the fill behind the domain.
     fn try_solve_filled(&mut self, project: &Project) -> Result<(), Error> {
         self.try_solve(project)?;
         self.solver.begin_fill(project);
@@ -371,7 +373,7 @@ impl Session {
         Ok(())
     }
 
-    /// The solution of a project. The last one is used again if it fits.
+    /// The solution of a project. The last solution is reused if it fits.
     pub(crate) fn try_solve(&mut self, project: &Project) -> Result<&c2warp::Solution, Error> {
         if !self.solver.has_solved(project) {
             self.try_begin(project.clone())?;
@@ -381,11 +383,11 @@ impl Session {
     }
 }
 
-/// An answer about a frame, if there is one.
+/// Returns the result for a frame, or an error if the frame is out of range.
 fn of_frame<T>(answer: Result<Option<T>, Error>) -> Result<T, JsValue> {
     match answer {
         Ok(Some(answer)) => Ok(answer),
-        Ok(None) => Err(with_code("there is no such frame", "engine")),
+        Ok(None) => Err(with_code("the frame is out of range", "engine")),
         Err(error) => Err(to_js(&error)),
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec2;
 use wasm_bindgen::prelude::*;
 
-/// The arrays that the page draws and poses with. Every getter copies: call each once, then free the solution.
+/// The arrays that the page uses for drawing and posing. Every getter copies: call each once, then free the solution.
 #[wasm_bindgen(inspectable)]
 #[derive(Debug)]
 pub struct Solution {
@@ -54,7 +54,7 @@ fn flat(points: impl Iterator<Item = [f64; 2]>) -> Vec<f32> {
 
 #[wasm_bindgen]
 impl Solution {
-    /// Vertices × 2: rest places in image pixels, the samples first, then the skirt.
+    /// Vertices × 2: rest positions in image pixels, the samples first, then the skirt.
     #[wasm_bindgen(getter)]
     pub fn positions(&self) -> Vec<f32> {
         self.positions.clone()
@@ -84,13 +84,13 @@ impl Solution {
         self.feather_positions.clone()
     }
 
-    /// The vertex of the mesh that each vertex of the feather moves with.
+    /// For each vertex of the feather, the vertex of the mesh that it follows.
     #[wasm_bindgen(getter)]
     pub fn feather_owners(&self) -> Vec<u32> {
         self.feather_owners.clone()
     }
 
-    /// The level of each vertex of the feather, from which its opacity follows.
+    /// The level of each vertex of the feather, which determines its opacity.
     #[wasm_bindgen(getter)]
     pub fn feather_levels(&self) -> Vec<f32> {
         self.feather_levels.clone()
@@ -120,7 +120,7 @@ impl Solution {
         self.weights.clone()
     }
 
-    /// Sites × 2: rest places in image pixels.
+    /// Sites × 2: rest positions in image pixels.
     #[wasm_bindgen(getter)]
     pub fn site_rest(&self) -> Vec<f64> {
         self.site_rest.clone()

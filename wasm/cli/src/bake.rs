@@ -7,6 +7,7 @@ use image::codecs::webp::WebPEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
 use crate::error::CliError;
+use crate::output::Output;
 use crate::picture::PictureFile;
 use crate::progress;
 use crate::project::{InputFiles, LoadedProject};
@@ -21,7 +22,7 @@ pub(crate) struct Arguments {
     /// The output file, or - for standard output
     #[arg(short, long, value_name = "OUT.c2rig")]
     output: PathBuf,
-    /// Readers may pose the handles in the rigid mode, too. The file grows by some 100 kB
+    /// Let readers pose the handles in the rigid mode, too. The file grows by about 100 kB
     #[arg(long)]
     posable: bool,
 }
@@ -31,12 +32,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let picture = loaded.picture()?;
     let (width, height) = (picture.width(), picture.height());
     check_is_no_picture(&arguments.output)?;
-    let output = loaded.output(&arguments.output)?;
+    let output = Output::open(&arguments.output)?;
     let solution = loaded.solve()?;
     let picture = RigPicture { width, height, file: smaller(loaded.picture_file()) };
     let posable = if arguments.posable { Posable::Always } else { Posable::WithoutSolver };
-    let mut tell = |part: f64| progress::show(&format!("baking {:.0} %", 100.0 * part));
-    let rig = Rig::bake_telling(&loaded.project, &solution, picture, posable, &mut tell)
+    let mut on_progress = |part: f64| progress::show(&format!("baking {:.0} %", 100.0 * part));
+    let rig = Rig::bake_with_progress(&loaded.project, &solution, picture, posable, &mut on_progress)
         .map_err(|reason| loaded.not_baked(reason))?;
     let file = rig.to_bytes().map_err(|reason| loaded.not_baked(reason))?;
     output.write(|writer| writer.write_all(&file))

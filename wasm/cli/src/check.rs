@@ -1,17 +1,17 @@
 //! `c2warp check`: the problems of a project, all at once.
 //!
-//! A part of the project with an error is reported and left out, so that the rest is checked as well.
+//! Parts of the project with errors are reported and left out, so the rest is checked as well.
 
 use c2warp::deform::Pose;
 use c2warp::project::{Clip, Displacement, LooseParts, Project, ProjectError};
-use c2warp::{Error, Solution, Solver};
+use c2warp::{DisplayName, Error, Solution, Solver};
 use serde_json::{Value, json};
 
 use crate::error::{CliError, one_line};
 use crate::output;
 use crate::project::{InputFiles, LoadedProject, ProjectFile, remark};
 
-/// More errors than these are hardly read at once.
+/// Further errors are not reported: few people would read more at once.
 const MOST: usize = 100;
 /// Times of a clip that are checked for folds.
 const MOST_KEYS: usize = 200;
@@ -47,7 +47,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     }
 }
 
-/// A problem, and the key of the project that it is about, if any.
+/// A problem, and the key of the project that it concerns, if any.
 struct Problem {
     is_error: bool,
     path: String,
@@ -63,7 +63,7 @@ struct Problems {
 }
 
 impl Problems {
-    /// Reads a project. Returns what is left of it without the parts that are refused, if that is a project.
+    /// Reads a project. Returns the project without its rejected parts, if that is a valid project.
     fn read(&mut self, text: &str) -> Option<Project> {
         let mut text = text.to_owned();
         let mut left_out = LeftOut::default();
@@ -86,7 +86,7 @@ impl Problems {
         }
     }
 
-    /// Solves a project, without the handles that are refused.
+    /// Solves a project, without rejected handles.
     fn solve(&mut self, loaded: &mut LoadedProject) -> Result<(), CliError> {
         let mut solver = Solver::new();
         while let Err(reason) = loaded.solve_stages(&mut solver, &loaded.picture()?) {
@@ -115,7 +115,7 @@ impl Problems {
         Ok(())
     }
 
-    /// Warns of what can be solved, but looks wrong.
+    /// Warns about content that can be solved but is probably unintended.
     fn warn(&mut self, loaded: &LoadedProject, solution: &Solution, pose: &Pose) {
         let Project { clips, handles, loose_parts, displacement, .. } = &loaded.project;
         let domain = solution.domain();
@@ -126,7 +126,7 @@ impl Problems {
         if handles.is_empty() {
             // A displaced picture moves without them.
             if displacement.as_ref().is_none_or(Displacement::is_zero) {
-                self.warning("handles", "no-handles", "there are no handles: nothing moves".to_owned());
+                self.warning("handles", "no-handles", "the project has no handles: nothing moves".to_owned());
             }
         } else if report.loose_islands > 0 && *loose_parts == LooseParts::Stay {
             let parts = numbered(report.loose_islands, "part of the picture has", "parts of the picture have");
@@ -136,8 +136,10 @@ impl Problems {
             let at = handles.iter().position(|handle| handle.id == part.handle);
             let path = at.map(|at| format!("handles[{}].rest", self.handles[at])).unwrap_or_default();
             let (from, to) = (part.from, part.to);
-            let message =
-                format!("“{}” lies outside the domain from {from} to {to}: it moves nothing there", part.handle);
+            let message = format!(
+                "“{}” lies outside the domain from {from} to {to}: it moves nothing there",
+                DisplayName(&part.handle)
+            );
             self.warning(&path, "outside", message);
         }
         if report.folded_triangles > 0 {
@@ -151,8 +153,10 @@ impl Problems {
         for (at, clip) in clips.iter().enumerate() {
             if let Some((time, folded)) = most_folded(clip, loaded, solution) {
                 let folds = numbered(folded, "triangle", "triangles");
-                let message =
-                    format!("clip “{}” turns {folds} of the mesh over at {time} s: the picture folds there", clip.name);
+                let message = format!(
+                    "clip “{}” turns {folds} of the mesh over at {time} s: the picture folds there",
+                    DisplayName(&clip.name)
+                );
                 self.warning(&format!("clips[{at}]"), "folds", message);
             }
         }
@@ -188,10 +192,10 @@ impl Problems {
     }
 }
 
-/// The parts of a project that were left out, so that what is left can be named as in the file.
+/// The parts of a project that were left out. They map the remaining parts to their paths in the file.
 #[derive(Default)]
 struct LeftOut {
-    /// The index in the file of each handle that is left; empty as long as all are there.
+    /// The index in the file of each remaining handle; empty while no handle is left out.
     handles: Option<Vec<usize>>,
     clips: Option<Vec<usize>>,
 }
@@ -201,7 +205,7 @@ impl LeftOut {
         if name == "handles" { &mut self.handles } else { &mut self.clips }
     }
 
-    /// The indices in the file of `count` items that are left.
+    /// The indices in the file of the `count` remaining items.
     fn indices(&mut self, name: &str, count: usize) -> Vec<usize> {
         self.list(name).clone().unwrap_or_else(|| (0..count).collect())
     }
@@ -243,7 +247,7 @@ fn item(path: &str) -> Option<(&'static str, usize, &str)> {
     })
 }
 
-/// The handle that has to change, if an error is about handles. Of two, the second.
+/// The handle that must change, if an error is about handles. If it names two, the second.
 fn refused_handle(reason: &Error) -> Option<&str> {
     match reason {
         Error::HandleOutside { id, .. }
@@ -257,7 +261,7 @@ fn refused_handle(reason: &Error) -> Option<&str> {
     }
 }
 
-/// The key of a clip at which the picture folds most: its time, and the number of triangles.
+/// The key of a clip at which the picture folds most: its time, and the number of folded triangles.
 fn most_folded(clip: &Clip, loaded: &LoadedProject, solution: &Solution) -> Option<(f64, usize)> {
     let mut times: Vec<f64> = clip.tracks.iter().flat_map(|track| &track.keys).map(|key| key.time).collect();
     times.sort_by(f64::total_cmp);
@@ -272,7 +276,7 @@ fn most_folded(clip: &Clip, loaded: &LoadedProject, solution: &Solution) -> Opti
     most.filter(|&(_, folded)| folded > 0)
 }
 
-/// A number with the word for one or for several.
+/// A number with a noun in the singular or plural.
 fn numbered(count: usize, one: &str, several: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { several })
 }

@@ -1,11 +1,11 @@
-//! `c2warp completions`: a script by which a shell completes the command line.
+//! `c2warp completions`: a script that lets a shell complete the command line.
 
 use clap_complete::Shell;
 
 use crate::error::CliError;
 use crate::output;
 
-/// Prints a script by which a shell completes commands and options
+/// Prints a script that lets a shell complete commands and options
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example: completions for bash, in each new shell of this user\n  \
                         c2warp completions bash > ~/.local/share/bash-completion/completions/c2warp")]

@@ -6,12 +6,13 @@ use c2warp_maps::decimal;
 use glam::DVec2;
 
 use crate::error::CliError;
+use crate::output::Output;
 use crate::points;
 use crate::project::{InputFiles, LoadedProject};
 
 /// Writes the intrinsic distances from one point to others, as rows x,y,distance
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: the way from one point to others, inside the picture\n  \
+#[command(after_help = "Example: distances from one point to others, measured inside the picture\n  \
                         c2warp distance cat.c2warp.json --from 90,120 --at points.csv -o distances.csv")]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -30,7 +31,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let points = points::read(&arguments.at)?;
     let loaded = LoadedProject::open(&arguments.files)?;
-    let output = loaded.output(&arguments.output)?;
+    let output = Output::open(&arguments.output)?;
     let distances = c2warp::distances(&loaded.project, &loaded.picture()?, arguments.from, &points)
         .map_err(|reason| loaded.refused(reason))?;
     output.write_table(|table| {

@@ -7,12 +7,12 @@ use c2warp_export::{EngineRig, Errors, ExportError, Format, KEY_TOLERANCE_PX, Op
 use serde_json::{Value, json};
 
 use crate::error::CliError;
-use crate::output;
+use crate::output::{self, Output};
 use crate::png_file::encode_png;
 use crate::progress;
 use crate::project::{InputFiles, LoadedProject};
 
-/// Writes the picture and its clips as a rig for a game engine, and prints the loss of the rig
+/// Writes the picture and its clips as a rig for a game engine, and prints how far the rig differs from the project
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example: a rig for Spine with 40 bones, as cat.spine.json, cat.atlas and cat.png\n  \
                         c2warp export cat.c2warp.json -o rigs/cat.spine.json --bones 40")]
@@ -23,16 +23,16 @@ pub(crate) struct Arguments {
     /// the picture are written beside it, except for glTF
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
-    /// The most bones besides the root, up to 255
+    /// The maximum number of bones besides the root: at least one for each handle, at most 255
     #[arg(long, value_name = "N", default_value_t = Options::default().bones as f64, allow_negative_numbers = true)]
     bones: f64,
-    /// The most bones that move a vertex. Godot and most engines have 4
+    /// The maximum number of bones that move a vertex. Godot and most engines support 4
     #[arg(long, value_name = "N", default_value_t = Options::default().influences as f64, allow_negative_numbers = true)]
     influences: f64,
-    /// The most vertices
+    /// The maximum number of vertices
     #[arg(long, value_name = "N", default_value_t = Options::default().vertices as f64, allow_negative_numbers = true)]
     vertices: f64,
-    /// Print the loss as one JSON object instead of a table
+    /// Print the differences as one JSON object instead of a table
     #[arg(long)]
     json: bool,
 }
@@ -49,18 +49,19 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     };
     options.check(format).map_err(|reason| CliError::Export(Box::new(reason)))?;
     let loaded = LoadedProject::open(&arguments.files)?;
+    let refused =
+        |reason: ExportError| CliError::NotExported { path: loaded.path().to_owned(), reason: Box::new(reason) };
+    options.check_handles(&loaded.project).map_err(refused)?;
     let picture = loaded.picture()?;
     let beside = |ending: &str| path.with_file_name(format!("{stem}{ending}"));
     let endings = [format.ending()].into_iter().chain(format.other_endings().iter().copied());
-    let outputs = endings.map(|ending| loaded.output(&beside(ending))).collect::<Result<Vec<_>, _>>()?;
+    let outputs = endings.map(|ending| Output::open(&beside(ending))).collect::<Result<Vec<_>, _>>()?;
     // The project's own picture is used as it is.
     let picture_path = format.picture_ending().map(beside).filter(|path| !loaded.is_picture(path));
-    let picture_output = picture_path.map(|path| loaded.output(&path)).transpose()?;
+    let picture_output = picture_path.map(|path| Output::open(&path)).transpose()?;
 
     let solution = loaded.solve()?;
     progress::show("fitting bones and weights");
-    let refused =
-        |reason: ExportError| CliError::NotExported { path: loaded.path().to_owned(), reason: Box::new(reason) };
     let rig = EngineRig::new(stem, &loaded.project, &solution, &picture, options).map_err(refused)?;
     let profile = loaded.picture_file().profile.as_deref();
     let size = [picture.width(), picture.height()];
@@ -86,7 +87,7 @@ fn whole(option: &'static str, number: f64) -> Result<usize, CliError> {
     }
 }
 
-/// The loss of a rig for other programs.
+/// The loss of a rig as JSON.
 fn report(rig: &EngineRig) -> Value {
     let ((bones, sites), (vertices, triangles), loss) = (rig.bones(), rig.size(), rig.loss());
     let errors = |Errors { largest, percentile_99, mean }: &Errors| json!({ "largest": largest, "percentile_99": percentile_99, "mean": mean });
@@ -110,7 +111,7 @@ fn report(rig: &EngineRig) -> Value {
     })
 }
 
-/// The loss of a rig for people.
+/// The loss of a rig as a table.
 fn table(rig: &EngineRig) -> String {
     let ((bones, sites), (vertices, triangles), loss) = (rig.bones(), rig.size(), rig.loss());
     let line = |name: &str, Errors { largest, percentile_99, mean }: &Errors| {

@@ -45,7 +45,7 @@ fn inspect(loaded: &LoadedProject) -> Result<Inspection, CliError> {
     Ok(Inspection { report: solution.report(&pose), ms })
 }
 
-/// Returns one line per value: its key in words, then the value.
+/// Returns one line per value: its key with spaces, then the value.
 fn lines(name: &str, value: &Value) -> String {
     if let Value::Object(entries) = value {
         return entries.iter().map(|(key, value)| lines(format!("{name} {key}").trim(), value)).collect();

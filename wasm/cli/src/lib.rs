@@ -11,15 +11,18 @@ mod completions;
 mod distance;
 mod error;
 mod export;
+mod files;
 mod fitting;
 mod input;
 mod inspect;
 mod man;
 mod map;
 mod maps;
+mod memory;
 mod new;
 mod output;
 mod picture;
+mod png_chunks;
 mod png_file;
 mod points;
 mod posed_drawing;
@@ -28,6 +31,7 @@ mod project;
 mod schema;
 mod shapes;
 mod shared;
+mod signals;
 mod warp;
 mod weights;
 mod workers;
@@ -39,6 +43,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use error::CliError;
+#[doc(hidden)]
+pub use memory::Memory;
 
 #[derive(Parser)]
 #[command(name = "c2warp", version, about = "Warps pictures with handles, and reports weights, maps and distances")]
@@ -65,7 +71,7 @@ enum Command {
     Man(man::Arguments),
 }
 
-/// The definition of the command line, for whoever describes it.
+/// The definition of the command line, for programs that describe it.
 fn definition() -> clap::Command {
     Arguments::command()
 }
@@ -74,12 +80,14 @@ fn definition() -> clap::Command {
 #[must_use]
 pub fn run() -> ExitCode {
     enter_folder();
+    error::print_panics();
+    signals::begin();
     let command = Arguments::parse().command;
     progress::begin();
     let result = match command {
         Command::New(arguments) => new::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
-        Command::Warp(arguments) => warp::run(&arguments),
+        Command::Warp(arguments) => warp::run(arguments),
         Command::Animate(arguments) => animate::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Weights(arguments) => weights::run(&arguments),
@@ -99,24 +107,24 @@ pub fn run() -> ExitCode {
         Err(CliError::Print(reason) | CliError::Write { reason, .. }) if reason.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
-        Err(CliError::Told) => ExitCode::FAILURE,
+        Err(CliError::Reported) => ExitCode::FAILURE,
         Err(error) => {
-            error::tell(error);
+            error::print(error);
             ExitCode::FAILURE
         }
     }
 }
 
-/// Reads the bytes of a picture file as the command does: for tests of damaged files.
+/// Reads the bytes of a picture file as the command does, for tests of damaged files.
 ///
 /// # Errors
-/// The line that the command prints.
+/// The line that the command would print.
 #[doc(hidden)]
 pub fn read_picture(bytes: &[u8]) -> Result<image::RgbaImage, String> {
     picture::read_from(bytes, Path::new("picture"), None).map(|file| file.pixels).map_err(|error| error.to_string())
 }
 
-/// As WebAssembly, the program starts in the root folder. Relative paths begin at the caller's.
+/// As WebAssembly, the program starts in the root folder. Relative paths are relative to the caller's folder.
 fn enter_folder() {
     if cfg!(target_os = "wasi")
         && let Some(folder) = std::env::var_os("PWD")

@@ -1,5 +1,5 @@
 //! `c2warp map`: the posed positions of points with the Jacobian determinant there, or the inverse map. Shapes and
-//! landmarks in JSON come out in the form that they came in.
+//! landmarks in JSON keep their format.
 
 use std::path::PathBuf;
 
@@ -10,14 +10,14 @@ use glam::DVec2;
 
 use crate::error::CliError;
 use crate::input;
-use crate::output::Table;
+use crate::output::{Output, Table};
 use crate::points;
 use crate::project::{InputFiles, LoadedProject};
 use crate::shapes::Shapes;
 
-/// Writes the posed positions of points, as rows x,y,posed_x,posed_y,det, or in the JSON that they came in
+/// Writes the posed positions of points, as rows x,y,posed_x,posed_y,det, or in the JSON format of the input
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: the places that points of a table move to\n  \
+#[command(after_help = "Example: the positions that the points of a table move to\n  \
                         c2warp map cat.c2warp.json --at points.csv -o moved.csv")]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -28,8 +28,8 @@ pub(crate) struct Arguments {
     /// The output file, or - for standard output. det is the Jacobian determinant. Cells are empty outside the domain
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
-    /// Invert the map: the points are points of the warped picture. The rows are x,y,rest_x,rest_y with the point of
-    /// the picture drawn there. Cells are empty where nothing is drawn
+    /// Invert the map: the points lie in the warped picture. The rows are x,y,rest_x,rest_y with the point of the
+    /// picture drawn there. Cells are empty where nothing is drawn
     #[arg(long)]
     inverse: bool,
 }
@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     }
     let points = points::parse_csv(&bytes, path)?;
     let loaded = LoadedProject::open(&arguments.files)?;
-    let output = loaded.output(&arguments.output)?;
+    let output = Output::open(&arguments.output)?;
     let solution = loaded.solve()?;
     let pose = loaded.pose(&solution)?;
     output.write_table(|table| match arguments.inverse {
@@ -51,12 +51,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     })
 }
 
-/// Maps the points of a JSON file. Around the domain they move with its outline.
+/// Maps the points of a JSON file. Points around the domain move with its outline.
 fn map_shapes(arguments: &Arguments, shapes: Shapes) -> Result<(), CliError> {
     let refused = |reason| CliError::Shapes { path: arguments.at.clone(), reason };
     let points = shapes.points().map_err(refused)?;
     let loaded = LoadedProject::open(&arguments.files)?;
-    let output = loaded.output(&arguments.output)?;
+    let output = Output::open(&arguments.output)?;
     let solution = loaded.solve()?;
     let pose = loaded.pose(&solution)?;
     let places = if arguments.inverse {

@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 use c2warp_maps::{Map, MapFormat, Maps};
 
 use crate::error::CliError;
-use crate::output::{Output, is_standard_output};
+use crate::files::is_standard_output;
+use crate::output::Output;
 use crate::posed_drawing::PosedDrawing;
 use crate::project::{InputFiles, LoadedProject};
 
 /// Writes maps of the warp for compositors, and masks, each as OpenEXR (.exr, 32-bit floats) or PNG (.png, 16 bits)
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: bend a plate in Nuke as the picture is bent\n  \
+#[command(after_help = "Example: maps that bend a plate in Nuke like the picture\n  \
                         c2warp maps cat.c2warp.json --inverse cat-inverse.exr --stretch cat-stretch.png")]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -26,19 +27,19 @@ pub(crate) struct Arguments {
 #[derive(Debug, clap::Args)]
 #[group(required = true, multiple = true)]
 struct Outputs {
-    /// For each pixel of the warped picture, the place of the picture that it shows. An ST map bends other pictures by
-    /// it. Red is u to the right and green is v upwards, from 0 to 1. Blue is the growth of areas, in OpenEXR. Alpha is
-    /// the coverage
+    /// For each pixel of the warped picture, the position in the picture that it shows. Compositors use this ST map to
+    /// bend other pictures. Red is u to the right and green is v upwards, from 0 to 1. Blue is the growth of areas, in
+    /// OpenEXR. Alpha is the coverage
     #[arg(long, value_name = "OUT")]
     inverse: Option<PathBuf>,
-    /// For each pixel of the picture, its place in the warped picture. An ST map takes the warp back by it
+    /// For each pixel of the picture, its position in the warped picture. Compositors use this ST map to undo the warp
     #[arg(long, value_name = "OUT")]
     forward: Option<PathBuf>,
     /// How areas and lengths grow at each pixel of the warped picture: red is the growth of areas, green and blue are
     /// the greatest and the least growth of lengths
     #[arg(long, value_name = "OUT")]
     stretch: Option<PathBuf>,
-    /// What the warp uncovers, in red, and covers anew, in green
+    /// The areas that the warp uncovers, in red, and those that it covers, in green
     #[arg(long, value_name = "OUT")]
     disocclusion: Option<PathBuf>,
 }
@@ -61,14 +62,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let formats = paths.iter().map(|&(_, path)| format(path)).collect::<Result<Vec<_>, _>>()?;
     let loaded = LoadedProject::open(&arguments.files)?;
     arguments.drawing.check(&loaded)?;
-    let mut outputs: Vec<Output> = Vec::new();
-    for &(_, path) in &paths {
-        let output = loaded.output(path)?;
-        if outputs.iter().any(|other| output.is_same(other)) {
-            return Err(CliError::SameMap { path: path.to_owned() });
-        }
-        outputs.push(output);
-    }
+    let outputs = paths.iter().map(|&(_, path)| Output::open(path)).collect::<Result<Vec<_>, _>>()?;
 
     let (solution, picture) = (loaded.solve()?, loaded.picture()?);
     let pose = arguments.drawing.pose(&loaded, &solution)?;
@@ -83,7 +77,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     arguments.drawing.print_origin(drawing.extent().origin.map(f64::from), paths.iter().map(|&(_, path)| path))
 }
 
-/// The format of an output. A stream takes OpenEXR.
+/// The format of an output. Streams use OpenEXR.
 fn format(path: &Path) -> Result<MapFormat, CliError> {
     if is_standard_output(path) {
         return Ok(MapFormat::Exr);

@@ -10,12 +10,13 @@ use c2warp::{Picture, Solver};
 use glam::DVec2;
 
 use crate::error::{self, CliError};
-use crate::output::{self, Output, is_same_file};
+use crate::files;
+use crate::output::Output;
 use crate::points;
 use crate::project::remark;
 use crate::{carried, picture};
 
-/// The most handles to suggest. More of them stand in the way of each other.
+/// Maximum number of suggested handles. More handles would hinder each other.
 const MOST: u16 = 100;
 
 /// Makes a project for a picture, with the handles at given points or with suggested ones
@@ -27,7 +28,7 @@ pub(crate) struct Arguments {
     picture: PathBuf,
     #[command(flatten)]
     handles: Handles,
-    /// The project file, or - for standard output. If left out, it is beside the picture: cat.c2warp.json for cat.png
+    /// The project file, or - for standard output. The default is beside the picture: cat.c2warp.json for cat.png
     #[arg(short, long, value_name = "OUT.c2warp.json")]
     output: Option<PathBuf>,
     /// Replace an existing project file
@@ -41,8 +42,8 @@ struct Handles {
     /// Points for handles, in pixels from the upper left corner
     #[arg(long, value_name = "X,Y", num_args = 1.., value_parser = points::parse)]
     handles: Option<Vec<DVec2>>,
-    /// Suggest handles: at the ends of limbs, at necks and bends, and in the middle. 5 to 12 of them, or N if that many
-    /// have room. A picture without transparency gets even rows
+    /// Suggest handles: at the ends of limbs, at necks and bends, and in the middle. Suggests 5 to 12 handles, or N if
+    /// there is room. A picture without transparency gets even rows
     #[arg(long, value_name = "N", num_args = 0..=1, value_parser = clap::value_parser!(u16).range(1..=i64::from(MOST)))]
     suggest: Option<Option<u16>>,
 }
@@ -57,11 +58,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         None if path == Path::new("-") => PathBuf::from("-"),
         None => path.with_extension("c2warp.json"),
     };
-    if !arguments.force && !output::is_standard_output(&target) && target.is_file() {
+    if !arguments.force && !files::is_standard_output(&target) && target.is_file() {
         return Err(CliError::Exists { path: target });
-    }
-    if is_same_file(&target, path) {
-        return Err(CliError::NewOverPicture { path: target });
     }
     let output = Output::open(&target)?;
     let mut project = Project::new(ImageRef::new(source(path, &target), width, height));
@@ -81,7 +79,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     output.write(|writer| writer.write_all(project.to_json().as_bytes()))
 }
 
-/// Suggests handles. Tells on standard error if the picture has no outline to follow closely.
+/// Suggests handles. Reports on standard error if the picture has no outline to follow closely.
 fn suggested(
     project: &Project,
     picture: &Picture<'_>,
@@ -93,19 +91,19 @@ fn suggested(
     let is_spread = suggested.iter().all(|handle| handle.role == SuggestedRole::Spread);
     let no_outline = || "the picture has no outline to follow, so the handles are in even rows".to_owned();
     if let Some(remark) = remark(&domain).or_else(|| is_spread.then(no_outline)) {
-        error::tell(format_args!("{}: {remark}", path.display()));
+        error::print(format_args!("{}: {remark}", path.display()));
     }
     Ok(suggested.into_iter().map(|handle| Handle::point(handle.id, handle.rest)).collect())
 }
 
-/// Refuses handles that could not be solved: outside the domain, or too close to each other.
+/// Rejects handles that cannot be solved: outside the domain, or too close to each other.
 fn check(project: &Project, picture: &Picture<'_>) -> Result<(), c2warp::Error> {
     let mut solver = Solver::new();
     solver.begin(project, picture)?;
     solver.advance().map(|_| ())
 }
 
-/// The address of the picture, relative to the project file. A picture from standard input has none.
+/// The address of the picture, relative to the project file. A picture from standard input has no address.
 fn source(picture: &Path, project: &Path) -> String {
     if picture == Path::new("-") {
         return String::new();
@@ -115,7 +113,7 @@ fn source(picture: &Path, project: &Path) -> String {
         fs::canonicalize(parent).ok()
     };
     // A project on standard output is looked up in the current folder.
-    let project = if output::is_standard_output(project) { Path::new("project") } else { project };
+    let project = if files::is_standard_output(project) { Path::new("project") } else { project };
     let relative = folder(picture).zip(folder(project)).zip(picture.file_name());
     let path = relative.map(|((picture, project), name)| from_folder(&project, &picture.join(name)));
     let path = path.unwrap_or_else(|| picture.to_owned());

@@ -1,44 +1,45 @@
 //! Outputs: a file that appears complete or not at all, or a stream.
 
 use std::fs::{self, File, OpenOptions, Permissions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::TempPath;
 
 use crate::error::CliError;
-use crate::progress;
-
-/// The names of standard output. It is never replaced by a new file, because other programs may write to it as well.
-const STANDARD_OUTPUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+use crate::files::{self, Identity, is_standard_output};
+use crate::{progress, signals};
 
 /// A CSV writer for an output.
 pub(crate) type Table<'a> = csv::Writer<&'a mut dyn Write>;
 
-/// An output that is checked before the work starts. So a path that cannot be written is reported at once.
+/// An output that is checked before the work starts, so that an unwritable path is reported at once.
+#[derive(Debug)]
 pub(crate) struct Output {
     path: PathBuf,
     target: Target,
 }
 
+#[derive(Debug)]
 enum Target {
-    Stream(Box<dyn Write>),
+    Stream(Stream),
     File(Replacement),
 }
 
-impl Output {
-    /// Opens a stream, or checks that a file can be written.
-    pub(crate) fn open(path: &Path) -> Result<Self, CliError> {
-        let target = Target::open(path).map_err(CliError::write(path))?;
-        Ok(Self { path: path.to_owned(), target })
-    }
+#[derive(Debug)]
+enum Stream {
+    Standard,
+    /// A pipe or a device.
+    Named(File),
+}
 
-    /// Returns whether both outputs are the same file, under any name, or both are standard output.
-    pub(crate) fn is_same(&self, other: &Self) -> bool {
-        match (&self.target, &other.target) {
-            (Target::File(file), Target::File(other)) => file.resolved_path() == other.resolved_path(),
-            _ => is_standard_output(&self.path) && is_standard_output(&other.path) || self.path == other.path,
-        }
+impl Output {
+    /// Opens a stream, or checks that a file can be written. All inputs are known by now.
+    ///
+    /// # Errors
+    /// If the path leads to an input or to another output of this run, or cannot be written.
+    pub(crate) fn open(path: &Path) -> Result<Self, CliError> {
+        Ok(Self { path: path.to_owned(), target: Target::open(path)? })
     }
 
     /// Writes the output by calling `write`. If that fails, an existing file keeps its contents.
@@ -48,13 +49,14 @@ impl Output {
             progress::clear();
         }
         match self.target {
-            Target::Stream(stream) => write_buffered(stream, write),
-            Target::File(file) => file.write(write),
+            Target::Stream(Stream::Standard) => write_buffered(io::stdout(), write),
+            Target::Stream(Stream::Named(stream)) => write_buffered(stream, write),
+            Target::File(file) => return file.write(write, &self.path),
         }
         .map_err(CliError::write(self.path))
     }
 
-    /// Writes a CSV table. Failures act as in [`write`](Self::write).
+    /// Writes a CSV table. Failures are handled as in [`write`](Self::write).
     pub(crate) fn write_table(self, write: impl FnOnce(&mut Table<'_>) -> csv::Result<()>) -> Result<(), CliError> {
         self.write(|writer| {
             let mut table = csv::Writer::from_writer(writer);
@@ -69,54 +71,63 @@ impl Output {
 }
 
 impl Target {
-    fn open(path: &Path) -> io::Result<Self> {
-        if is_standard_output(path) {
-            return Ok(Self::Stream(Box::new(io::stdout())));
+    fn open(named: &Path) -> Result<Self, CliError> {
+        let refused = |kind: io::ErrorKind| Err(CliError::write(named)(kind.into()));
+        if is_standard_output(named) {
+            files::claim(named, named)?;
+            return Ok(Self::Stream(Stream::Standard));
         }
-        let permissions = match fs::metadata(path) {
-            Ok(metadata) if metadata.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-            // A pipe or a device.
+        let permissions = match fs::metadata(named) {
+            Ok(metadata) if metadata.is_dir() => return refused(io::ErrorKind::IsADirectory),
             Ok(metadata) if !metadata.is_file() => {
-                return Ok(Self::Stream(Box::new(OpenOptions::new().write(true).open(path)?)));
+                files::claim(named, named)?;
+                let stream = OpenOptions::new().write(true).open(named).map_err(CliError::write(named))?;
+                return Ok(Self::Stream(Stream::Named(stream)));
             }
-            Ok(metadata) if is_read_only(path, &metadata) => return Err(io::ErrorKind::PermissionDenied.into()),
-            Ok(metadata) => Some(metadata.permissions()),
+            Ok(metadata) => Some(metadata),
             Err(reason) if reason.kind() == io::ErrorKind::NotFound => None,
-            Err(reason) => return Err(reason),
+            Err(reason) => return Err(CliError::write(named)(reason)),
         };
-        let mut path = path.to_owned();
+        let mut path = named.to_owned();
         // Keep symbolic links and write their target, even if it does not exist yet.
         while let Ok(to) = fs::read_link(&path) {
             path = path.with_file_name("").join(to);
         }
-        let file = Replacement { path, permissions };
-        // Creating a file proves that the folder is writable. It is dropped at once: if it stayed during the work, a
-        // killed process would leave it behind.
-        file.create()?;
+        let claimed = files::claim(&path, named)?;
+        if permissions.as_ref().is_some_and(|metadata| is_read_only(named, metadata)) {
+            return refused(io::ErrorKind::PermissionDenied);
+        }
+        let file = Replacement { path, claimed, permissions: permissions.map(|metadata| metadata.permissions()) };
+        // Creating a file proves that the folder is writable.
+        file.unnamed().map_err(CliError::write(named))?;
         Ok(Self::File(file))
     }
 }
 
-/// A file that is written under a unique temporary name in the same folder, and then renamed.
+/// A file that is written without a name, and gets it once it is complete. A run that is killed leaves nothing behind.
+#[derive(Debug)]
 struct Replacement {
     path: PathBuf,
+    claimed: Identity,
     /// The permissions of the file that is replaced, if it exists.
     permissions: Option<Permissions>,
 }
 
 impl Replacement {
-    /// Returns the path with its folder made canonical.
-    fn resolved_path(&self) -> PathBuf {
-        let folder = self.path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
-        let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
-        self.path.file_name().map_or(folder.clone(), |name| folder.join(name))
+    fn folder(&self) -> &Path {
+        self.path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."))
+    }
+
+    /// Creates a file in the folder that is gone once it is closed. Some systems remove its name after that only.
+    fn unnamed(&self) -> io::Result<File> {
+        let _deferred = signals::defer();
+        tempfile::tempfile_in(self.folder())
     }
 
     fn create(&self) -> io::Result<(File, TempPath)> {
-        let folder = self.path.parent().unwrap_or(Path::new(""));
         let mut names = tempfile::Builder::new();
         names.prefix(".c2warp-").suffix(".part");
-        let (file, name) = names.make_in(folder, |name| File::create_new(name))?.into_parts();
+        let (file, name) = names.make_in(self.folder(), |name| File::create_new(name))?.into_parts();
         if let Some(permissions) = &self.permissions
             && file.metadata()?.permissions() != *permissions
         {
@@ -125,10 +136,17 @@ impl Replacement {
         Ok((file, name))
     }
 
-    fn write(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-        let (file, name) = self.create()?;
-        write_buffered(file, write)?;
-        name.persist(self.path).map_err(|error| error.error)
+    fn write(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>, named: &Path) -> Result<(), CliError> {
+        let refused = |reason| CliError::write(named)(reason);
+        let mut whole = self.unnamed().map_err(refused)?;
+        write_buffered(&whole, write).and_then(|()| whole.rewind()).map_err(refused)?;
+        let _deferred = signals::defer();
+        files::check_again(&self.path, &self.claimed, named)?;
+        let (mut file, name) = self.create().map_err(refused)?;
+        io::copy(&mut whole, &mut file).map_err(refused)?;
+        name.persist(&self.path).map_err(|error| refused(error.error))?;
+        files::note_written(&self.path, named);
+        Ok(())
     }
 }
 
@@ -152,14 +170,4 @@ fn is_read_only(path: &Path, metadata: &fs::Metadata) -> bool {
     } else {
         metadata.permissions().readonly()
     }
-}
-
-/// Returns whether two paths lead to the same existing file.
-pub(crate) fn is_same_file(one: &Path, other: &Path) -> bool {
-    matches!([fs::canonicalize(one), fs::canonicalize(other)], [Ok(one), Ok(other)] if one == other)
-}
-
-/// Returns whether the path is a name of standard output.
-pub(crate) fn is_standard_output(path: &Path) -> bool {
-    STANDARD_OUTPUT.iter().any(|name| path == Path::new(name))
 }

@@ -1,4 +1,4 @@
-//! The options of a drawn pose, which `warp` and `maps` share.
+//! The options of a drawn pose, shared by `warp` and `maps`.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -7,7 +7,7 @@ use c2warp::deform::Pose;
 use c2warp::{Canvas, Filter, ResampleOptions, Solution, raster};
 
 use crate::error::CliError;
-use crate::output;
+use crate::files;
 use crate::progress;
 use crate::project::LoadedProject;
 
@@ -44,7 +44,7 @@ fn finite(text: &str) -> Result<f64, String> {
 }
 
 impl PosedDrawing {
-    /// Rejects unknown clips and invalid scales, before solving.
+    /// Rejects unknown clips and invalid scales before solving.
     pub(crate) fn check(&self, loaded: &LoadedProject) -> Result<(), CliError> {
         if let Some(clip) = &self.moment.clip {
             loaded.clip(clip)?;
@@ -71,7 +71,7 @@ impl PosedDrawing {
         }
     }
 
-    /// Prints where the picture lies in a result that may grow. `written` are the paths of all outputs.
+    /// Prints the position of the picture in a result that may grow. `written` are the paths of all outputs.
     pub(crate) fn print_origin<'a>(
         &self,
         [left, top]: [f64; 2],
@@ -82,7 +82,7 @@ impl PosedDrawing {
         }
         let origin = format!("{left},{top}\n");
         progress::clear();
-        let printed = if written.any(output::is_standard_output) {
+        let printed = if written.any(files::is_standard_output) {
             io::stderr().write_all(origin.as_bytes())
         } else {
             io::stdout().write_all(origin.as_bytes())

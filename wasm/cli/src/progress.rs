@@ -1,7 +1,7 @@
-//! Progress of long work, on a terminal only: one line on standard error that is gone when the work ends.
+//! Shows the progress of long work on a terminal: one line on standard error that is gone when the work ends.
 //!
-//! Short work shows nothing. A thread draws the line, as a stage of a solve does not come back for seconds. Where there
-//! are no threads, as in WebAssembly, there is no progress.
+//! Short work shows nothing. A thread draws the line, because a stage of a solve may take seconds. Without threads, as
+//! in WebAssembly, no progress is shown.
 
 use std::io::{self, IsTerminal, Write};
 use std::sync::{Mutex, MutexGuard};
@@ -27,7 +27,7 @@ struct Line {
 }
 
 impl Line {
-    /// Draws the text if it is time and the terminal shows another one.
+    /// Draws the text if it has changed and enough time has passed.
     fn draw(&mut self, now: Instant, mut terminal: impl Write) {
         let is_time = self.begun.is_some_and(|begun| now.duration_since(begun) >= SILENCE);
         if is_time && self.text != self.drawn {
@@ -46,7 +46,7 @@ impl Line {
     }
 }
 
-/// Begins to show progress, if standard error is a terminal.
+/// Starts to show progress if standard error is a terminal.
 pub(crate) fn begin() {
     if !io::stderr().is_terminal() {
         return;
@@ -60,7 +60,7 @@ pub(crate) fn begin() {
     }
 }
 
-/// Tells what is being done, in a few words.
+/// Sets the description of the current work.
 pub(crate) fn show(text: &str) {
     let mut line = line();
     if line.begun.is_some() {
@@ -68,7 +68,7 @@ pub(crate) fn show(text: &str) {
     }
 }
 
-/// Tells how many of some things are done.
+/// Shows how many items are done.
 pub(crate) fn count(things: &str, done: usize, of: usize) {
     show(&format!("{things} {done} of {of}"));
 }
@@ -76,6 +76,13 @@ pub(crate) fn count(things: &str, done: usize, of: usize) {
 /// Clears the line, before anything else is written to the terminal.
 pub(crate) fn clear() {
     line().clear(io::stderr());
+}
+
+/// The same where the line may be in use: for the end of the program.
+pub(crate) fn clear_if_free() {
+    if let Ok(mut line) = LINE.try_lock() {
+        line.clear(io::stderr());
+    }
 }
 
 fn line() -> MutexGuard<'static, Line> {

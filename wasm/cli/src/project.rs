@@ -12,9 +12,9 @@ use c2warp_vector::{Drawing, VectorError};
 
 use crate::carried;
 use crate::error::{self, CliError};
+use crate::files;
 use crate::fitting::{Fit, FittingProject};
 use crate::input;
-use crate::output::{Output, is_same_file};
 use crate::picture::{self, PictureFile};
 use crate::progress;
 
@@ -50,12 +50,11 @@ impl InputFiles {
 #[derive(Debug)]
 pub(crate) struct LoadedProject {
     pub(crate) project: Project,
-    /// Path of the project, which no output may replace.
     project_path: PathBuf,
     image: Arc<PictureFile>,
     /// Path of the picture, for errors about its pixels. If the project holds it, the project's path and the key.
     image_path: PathBuf,
-    /// Errors about the contents of the project name its picture: the project itself fits others.
+    /// Whether errors about the contents of the project name its picture, because the project suits other pictures.
     names_picture: bool,
 }
 
@@ -103,7 +102,7 @@ impl ProjectFile {
 
     /// The project with a picture of its size.
     ///
-    /// `names_picture` is for errors about the contents of the project: they name the picture in place of the project.
+    /// `names_picture` is for errors about the contents of the project: they name the picture instead of the project.
     pub(crate) fn with_picture(
         &self,
         image: Arc<PictureFile>,
@@ -159,17 +158,9 @@ impl LoadedProject {
         })
     }
 
-    /// Prepares an output. It must not replace the project file.
-    pub(crate) fn output(&self, path: &Path) -> Result<Output, CliError> {
-        if is_same_file(path, &self.project_path) {
-            return Err(CliError::OverProject { path: path.to_owned() });
-        }
-        Output::open(path)
-    }
-
     /// Returns whether a path is that of the project's picture.
     pub(crate) fn is_picture(&self, path: &Path) -> bool {
-        is_same_file(path, &self.image_path)
+        files::is_same_file(path, &self.image_path)
     }
 
     /// Returns the name of the picture's file, without its folder.
@@ -202,12 +193,12 @@ impl LoadedProject {
         &self.image
     }
 
-    /// Solves the project. Tells on standard error if the outline could not be followed closely.
+    /// Solves the project. Reports on standard error if the outline could not be followed closely.
     pub(crate) fn solve(&self) -> Result<Solution, CliError> {
         self.solve_by(|_| Ok(()))
     }
 
-    /// The same, with the fill behind the domain: for results that show pixels.
+    /// Solves the project with the fill behind the domain, for results that show pixels.
     pub(crate) fn solve_filled(&self) -> Result<Solution, CliError> {
         self.solve_by(|solver| {
             let picture = self.picture()?;
@@ -224,7 +215,7 @@ impl LoadedProject {
         finish(&mut solver)?;
         let solution = solver.into_solution().expect("every stage has run");
         if let Some(remark) = remark(solution.domain()) {
-            error::tell(format_args!("{}: {remark}", self.image_path.display()));
+            error::print(format_args!("{}: {remark}", self.image_path.display()));
         }
         progress::show("drawing");
         Ok(solution)
@@ -249,12 +240,12 @@ impl LoadedProject {
         solution.pose(&self.project).map_err(|reason| self.refused(reason))
     }
 
-    /// Returns an error about a clip of the project, or about the rig of all.
+    /// Returns an error about a clip of the project, or about the rig of all clips.
     pub(crate) fn not_baked(&self, reason: c2warp::rig::BakeError) -> CliError {
         CliError::NotBaked { path: self.project_path.clone(), reason }
     }
 
-    /// Poses the handles as a clip does at a time in seconds.
+    /// Poses the handles of a clip at a time in seconds.
     pub(crate) fn pose_at(&self, solution: &Solution, clip: &Clip, time: f64) -> Result<Pose, CliError> {
         let pose = self.playback(solution, clip).pose(time, self.project.pose.blend);
         pose.map_err(|reason| self.refused(reason))
@@ -275,12 +266,12 @@ impl LoadedProject {
 /// A remark on an outline that does not follow the picture closely.
 pub(crate) fn remark(domain: &Domain) -> Option<String> {
     match domain.detail() {
-        OutlineDetail::Simplified => Some("the outline is very fine, so it is followed less closely".into()),
+        OutlineDetail::Simplified => Some("the outline is very detailed, so it is followed less closely".into()),
         OutlineDetail::Bridged => {
             let gap = domain.bridged_gap();
-            Some(format!("the outline is too fine to be followed: parts up to {gap} px apart bend together"))
+            Some(format!("the outline is too detailed to follow: parts up to {gap} px apart bend together"))
         }
-        OutlineDetail::Picture => Some("the outline is too fine to be followed: the whole picture bends".into()),
+        OutlineDetail::Picture => Some("the outline is too detailed to follow: the whole picture bends".into()),
         _ => None,
     }
 }

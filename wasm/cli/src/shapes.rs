@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use crate::error::CliError;
 
-/// Where a point goes; `None` if it goes nowhere.
+/// The new position of a point; `None` if it has no new position.
 type Place<'a> = dyn FnMut(DVec2) -> Option<DVec2> + 'a;
 
 /// A JSON file with points.
@@ -55,7 +55,7 @@ impl Shapes {
         Ok(points)
     }
 
-    /// The file with other places of its points, in the same order.
+    /// Returns the file with new positions of its points, in the same order.
     pub(crate) fn placed(mut self, places: impl IntoIterator<Item = Option<DVec2>>) -> Result<Value, String> {
         let mut places = places.into_iter();
         self.form.visit(&mut self.file, &mut |_| places.next().flatten())?;
@@ -97,7 +97,7 @@ impl Form {
             Self::Coco => {
                 let annotations = file["annotations"].as_array().into_iter().flatten();
                 if annotations.map(|annotation| &annotation["image_id"]).collect::<HashSet<_>>().len() > 1 {
-                    return Err("annotations: they are of several pictures: keep those of one".to_owned());
+                    return Err("annotations: they belong to several pictures: keep those of one".to_owned());
                 }
                 each(&mut file["annotations"], "annotations", |annotation, path| coco(annotation, place, path))
             }
@@ -105,7 +105,7 @@ impl Form {
     }
 }
 
-/// Visits a GeoJSON object. Returns whether all of its points have places.
+/// Visits a GeoJSON object. Returns whether all of its points have positions.
 fn geojson(object: &mut Value, place: &mut Place<'_>, path: &str) -> Result<bool, String> {
     let inner = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
     // A box in the file would no longer be true.
@@ -139,7 +139,7 @@ fn geojson(object: &mut Value, place: &mut Place<'_>, path: &str) -> Result<bool
     }
 }
 
-/// Visits positions in lists of lists. Returns whether all of them have places.
+/// Visits positions in lists of lists. Returns whether all of them have new positions.
 fn positions(value: &mut Value, place: &mut Place<'_>, path: &str) -> Result<bool, String> {
     if value.as_array().is_some_and(|list| list.first().is_some_and(Value::is_number)) {
         let p = point(value, path)?;
@@ -157,7 +157,7 @@ fn positions(value: &mut Value, place: &mut Place<'_>, path: &str) -> Result<boo
     Ok(is_whole)
 }
 
-/// Visits points in a list or by names. A point without a place becomes null; null stays.
+/// Visits points in a list or by names. A point without a new position becomes null; null remains null.
 fn named_points(points: &mut Value, place: &mut Place<'_>, path: &str) -> Result<(), String> {
     let mut visit = |value: &mut Value, path: &str| {
         if value.is_null() {
@@ -177,7 +177,8 @@ fn named_points(points: &mut Value, place: &mut Place<'_>, path: &str) -> Result
     }
 }
 
-/// Visits the keypoints, polygons and the box of a COCO annotation. The box becomes that around the four sides.
+/// Visits the keypoints, polygons and the box of a COCO annotation. The box becomes the bounding box of its four moved
+/// sides.
 fn coco(annotation: &mut Value, place: &mut Place<'_>, path: &str) -> Result<(), String> {
     if let Some(keypoints) = annotation.get_mut("keypoints") {
         let path = format!("{path}.keypoints");
@@ -282,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn landmarks_keep_their_form() {
+    fn landmarks_keep_their_format() {
         for (text, expected) in [
             (
                 r#"{"points":{"eye":[1,2],"ear":[-1,0]},"of":"cat"}"#,
@@ -307,14 +308,14 @@ mod tests {
     }
 
     #[test]
-    fn errors_name_the_place_in_the_file() {
+    fn errors_name_the_position_in_the_file() {
         for (text, expected) in [
             (r#"{"points":{"eye":[1]}}"#, "points.eye: expected two numbers x, y"),
             (r#"{"type":"Polygon","coordinates":[[["a",2]]]}"#, "coordinates[0][0][0]: expected a list"),
             (r#"{"annotations":[{"keypoints":[1,2]}]}"#, "annotations[0].keypoints: expected x, y, visibility, …"),
             (
                 r#"{"annotations":[{"image_id":1},{"image_id":2}]}"#,
-                "annotations: they are of several pictures: keep those of one",
+                "annotations: they belong to several pictures: keep those of one",
             ),
             (r#"{"type":"Feature","geometry":{"type":"Point"}}"#, "geometry.coordinates: expected a list"),
         ] {

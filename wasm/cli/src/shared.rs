@@ -2,13 +2,13 @@
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// The latest results by their keys. Threads that need the same result at once wait for the one that makes it.
+/// The latest results by their keys. Threads that need the same result wait for the one that computes it.
 pub(crate) struct Shared<K, V> {
     entries: Mutex<Vec<(K, Entry<V>)>>,
     most: usize,
 }
 
-/// `None` if there is no result.
+/// `None` before the result is available.
 type Entry<V> = Arc<OnceLock<Option<Arc<V>>>>;
 
 impl<K: PartialEq, V> Shared<K, V> {
@@ -17,7 +17,8 @@ impl<K: PartialEq, V> Shared<K, V> {
         Self { entries: Mutex::new(Vec::new()), most }
     }
 
-    /// Returns the result for a key, and makes it if it is not kept. Every input that shares an error gets its own.
+    /// Returns the result for a key, and computes it if it is not kept. Every input that shares an error gets its own
+    /// copy.
     pub(crate) fn get<E>(&self, key: K, make: impl Fn() -> Result<V, E>) -> Result<Arc<V>, E> {
         let entry = self.entry(key);
         let mut refused = None;
@@ -51,7 +52,7 @@ mod tests {
     use super::Shared;
 
     #[test]
-    fn latest_results_are_made_once_and_errors_every_time() {
+    fn results_are_computed_once_and_errors_every_time() {
         let (shared, made) = (Shared::new(2), Cell::new(0));
         let get = |key: u32| {
             let make = || {

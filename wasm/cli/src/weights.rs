@@ -26,19 +26,19 @@ pub(crate) struct Arguments {
     /// The points: the centres of every N-th pixel in both directions, row by row. 1 takes all pixels
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     every: Option<f64>,
-    /// Write the weight of this handle, with the virtual sites that follow it, in place of all sites
+    /// Write the weight of this handle, including the virtual sites that follow it, instead of all sites
     #[arg(long, value_name = "NAME")]
     handle: Option<String>,
     /// The output file, or - for standard output. OUT.csv has a row for each weight above 0:
-    /// point,site,kind,handle,site_x,site_y,weight, or point,x,y,handle,weight of one handle. Points and sites count
-    /// from 0. OUT.npy has all weights as 64-bit floats, points × sites, with zeros outside the domain. OUT.png has the
-    /// picture at rest under the editor's heat map of one handle
+    /// point,site,kind,handle,site_x,site_y,weight, or point,x,y,handle,weight with --handle. Points and sites are
+    /// numbered from 0. OUT.npy has all weights as 64-bit floats, points × sites, with zeros outside the domain.
+    /// OUT.png has the picture at rest under the editor's heat map of one handle
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
-    /// The format of the output, in place of its extension
+    /// The format of the output, regardless of its extension
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<Format>,
-    /// Also write the sites, in the order of an array: site,kind,handle,site_x,site_y
+    /// Also write the sites in the order of the array, as rows site,kind,handle,site_x,site_y
     #[arg(long, value_name = "OUT.csv")]
     sites: Option<PathBuf>,
 }
@@ -71,8 +71,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     if let Some(name) = &arguments.handle {
         Weights::check_handle(&loaded.project, name).map_err(refused)?;
     }
-    let output = loaded.output(path)?;
-    let sites = arguments.sites.as_deref().map(|path| sites_output(&loaded, path, &output)).transpose()?;
+    let output = Output::open(path)?;
+    let sites = arguments.sites.as_deref().map(Output::open).transpose()?;
     let solution = loaded.solve()?;
     let weights = Weights::new(&solution, &loaded.project, arguments.handle.as_deref()).map_err(refused)?;
     let quiet = &mut |_| {};
@@ -92,7 +92,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     sites.map_or(Ok(()), |sites| sites.write(|writer| weights.write_sites(writer)))
 }
 
-/// The format by the extension. Everything unknown is CSV.
+/// Chooses the format by the extension. Unknown extensions mean CSV.
 fn format(path: &Path) -> Format {
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     match extension.to_ascii_lowercase().as_str() {
@@ -109,13 +109,4 @@ fn every(number: f64) -> Result<u32, CliError> {
     } else {
         Err(CliError::Every { found: number })
     }
-}
-
-/// Prepares the output of the sites. It must differ from that of the weights.
-fn sites_output(loaded: &LoadedProject, path: &Path, weights: &Output) -> Result<Output, CliError> {
-    let output = loaded.output(path)?;
-    if output.is_same(weights) {
-        return Err(CliError::SitesOverWeights { path: path.to_owned() });
-    }
-    Ok(output)
 }

@@ -1,4 +1,4 @@
-//! Draws the frames of a clip as PNGs, 12 a second:
+//! Draws the frames of a clip as PNGs, 12 per second:
 //!
 //! ```sh
 //! cargo run --release -p c2warp --example frames -- gingerbread.c2warp.json wave frames
@@ -28,13 +28,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// Draws all frames at a part of the size, and returns their number.
+/// Draws all frames at a fraction of the size, and returns their number.
 fn draw_frames(project: &Path, clip: &str, folder: &Path, scale: f64) -> Result<usize, Box<dyn Error>> {
     let (project, picture) = opened::open(project)?;
-    let clip = project.clips.iter().find(|one| one.name == clip).ok_or("there is no such clip")?;
+    let clip = project.clips.iter().find(|one| one.name == clip).ok_or("unknown clip")?;
     let picture = Picture::new(picture.width(), picture.height(), &picture)?;
     let solution = solve(&project, &picture)?;
-    // Frames depend on the time alone: the playback has no jumps, and they can be drawn in any order.
+    // Frames depend only on the time: the playback has no jumps, and they can be drawn in any order.
     let mut playback = Playback::new(solution.poser().clone(), clip.clone(), project.handles.clone());
     let times = FrameTimes::new(clip, RATE, None)?;
     fs::create_dir_all(folder)?;

@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn write_isolines(project: &Path, handle: &str, output: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let (project, picture) = opened::open(project)?;
-    let number = project.handles.iter().position(|one| one.id == handle).ok_or("there is no such handle")?;
+    let number = project.handles.iter().position(|one| one.id == handle).ok_or("unknown handle")?;
     let picture = Picture::new(picture.width(), picture.height(), &picture)?;
     let solution = solve(&project, &picture)?;
     let weights = weights_at_vertices(&solution, number);
@@ -59,7 +59,7 @@ fn weights_at_vertices(solution: &Solution, handle: usize) -> Vec<f64> {
     (0..solution.samples()).map(weight).collect()
 }
 
-/// A straight piece for each triangle that the level crosses.
+/// A straight segment for each triangle that the level crosses.
 fn isoline(solution: &Solution, weights: &[f64], level: f64) -> Vec<String> {
     let vertices = solution.vertices();
     let crossing = |a: u32, b: u32| {

@@ -4,7 +4,7 @@
 //! meet. An end has the same distance to both sites, found by bisection of an edge to a sixty-fourth. Sites of one
 //! handle, for example along a bar, share one cell. So do those of a held outline.
 //!
-//! Cost: for each edge between cells some distances to two sites; two milliseconds for 100 sites and 10,000 samples.
+//! Cost: a few distances to two sites for each edge between cells; two milliseconds for 100 sites and 10,000 samples.
 //! Limits: cells without samples, and parts of cells between two samples of another cell, are missed.
 
 use std::collections::HashMap;
@@ -17,7 +17,7 @@ use crate::{
     site::{Site, SiteField, SiteKind},
 };
 
-/// Halvings of an edge.
+/// Number of bisections of an edge.
 const HALVINGS: u32 = 6;
 
 /// A straight piece of a border, within one triangle of the mesh.
@@ -86,7 +86,7 @@ pub(crate) fn cell_borders(
     pieces
 }
 
-/// Whether two sites are of one handle, or of the held outline.
+/// Whether two sites belong to the same handle, or to the held outline.
 fn have_one_cell(one: &Site, other: &Site) -> bool {
     match one.kind.handle() {
         Some(handle) => other.kind.handle() == Some(handle),
@@ -94,7 +94,7 @@ fn have_one_cell(one: &Site, other: &Site) -> bool {
     }
 }
 
-/// The fraction of a segment at which two sites are equally far, if one is nearer to its start and the other to its
+/// The fraction of a segment at which two sites are equally distant, if one is nearer to its start and the other to its
 /// end.
 fn equidistant(navigation: &Navigation, [one, other]: [&SiteField; 2], start: DVec2, end: DVec2) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn between_two_places_of_different_cells_there_is_a_border() {
+    fn points_of_different_cells_are_separated_by_a_border() {
         let solution = square([Handle::point("left", [30.0, 40.0]), Handle::point("right", [70.0, 40.0])]);
         let line: f64 = ends(&solution)
             .iter()

@@ -1,24 +1,24 @@
 //! The map of a pose for shapes that leave the domain, such as outlines and landmarks. It is continuous across the
 //! outline, so that no shape tears.
 //!
-//! Around a domain that is the picture or cut out of it, a point moves with the nearest one of the outline. So does the
-//! skirt. Around a domain of polygons the picture stays. There the move of the outline fades out over a few times its
-//! own length.
+//! Around a domain that is the picture or cut out of it, a point moves with the nearest point of the outline, and so
+//! does the skirt. Around a domain of polygons, the picture does not move. There, the displacement of the outline fades
+//! out over a few times its length.
 //!
-//! Cost: that of [`Solution::map`] inside. Outside also a search among the edges of the outline. Known limit: midway
-//! between two islands the nearest point changes from one to the other, and the map jumps.
+//! Cost: that of [`Solution::map`] inside. Outside, it also includes a search among the edges of the outline. Known
+//! limit: midway between two islands, the nearest point changes from one island to the other, and the map jumps.
 
 use glam::DVec2;
 
 use crate::{Solution, deform::Pose, segment::nearest_on_segment};
 
-/// Lengths of its own move over which the move of the outline fades out. The slope of the fading is at most 1.5 times
-/// its inverse, so that nothing folds.
+/// The displacement of the outline fades out over this multiple of its own length. The slope of the fading is at most
+/// 1.5 times its inverse, so that nothing folds.
 const FADE_LENGTHS: f64 = 4.0;
-/// Edges that share a box.
+/// Number of edges that share a box.
 const RUN: usize = 16;
 
-/// The posed places of points inside and outside the domain. Made by [`Solution::continued`].
+/// The posed positions of points inside and outside the domain. Made by [`Solution::continued`].
 #[derive(Debug)]
 pub struct ContinuedMap<'a> {
     solution: &'a Solution,
@@ -26,7 +26,7 @@ pub struct ContinuedMap<'a> {
     edges: Vec<[DVec2; 2]>,
     /// The box around each run of edges: least and greatest coordinates.
     boxes: Vec<[DVec2; 2]>,
-    /// Whether the picture around the domain stays in place.
+    /// Whether the picture around the domain does not move.
     background_stays: bool,
 }
 
@@ -34,7 +34,7 @@ impl Solution {
     /// The map of a pose, continued beyond the domain.
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn continued<'a>(&'a self, pose: &'a Pose) -> ContinuedMap<'a> {
         self.solved.expect_own(pose);
@@ -56,13 +56,13 @@ impl ContinuedMap<'_> {
         self.solution.navigation().triangle_at(p).is_some()
     }
 
-    /// Whether the picture around the domain stays in place.
+    /// Whether the picture around the domain does not move.
     #[must_use]
     pub fn background_stays(&self) -> bool {
         self.background_stays
     }
 
-    /// The posed place of a point, in pixels.
+    /// The posed position of a point, in pixels.
     #[must_use]
     pub fn place(&self, p: DVec2) -> DVec2 {
         if let Some(mapped) = self.solution.map(self.pose, p) {

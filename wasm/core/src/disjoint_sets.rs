@@ -1,19 +1,19 @@
 //! Disjoint sets of numbers (union-find with path halving).
 
-/// Sets of the numbers from zero on. The root of a set is its least number.
+/// Sets of consecutive numbers from zero. The root of a set is its least number.
 #[derive(Debug, Default)]
 pub(crate) struct DisjointSets {
-    /// Numbers: another number of the same set, nearer to its root; of a root, itself.
+    /// For each number, another number of the same set, nearer to its root; a root points to itself.
     parents: Vec<usize>,
 }
 
 impl DisjointSets {
-    /// As many sets of one number each.
+    /// Creates sets of one number each.
     pub(crate) fn new(length: usize) -> Self {
         Self { parents: (0..length).collect() }
     }
 
-    /// Adds a set of the next number, which is returned.
+    /// Adds a set for the next number, and returns the number.
     pub(crate) fn add(&mut self) -> usize {
         self.parents.push(self.parents.len());
         self.parents.len() - 1

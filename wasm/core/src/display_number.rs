@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Formats a number for a message. It has an exponent if it would otherwise be a long row of zeros.
+/// Formats a number for a message. It uses an exponent if it would otherwise contain many zeros.
 pub(crate) struct DisplayNumber(pub(crate) f64);
 
 impl fmt::Display for DisplayNumber {

@@ -35,7 +35,7 @@ impl<T: Copy> Grid<T> {
         self.cells.entry(cell).or_default().push(item);
     }
 
-    /// All items within `radius` of a point, and some more, cell by cell.
+    /// All items within `radius` of a point, and possibly others, cell by cell.
     pub(crate) fn around(&self, p: DVec2, radius: f64) -> impl Iterator<Item = T> + '_ {
         let (low, high) = (self.cell(p - radius).max(self.low), self.cell(p + radius).min(self.high));
         let cells = (low.y..=high.y).flat_map(move |y| (low.x..=high.x).map(move |x| I64Vec2::new(x, y)));

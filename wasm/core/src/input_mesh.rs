@@ -1,10 +1,10 @@
-//! A triangle mesh of the caller in place of a picture's outline and samples (section V-B).
+//! A triangle mesh from the caller, instead of a picture's outline and samples (section V-B).
 //!
 //! The mesh's boundary is the outline of the domain, and its vertices are the samples. Distances and weights are
-//! evaluated, not propagated along edges. So they are as exact as on the solver's own mesh. Cells are stored over
+//! evaluated, not propagated along edges, so they are as exact as on the solver's own mesh. Cells are stored over
 //! coarse samples of the solver, and do not depend on inner vertices.
 //!
-//! Cost of the checks: one look-up for each edge, and a sweep over the boundary.
+//! Cost of the checks: one lookup for each edge, and a sweep over the boundary.
 //!
 //! Limits: no part of a mesh may touch another.
 
@@ -21,10 +21,10 @@ use crate::{
     triangulation::{NONE, Triangulation},
 };
 
-/// Least area of a triangle, in square pixels and relative to the square of its longest edge. A smaller area is
-/// rounding.
+/// Least area of a triangle, in square pixels and relative to the square of its longest edge. Smaller areas are
+/// rounding errors.
 const MIN_AREA: f64 = 1e-12;
-/// The boundary is straight at a vertex if the sine of its turning angle is below this. Paths treat it in the same way.
+/// The boundary is straight at a vertex if the sine of its turning angle is below this. Paths use the same limit.
 const STRAIGHT: f64 = 1e-12;
 
 /// A checked triangle mesh, for [`solve_mesh`](crate::solve_mesh).
@@ -63,7 +63,7 @@ impl InputMesh {
     /// several parts and holes, and parts inside holes. No part may touch another.
     ///
     /// Tolerances are in pixels, not relative to the mesh. Handles must be at least 0.01 px apart, and rounding is up
-    /// to 1e-6 px. Scale a mesh in units of 0 to 1, with its handles, to some hundreds of pixels.
+    /// to 1e-6 px. Scale a mesh with coordinates from 0 to 1, and its handles, to hundreds of pixels.
     ///
     /// # Errors
     /// One of the `Mesh…` errors, with the triangle or vertex.

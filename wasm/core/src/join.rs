@@ -1,9 +1,9 @@
-//! Two computations on two cores.
+//! Runs two computations on two cores.
 
-/// The results of two computations. Natively the first runs on another thread, at the same time as the second.
+/// The results of two computations. Natively, the first runs on another thread, in parallel with the second.
 ///
-/// In WebAssembly, and where no thread can be started, they run one after the other. Neither sees the other's results,
-/// so these are the same everywhere.
+/// In WebAssembly, or if no thread can be started, they run one after the other. The computations are independent, so
+/// the results are the same everywhere.
 ///
 /// # Panics
 /// If one of them panics.

@@ -1,4 +1,4 @@
-//! The fill that a solver has, makes, or is asked for.
+//! The fill of a solver: finished, in progress, or requested.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::{
     solve_input::check_picture,
 };
 
-/// The last fill that was asked for. It stays while none is wanted, so that switching it off and on costs nothing.
+/// The last requested fill. It is kept while the fill is off, so that turning it off and on costs nothing.
 #[derive(Debug, Default)]
 pub(crate) struct KeptFill {
     key: Option<FillKey>,
@@ -29,7 +29,7 @@ enum State {
 }
 
 impl KeptFill {
-    /// Asks for a fill. The same one as before goes on.
+    /// Requests a fill. If the same fill is in progress, it continues.
     pub(crate) fn ask(&mut self, key: Option<FillKey>) {
         self.wanted = key.is_some();
         if self.wanted && self.key != key {
@@ -37,7 +37,7 @@ impl KeptFill {
         }
     }
 
-    /// Runs the next step. Returns the part that is done; `None` if there is nothing to do.
+    /// Runs the next step. Returns the completed fraction; `None` if there is nothing to do.
     pub(crate) fn advance(&mut self, picture: &Picture<'_>) -> Result<Option<f64>, Error> {
         let Some(key) = self.key.as_ref().filter(|_| self.wanted) else { return Ok(None) };
         check_picture(key.picture, picture)?;
@@ -60,7 +60,7 @@ impl KeptFill {
         }
     }
 
-    /// The fill behind a domain, if it is done.
+    /// The fill behind a domain, if it is finished.
     pub(crate) fn behind(&self, key: &DomainKey) -> Option<Arc<Fill>> {
         let (domain, picture) = key.filled()?;
         let rings = domain.clone().feathered(0.0);

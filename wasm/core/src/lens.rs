@@ -1,6 +1,6 @@
-//! The lens: everything that decides where one point goes. For figures.
+//! The lens: everything that determines the posed position of one point. For figures.
 //!
-//! Follows eq. 2 for the weights, section III-A for the paths, and eq. 4 for the part that virtual sites pass on.
+//! Follows eq. 2 for the weights, section III-A for the paths, and eq. 4 for the share of virtual sites.
 //!
 //! Cost: one distance field without a bound, and the paths to the handles in it.
 
@@ -21,7 +21,7 @@ pub struct Lens {
     /// The point at rest, in image pixels.
     #[cfg_attr(feature = "schema", schemars(with = "(f64, f64)"))]
     pub at: DVec2,
-    /// The handles that a path leads to, in the order of the project. A held boundary is last.
+    /// The handles with a path to the point, in the order of the project. A held boundary comes last.
     pub shares: Vec<Share>,
     /// The weights of all virtual sites together.
     pub virtual_weight: f64,
@@ -29,7 +29,7 @@ pub struct Lens {
     pub sites: Vec<LensSite>,
 }
 
-/// The part of one handle in the motion of a point.
+/// The share of one handle in the motion of a point.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -39,11 +39,11 @@ pub struct Share {
     pub handle: i32,
     /// The weights of its own sites together.
     pub weight: f64,
-    /// The part that virtual sites pass on from it: their weights times the harmonic fields of its sites.
+    /// Its share through virtual sites: their weights times the harmonic fields of its sites.
     pub passed_on: f64,
     /// Its site nearest to the point.
     pub site: usize,
-    /// Length of the shortest path from there to the point, in pixels.
+    /// Length of the shortest path from that site to the point, in pixels.
     pub distance: f64,
     /// The vertices of that path, from the point to the site.
     #[cfg_attr(feature = "schema", schemars(with = "Vec<(f64, f64)>"))]
@@ -92,7 +92,7 @@ impl Solution {
         Some(Lens { at, shares, virtual_weight, sites })
     }
 
-    /// The nearest site of each handle, with its distance. Handles that no path leads to are left out.
+    /// The nearest site of each handle, with its distance. Handles without a path are left out.
     fn nearest_sites(&self, distance: impl Fn(usize) -> f64) -> Vec<Share> {
         let mut shares: Vec<Share> = Vec::new();
         for (site, of_site) in self.sites().iter().enumerate().filter(|(_, site)| site.kind.is_real()) {

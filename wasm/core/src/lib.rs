@@ -2,10 +2,10 @@
 //!
 //! # Start here
 //!
-//! 1. State the problem in a [`Project`](project::Project), made in code or [read](project::Project::from_json).
+//! 1. Describe the problem in a [`Project`](project::Project), built in code or [read](project::Project::from_json).
 //! 2. Solve it: [`solve()`] on a [`Picture`], [`solve_domain`] on a [`Domain`](domain::Domain), [`solve_mesh`] on an
 //!    [`InputMesh`], or [`solve_cloud`] on a [`PointCloud`](cloud::PointCloud). A [`Solver`] works in stages.
-//! 3. Pose it: the solution's [`Poser`](pose::Poser) makes a [`Pose`](deform::Pose) for each frame of a drag.
+//! 3. Pose it: the solution's [`Poser`](pose::Poser) computes a [`Pose`](deform::Pose) for each frame of a drag.
 //! 4. Use the [`Solution`] at any point: [`map`](Solution::map) it, read its [weights](Solution::influences_at), or
 //!    draw the [warped picture](Solution::warped).
 //!
@@ -24,7 +24,7 @@
 //!               Ω      𝒫, mesh    d(p, h)    cells,    eq. 2    eq. 4     eq. 1    picture
 //!                                          Algorithm 1
 //! ```
-// Some parts of the core serve a feature alone. With all features, nothing is unused.
+// Some parts of the core serve only one feature. With all features, nothing is unused.
 #![cfg_attr(
     not(all(feature = "serde", feature = "raster", feature = "cloud", feature = "rig", feature = "poser-bytes")),
     allow(dead_code, unused_imports)
@@ -32,6 +32,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 // Input: projects, pictures, limits and errors.
+mod display_name;
 mod display_number;
 mod error;
 pub mod limits;
@@ -115,6 +116,7 @@ pub use cell_borders::BorderPiece;
 #[cfg(feature = "cloud")]
 pub use cloud::solve_cloud;
 pub use continued::ContinuedMap;
+pub use display_name::DisplayName;
 pub use error::Error;
 pub use glam;
 pub use input_mesh::InputMesh;

@@ -1,7 +1,7 @@
-//! Parts of the picture without a handle that follow the nearest part with one.
+//! Parts of the picture without a handle: they follow the nearest part with a handle.
 //!
 //! Each loose part, an island of the domain, takes the weights of one point: the nearest sample of an island with
-//! sites. All of the part then moves as this point does, and keeps its form as far as the motion there does.
+//! sites. The whole part then moves like this point, and keeps its shape as far as the motion of that point allows.
 //!
 //! Cost: O(n log n) for n samples.
 
@@ -13,10 +13,10 @@ use crate::{
     sample::Samples,
 };
 
-/// The samples whose weights loose islands take.
+/// The samples that loose islands follow.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Loose {
-    /// Islands: the sample with its place, if the island follows one.
+    /// For each island, the sample that it follows, if any, with its position.
     leaders: Vec<Option<Leader>>,
 }
 
@@ -28,7 +28,7 @@ struct Leader {
 }
 
 impl Loose {
-    /// Finds the leader of each island that is not among those `with_sites`.
+    /// Finds the leader of each island that is not in `with_sites`.
     pub(crate) fn new(navigation: &Navigation, samples: &Samples, with_sites: &[usize]) -> Self {
         let islands = navigation.island.iter().max().map_or(0, |&last| last as usize + 1);
         let mut is_led = vec![false; islands];
@@ -56,13 +56,13 @@ impl Loose {
         Self { leaders: nearest.into_iter().map(leader).collect() }
     }
 
-    /// For each sample the one whose weights it takes: itself, unless its island is loose.
+    /// For each sample, the sample whose weights it takes: itself, unless its island is loose.
     pub(crate) fn owners(&self, navigation: &Navigation, samples: &Samples) -> Vec<u32> {
         let leader = |at: usize| self.leaders.get(navigation.island_of(samples.nav_triangles[at])).copied().flatten();
         (0..samples.len()).map(|at| leader(at).map_or(at as u32, |leader| leader.sample)).collect()
     }
 
-    /// The place whose weights an island takes; `None` if it has its own.
+    /// The position whose weights an island takes; `None` if it has its own weights.
     pub(crate) fn leader(&self, island: usize) -> Option<(NavTriangle, DVec2)> {
         self.leaders.get(island).copied().flatten().map(|leader| (leader.triangle, leader.rest))
     }

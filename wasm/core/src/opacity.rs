@@ -1,15 +1,15 @@
-//! The opacity of a picture, without the blocks of it that are empty or opaque throughout.
+//! The opacity of a picture, without data for blocks that are completely empty or opaque.
 //!
-//! The part of the picture outside the outline is needed after the picture itself is gone: to see how far around the
-//! outline something is visible.
+//! The opacity outside the outline is needed after the picture has been released, to find the visible parts around the
+//! outline.
 //!
-//! Cost: linear in the pixels, with a byte of memory for each pixel near a translucent one.
+//! Cost: linear in the pixels, with one byte of memory for each pixel near a translucent one.
 
 use glam::DVec2;
 
 use crate::picture::Picture;
 
-/// Pixels below this alpha change a picture by one level at most.
+/// Pixels below this alpha change a picture by at most one level.
 pub(crate) const VISIBLE: u8 = 2;
 /// Side of a block in pixels.
 const BLOCK: u32 = 8;
@@ -21,7 +21,7 @@ pub(crate) struct Opacity {
     width: u32,
     height: u32,
     columns: u32,
-    /// From left to right, then from top to bottom.
+    /// Blocks from left to right, then from top to bottom.
     blocks: Vec<Block>,
     levels: Vec<[u8; BLOCK_PIXELS]>,
 }
@@ -31,7 +31,7 @@ enum Block {
     /// No pixel is visible.
     Empty,
     Opaque,
-    /// With levels of its own.
+    /// The block has its own levels.
     Mixed(u32),
 }
 
@@ -41,7 +41,7 @@ impl Opacity {
         Self::of_levels(picture.size(), |at| pixels[at][3])
     }
 
-    /// The opacity of a picture by the level of each pixel.
+    /// The opacity of a picture from the level of each pixel.
     pub(crate) fn of_levels((width, height): (u32, u32), level: impl Fn(usize) -> u8) -> Self {
         let (columns, rows) = (width.div_ceil(BLOCK), height.div_ceil(BLOCK));
         let mut levels = Vec::new();
@@ -72,7 +72,7 @@ impl Opacity {
         DVec2::new(f64::from(self.width), f64::from(self.height))
     }
 
-    /// The alpha of a pixel; 0 where no pixel around is visible.
+    /// The alpha of a pixel; 0 if no pixel in its block is visible.
     pub(crate) fn level(&self, x: u32, y: u32) -> u8 {
         match self.block(x, y) {
             Block::Empty => 0,
@@ -85,7 +85,7 @@ impl Opacity {
         self.blocks[(y / BLOCK * self.columns + x / BLOCK) as usize]
     }
 
-    /// The visible pixels of a row, from one up to another that is not included.
+    /// The visible pixels of a row in a half-open range.
     pub(crate) fn visible(&self, y: u32, from: u32, to: u32) -> impl Iterator<Item = u32> + '_ {
         let mut next = from;
         std::iter::from_fn(move || {
@@ -104,12 +104,12 @@ impl Opacity {
         })
     }
 
-    /// Whether some visible pixel overlaps a box.
+    /// Whether any visible pixel overlaps a box.
     pub(crate) fn any_in(&self, low: DVec2, high: DVec2) -> bool {
         self.any_in_rows(low.y, high.y, |_| [low.x, high.x])
     }
 
-    /// Whether some visible pixel overlaps a triangle.
+    /// Whether any visible pixel overlaps a triangle.
     pub(crate) fn any_in_triangle(&self, [a, b, c]: [DVec2; 3]) -> bool {
         let columns = |y: f64| {
             let mut range = [f64::INFINITY, f64::NEG_INFINITY];
@@ -133,7 +133,7 @@ impl Opacity {
         self.any_in_rows(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), columns)
     }
 
-    /// Whether some visible pixel lies between two heights, in the columns from one place to another in each row.
+    /// Whether any visible pixel lies between two heights, in a given range of columns of each row.
     fn any_in_rows(&self, low: f64, high: f64, columns: impl Fn(f64) -> [f64; 2]) -> bool {
         let pixels = |from: f64, to: f64, size: u32| {
             (from.floor().max(0.0) as u32)..to.ceil().clamp(0.0, f64::from(size)) as u32

@@ -16,10 +16,10 @@ pub struct Picture<'a> {
 }
 
 impl<'a> Picture<'a> {
-    /// A picture of a size in pixels, with `width × height × 4` bytes.
+    /// A picture of the given size in pixels, with `width × height × 4` bytes.
     ///
     /// # Errors
-    /// The errors of [`check_size`](Self::check_size), and [`Error::PictureBytes`] for another number of bytes.
+    /// The errors of [`check_size`](Self::check_size), and [`Error::PictureBytes`] for a wrong number of bytes.
     pub fn new(width: u32, height: u32, rgba: &'a [u8]) -> Result<Self, Error> {
         Self::check_size(width, height)?;
         let expected = width as usize * height as usize * 4;

@@ -1,4 +1,4 @@
-//! The stages of a solve, each as a function of what earlier stages return.
+//! The stages of a solve, each as a function of the results of earlier stages.
 //!
 //! Cost: see the modules that each stage calls. `web/docs/method.md` sums up the cost of each.
 
@@ -21,8 +21,8 @@ use crate::{
     weight::{Basis, SampleWeights, WeightFunctions, precedence_radii, support_radii},
 };
 
-/// The samples of a domain with handles, and the coarse ones, over which cells are stored. The former are the vertices
-/// of the drawn mesh (section V-B).
+/// The samples of a domain with handles, which are the vertices of the drawn mesh, and the coarse samples, over which
+/// cells are stored (section V-B).
 pub(crate) fn sample(
     cache: &mut SamplingCache,
     prepared: &PreparedDomain,
@@ -140,7 +140,7 @@ pub(crate) fn compute_weights(
     })
 }
 
-/// Sets r_i (eq. 3), and how far point handles precede others.
+/// Sets r_i (eq. 3), and the precedence of point handles.
 fn set_radii(sites: &mut [Site], weighting: &Weighting) {
     let supports = support_radii(weighting, sites);
     let precedence: Vec<f64> = precedence_radii(weighting, sites).collect();
@@ -149,7 +149,7 @@ fn set_radii(sites: &mut [Site], weighting: &Weighting) {
     }
 }
 
-/// Sites: the penumbrae in the support of each.
+/// For each site, the penumbrae in its support.
 fn penumbrae(
     propagation: &mut Propagation,
     navigation: &Navigation,

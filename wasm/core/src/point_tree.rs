@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn finds_the_points_of_a_search_over_all() {
+    fn finds_the_same_points_as_brute_force() {
         let at = |i: usize| DVec2::new((0.754_877 * i as f64).fract(), (0.569_840 * i as f64).fract() * 0.1);
         // Some points lie on one line, and some coincide.
         let points: Vec<DVec2> = (0..200).map(|i| if i % 3 == 0 { at(i / 6) * DVec2::X } else { at(i) }).collect();

@@ -19,12 +19,12 @@ pub(crate) struct PreparedDomain {
     pub(crate) navigation: Navigation,
     /// Width and height of the picture, or `None` without a picture.
     pub(crate) picture: Option<(u32, u32)>,
-    /// The opacity of the picture, if it goes on beyond the outline and needs a skirt. Over a filled background, of
-    /// those of its pixels that are filled alone: the skirt covers them at rest.
+    /// The opacity of the picture, if it continues beyond the outline and needs a skirt. Over a filled background, only
+    /// the opacity of filled pixels, which the skirt covers at rest.
     pub(crate) around: Option<Opacity>,
-    /// Size of the picture, if it continues beyond the outline as a background that stays.
+    /// Size of the picture, if it continues beyond the outline as a static background.
     pub(crate) background_size: Option<DVec2>,
-    /// Width of the feather in pixels. 0 for a boundary that is held: nothing moves beyond it.
+    /// Width of the feather in pixels. 0 for a held boundary, because nothing moves beyond it.
     pub(crate) feather: f64,
 }
 
@@ -57,7 +57,7 @@ impl PreparedDomain {
         Ok(Self { domain, navigation, picture: Some(picture.size()), around, background_size, feather })
     }
 
-    /// A domain without a picture: nothing is drawn beyond its outline.
+    /// A domain without a picture, with nothing drawn beyond its outline.
     pub(crate) fn without_picture(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
         Self { domain, navigation, picture: None, around: None, background_size: None, feather: 0.0 }

@@ -1,16 +1,16 @@
-//! Sorts by ranks: one sort in machine code for many types.
+//! Sorts by ranks, so that many types share the machine code of one sort.
 //!
-//! The sort of the standard library takes ten kilobytes for each type and comparison. That is a fifth of a download, so
-//! all but the innermost loops sort here. The order is that of a stable sort.
+//! The sort of the standard library takes ten kilobytes for each type and comparison. In total, this was a fifth of a
+//! download, so all but the innermost loops use this module. The order is that of a stable sort.
 //!
-//! Cost: as the sort of the standard library, within a tenth. It allocates for more than [`FEW`] items.
+//! Cost: within 10 % of the standard library's sort. It allocates for more than [`FEW`] items.
 
 use glam::DVec2;
 
-/// A place in an order. The first number counts, and among equal ones the second.
+/// A rank. The first number determines the order, and the second breaks ties.
 pub(crate) type Rank = [i64; 2];
 
-/// Up to this number, items are inserted one after another.
+/// Up to this number of items, insertion sort is used.
 const FEW: usize = 12;
 
 /// Whole numbers in the order of [`f64::total_cmp`].
@@ -24,12 +24,12 @@ pub(crate) fn descending(number: f64) -> i64 {
     !ascending(number)
 }
 
-/// The place of a point in the order from top to bottom, and from left to right.
+/// The rank of a point in the order from top to bottom, and from left to right.
 pub(crate) fn from_top(point: DVec2) -> Rank {
     [ascending(point.y), ascending(point.x)]
 }
 
-/// Sorts by rank. Items of the same rank stay in their order.
+/// Sorts by rank. Items of the same rank keep their order.
 pub(crate) fn sort_by_rank<T>(items: &mut [T], rank: impl Fn(&T) -> Rank) {
     if items.len() <= FEW {
         for end in 1..items.len() {
@@ -47,7 +47,7 @@ pub(crate) fn sort_by_rank<T>(items: &mut [T], rank: impl Fn(&T) -> Rank) {
     }
 }
 
-/// Sorts ranks, each with a number. Without items to move, this is the fastest sort here.
+/// Sorts ranks, each with a number. This is the fastest sort here, because it moves no items.
 #[inline(never)]
 pub(crate) fn sort_ranks(ranks: &mut [(Rank, u32)]) {
     ranks.sort_unstable();
@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sorts_as_the_stable_sort_of_the_standard_library() {
+    fn matches_the_stable_sort_of_the_standard_library() {
         let numbers = [0.0, -0.0, 1.5, f64::NAN, -2.0, f64::INFINITY, 1e-300, -1e300, f64::NEG_INFINITY];
         for count in [0, 1, 2, FEW, FEW + 1, 100, 1000] {
             let items: Vec<(f64, i64, usize)> =

@@ -12,7 +12,7 @@ use crate::{
     site::{Site, SiteKind},
 };
 
-/// Triangles. Later ones are drawn over earlier ones while no handle has a depth.
+/// Triangles. Later triangles are drawn over earlier ones while no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RenderMesh {
     /// Rest places: the samples, then the skirt's vertices.
@@ -23,8 +23,8 @@ pub(crate) struct RenderMesh {
 
 impl RenderMesh {
     /// Orders triangles by the [part](leading_parts) of their first corner, lower parts over upper ones, and each
-    /// part's skirt before its mesh: where the picture covers itself, one part covers the other completely, in any
-    /// order of the handles. `leading` is the part of each vertex, with those of the skirt.
+    /// part's skirt before its mesh. So where the picture covers itself, one part covers the other completely, in any
+    /// order of the handles. `leading` is the part of each vertex, including the skirt.
     pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
         let Samples { mesh, skirt, .. } = samples;
         let layers = [&skirt.triangles, &mesh.triangles];
@@ -40,8 +40,8 @@ impl RenderMesh {
     }
 }
 
-/// For each sample the part with the largest harmonic weight in its cell. A part is a point, a straight piece of a
-/// bar or polygon, or all of a held outline.
+/// For each sample the part with the largest harmonic weight in its cell. A part is a point, a straight piece of a bar
+/// or polygon, or the whole held outline.
 pub(crate) fn leading_parts(nearest: &[u32], sites: &[Site], harmonic: &HarmonicFields) -> Vec<u32> {
     let parts = parts(sites);
     let mut sums = vec![0.0; sites.len()];

@@ -20,7 +20,7 @@ pub struct Report {
     pub specks: usize,
     /// How closely the outline follows the picture.
     pub outline: OutlineDetail,
-    /// Greatest width of a gap that the domain takes in, in pixels.
+    /// Maximum width of a gap that the domain includes, in pixels.
     pub bridged_gap: f64,
     /// Corners of the outline at which shortest paths may bend.
     pub reflex_corners: usize,
@@ -37,17 +37,17 @@ pub struct Report {
     /// Sites that Algorithm 1 inserted.
     pub virtual_sites: usize,
     /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right). Here δ is r_d minus the
-    /// greatest radius that the cell may have, in place of r_d − r_h.
+    /// greatest allowed radius of the cell, instead of r_d − r_h.
     pub scores: Vec<f64>,
-    /// Mean number of supports over a sample.
+    /// Mean number of supports that contain a sample.
     pub cover_mean: f64,
-    /// Greatest number of supports over a sample.
+    /// Maximum number of supports that contain a sample.
     pub cover_max: usize,
     /// Least Σφ over the samples of islands with handles.
     pub min_phi_sum: f64,
-    /// Triangles of the posed mesh that turned over.
+    /// Flipped triangles of the posed mesh.
     pub folded_triangles: usize,
-    /// A hash of the samples' weights. It changes with any bit of them.
+    /// A hash of the samples' weights. It changes if any bit of them changes.
     pub weights_hash: String,
 }
 

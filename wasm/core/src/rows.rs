@@ -13,7 +13,7 @@ pub(crate) struct Rows<T> {
 impl<T: Clone + Default> Rows<T> {
     /// Builds rows from `(row, item)` pairs by a counting sort. Items of a row keep the order of their pairs.
     ///
-    /// `pairs` is called twice and must yield the same sequence.
+    /// `pairs` is called twice and must return the same sequence.
     pub(crate) fn from_pairs<I: Iterator<Item = (usize, T)>>(rows: usize, pairs: impl Fn() -> I) -> Self {
         let mut start = vec![0_u32; rows + 1];
         pairs().for_each(|(row, _)| start[row + 1] += 1);

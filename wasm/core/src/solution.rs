@@ -25,8 +25,8 @@ use crate::{
     weight::{Influence, SparseWeights, WeightFunctions},
 };
 
-/// The result of a solve: how sites move a mesh over the domain, and any point of the domain. It does not depend on
-/// where the handles are posed. Only its own [`poser`](Self::poser) makes poses of it.
+/// The result of a solve: how sites move a mesh over the domain, and any point of the domain. It does not depend on the
+/// pose of the handles. Only its own [`poser`](Self::poser) computes poses for it.
 ///
 /// ```
 /// use c2warp::{Picture, project::{Handle, Project}, solve};
@@ -40,7 +40,7 @@ use crate::{
 /// let mapped = solution.map(&pose, [25.0, 15.0].into()).unwrap();
 /// assert!(mapped.posed.y < 15.0 && mapped.det > 0.0);
 /// assert_eq!(solution.posed_vertices(&pose).len(), solution.vertices().len());
-/// // Points outside the domain have no posed place.
+/// // Points outside the domain have no posed position.
 /// assert!(solution.map(&pose, [41.0, 15.0].into()).is_none());
 /// # Ok::<(), c2warp::Error>(())
 /// ```
@@ -51,7 +51,7 @@ pub struct Solution {
     pub(crate) feather: Feather,
     pub(crate) weights: SparseWeights,
     pub(crate) solved: SolvedSites,
-    /// Number of samples: the first vertices of the mesh. The others belong to the skirt.
+    /// Number of samples, the first vertices of the mesh. The other vertices belong to the skirt.
     pub(crate) samples: usize,
     pub(crate) phi_sums: Vec<f64>,
     /// Numbers of point handles, bars and polygons.
@@ -60,7 +60,7 @@ pub struct Solution {
     pub(crate) functions: WeightFunctions,
     pub(crate) weighting: Weighting,
     pub(crate) rounds: Vec<Round>,
-    /// Islands without sites that follow others.
+    /// Islands without sites that follow other islands.
     pub(crate) loose: Loose,
     pub(crate) prepared: Arc<PreparedDomain>,
     /// The picture behind the mesh, once it is filled.
@@ -71,7 +71,7 @@ pub struct Solution {
 /// The mesh.
 impl Solution {
     /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the skirt around
-    /// them, for soft edges and all else that is visible outside the domain.
+    /// them, for soft edges and other visible content outside the domain.
     #[must_use]
     pub fn vertices(&self) -> &[DVec2] {
         &self.mesh.vertices
@@ -83,15 +83,15 @@ impl Solution {
         self.solved.poser.displaced(&self.mesh.vertices)
     }
 
-    /// Triangles × 3 vertices, drawn later ones over earlier ones as long as no handle has a depth: see
+    /// Triangles × 3 vertices. Later triangles are drawn over earlier ones while no handle has a depth: see
     /// [`drawn_triangles`](Self::drawn_triangles).
     #[must_use]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.mesh.triangles
     }
 
-    /// The part of the picture outside a domain of polygons. It stays in place, and is drawn before the
-    /// [`triangles`](Self::triangles). Empty for any other domain.
+    /// The part of the picture outside a domain of polygons. It does not move, and is drawn before the
+    /// [`triangles`](Self::triangles). Empty for other domains.
     #[must_use]
     pub fn static_background(&self) -> &StaticBackground {
         &self.background
@@ -104,7 +104,7 @@ impl Solution {
         &self.feather
     }
 
-    /// Number of samples: the first [`vertices`](Self::vertices), which lie in the domain.
+    /// Number of samples, the first [`vertices`](Self::vertices). They lie in the domain.
     #[must_use]
     pub fn samples(&self) -> usize {
         self.samples
@@ -131,8 +131,8 @@ impl Solution {
         self.solved.graph.iter()
     }
 
-    /// ϖ: the real sites that a site gets its motion from and their weights (eq. 4), ascending by site. They sum to 1
-    /// within rounding. A real site has itself alone.
+    /// ϖ: the real sites that determine the motion of a site, and their weights (eq. 4), ascending by site. They sum to
+    /// 1 within rounding. A real site has only itself.
     ///
     /// # Panics
     /// If `site` is out of bounds.
@@ -140,8 +140,8 @@ impl Solution {
         self.solved.harmonic.row(site)
     }
 
-    /// The nearest site of a sample, `None` on an island without sites. Its support may end before the sample, beside
-    /// an acute joint for example. Other sites move the sample then.
+    /// The nearest site of a sample, `None` on an island without sites. Its support may end before the sample, for
+    /// example beside an acute joint. Then other sites move the sample.
     ///
     /// # Panics
     /// If `sample` is out of bounds.
@@ -178,12 +178,12 @@ impl Solution {
         &self.prepared.domain
     }
 
-    /// Whether pixels around the domain move with it: those of a picture that is cut out by its alpha.
+    /// Whether pixels around the domain move with it, as for a picture that is cut out by its alpha.
     pub(crate) fn draws_around(&self) -> bool {
         self.prepared.around.is_some()
     }
 
-    /// The triangulation of the domain that [distances](Navigation::distances_from) are computed on.
+    /// The triangulation of the domain for computing [distances](Navigation::distances_from).
     #[must_use]
     pub fn navigation(&self) -> &Navigation {
         &self.prepared.navigation
@@ -195,10 +195,10 @@ impl Solution {
         &self.solved.poser
     }
 
-    /// The pose of a project's handles, blended as the project says: see [`Poser::pose`].
+    /// The pose of a project's handles, with the project's blend: see [`Poser::pose`].
     ///
     /// # Errors
-    /// Those of [`Poser::pose`].
+    /// The errors of [`Poser::pose`].
     pub fn pose(&self, project: &Project) -> Result<Pose, Error> {
         self.solved.pose(project)
     }
@@ -225,7 +225,7 @@ impl Solution {
     }
 
     /// The weights of any points, such as the vertices of another mesh, points × sites. A point outside the domain or
-    /// on an island without sites has an empty row, and stays.
+    /// on an island without sites has an empty row, and does not move.
     ///
     /// Cost: for each point, that of [`weights_at`](Self::weights_at).
     #[must_use]
@@ -243,20 +243,20 @@ impl Solution {
         &self.outside
     }
 
-    /// The posed place of a point (eq. 1), and the growth of areas there; `None` outside the domain.
+    /// The posed position of a point (eq. 1), and the growth of areas there; `None` outside the domain.
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<Mapped> {
         self.solved.expect_own(pose);
         Some(pose.map(p, &self.influences_at(p)?))
     }
 
-    /// The posed places of the vertices.
+    /// The posed positions of the vertices.
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn posed_vertices(&self, pose: &Pose) -> Vec<DVec2> {
         self.solved.expect_own(pose);
@@ -264,10 +264,10 @@ impl Solution {
     }
 
     /// The triangles in the drawing order of a pose, later ones over earlier ones: by the depths of the handles. Where
-    /// two parts of the picture cross, one lies in front of the other as a whole.
+    /// two parts of the picture cross, one lies completely in front of the other.
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn drawn_triangles(&self, pose: &Pose) -> Cow<'_, [[u32; 3]]> {
         self.solved.expect_own(pose);
@@ -277,31 +277,31 @@ impl Solution {
         }
     }
 
-    /// How the posed vertices of a pose are drawn.
+    /// The drawing order of the posed vertices of a pose.
     pub(crate) fn drawn_pose<'a>(&'a self, pose: &Pose, posed: &'a [DVec2]) -> DrawnPose<'a> {
         let RenderMesh { vertices: rest, triangles } = &self.mesh;
         let order = DepthOrder::new(triangles, &self.weights, &depths(pose.motions()));
         order.drawn(PosedMesh { rest, posed, triangles }, &Adjacency::new(triangles))
     }
 
-    /// The rest point that a pose draws at a place. Costs nearly as much as [`rest_points`](Self::rest_points) of many.
+    /// The rest point that a pose draws at a point. Costs nearly as much as [`rest_points`](Self::rest_points) of many.
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn rest_point(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
         self.rest_points(pose, &[p]).pop().flatten()
     }
 
-    /// The rest points that a pose draws at some places, such as the centres of pixels. If the picture covers itself,
-    /// the one drawn last; `None` if nothing is drawn there.
+    /// The rest points that a pose draws at given points, such as the centres of pixels. If the picture covers itself,
+    /// the point drawn last; `None` if nothing is drawn there.
     ///
     /// This inverts the drawn mesh, whose triangles are flat, so it inverts [`map`](Self::map) up to the error of flat
-    /// triangles. Cost: that of [`posed_vertices`](Self::posed_vertices), and for each triangle a visit of the places
+    /// triangles. Cost: that of [`posed_vertices`](Self::posed_vertices), and for each triangle, a visit of the points
     /// within its range of y.
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn rest_points(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
         if self.is_at_rest(pose)
@@ -319,13 +319,13 @@ impl Solution {
         moved.into_iter().zip(still).map(|(moved, still)| moved.or(still)).collect()
     }
 
-    /// The posed places of points of the picture: that of [`map`](Self::map) in the domain. Around it, the place that
-    /// the drawn mesh has for a point at rest; `None` where the picture has no mesh.
+    /// The posed positions of points of the picture: that of [`map`](Self::map) in the domain. Around it, the position
+    /// in the drawn mesh; `None` where the picture has no mesh.
     ///
     /// Cost: that of [`map`](Self::map) for each point, and of [`posed_vertices`](Self::posed_vertices).
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn posed_points(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
         if self.is_at_rest(pose) {
@@ -351,7 +351,7 @@ impl Solution {
     /// no mesh.
     ///
     /// # Panics
-    /// If there is not one value per vertex.
+    /// If the number of values differs from the number of vertices.
     #[must_use]
     pub fn interpolated(&self, values: &[f64], points: &[DVec2]) -> Vec<Option<f64>> {
         let RenderMesh { vertices, triangles } = &self.mesh;
@@ -365,7 +365,7 @@ impl Solution {
         self.handle_counts == [0; 3] && !pose.displaces()
     }
 
-    /// Intrinsic distances from one point of the domain to others, in pixels; `None` where no path leads.
+    /// Intrinsic distances from one point of the domain to others, in pixels; `None` if no path exists.
     ///
     /// # Errors
     /// [`Error::PointOutside`] if the first point lies outside the domain.
@@ -374,10 +374,10 @@ impl Solution {
         Ok(at.iter().map(|&p| distances.to(p)).collect())
     }
 
-    /// The figures of the solve, and the folds of a pose.
+    /// The figures of the solve, and the number of folds in a pose.
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn report(&self, pose: &Pose) -> Report {
         let real = self.solved.sites.iter().filter(|site| site.kind.is_real()).count();
@@ -411,22 +411,22 @@ impl Solution {
         }
     }
 
-    /// The point that decides where another one goes: that one itself, unless it follows in a loose part.
+    /// The point that determines the motion of another point: the point itself, unless it belongs to a loose part.
     pub(crate) fn leading_point(&self, p: DVec2) -> DVec2 {
         let navigation = &self.prepared.navigation;
         let leader = navigation.locate(p).and_then(|(triangle, _)| self.loose.leader(navigation.island_of(triangle)));
         leader.map_or(p, |(_, leader)| leader)
     }
 
-    /// The number of islands without a handle. All of them, if there are no handles.
+    /// The number of islands without a handle; all islands if there are no handles.
     fn loose_islands(&self) -> usize {
         self.domain().islands() - self.functions.islands().len()
     }
 
-    /// The triangles over the domain that a pose turns over, each with its vertices.
+    /// The triangles over the domain that a pose flips, each with its vertices.
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn folds(&self, pose: &Pose) -> Vec<[u32; 3]> {
         let posed = self.posed_vertices(pose);
@@ -436,7 +436,7 @@ impl Solution {
     /// The number of [`folds`](Self::folds).
     ///
     /// # Panics
-    /// If the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn folded_triangles(&self, pose: &Pose) -> usize {
         self.folds(pose).len()

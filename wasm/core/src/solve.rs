@@ -22,7 +22,7 @@ use crate::{
 /// Solves a project in one call.
 ///
 /// # Errors
-/// Those of [`Solver::begin`] and [`Solver::advance`].
+/// The errors of [`Solver::begin`] and [`Solver::advance`].
 pub fn solve(project: &Project, picture: &Picture<'_>) -> Result<Solution, Error> {
     let mut solver = Solver::new();
     solver.begin(project, picture)?;
@@ -32,9 +32,10 @@ pub fn solve(project: &Project, picture: &Picture<'_>) -> Result<Solution, Error
     Ok(solver.into_solution().expect("every stage has run"))
 }
 
-/// Solves a project in one call in a domain of the caller, without a picture.
+/// Solves a project in one call in a domain from the caller, without a picture.
 ///
-/// The project's picture and domain are ignored. The solution draws any picture that the caller lays over the domain.
+/// The project's picture and domain are ignored. The solution can draw any picture that the caller places over the
+/// domain.
 ///
 /// ```
 /// use c2warp::{domain::Domain, glam::DVec2, project::{Handle, Project}, solve_domain};
@@ -53,7 +54,7 @@ pub fn solve(project: &Project, picture: &Picture<'_>) -> Result<Solution, Error
 /// ```
 ///
 /// # Errors
-/// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
+/// The errors of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
 pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Error> {
     let (input, prepared) = (SolveInput::new(project)?, Arc::new(PreparedDomain::without_picture(domain.clone())));
     let located = input.locate(&prepared)?;
@@ -63,14 +64,14 @@ pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Erro
     pipeline::compute_weights(&mut propagation, prepared, &input, located, samples, partition)
 }
 
-/// Solves a project in one call on a mesh of the caller. Its vertices are the samples, and the only vertices of the
+/// Solves a project in one call on a mesh from the caller. Its vertices are the samples, and the only vertices of the
 /// solution's mesh, in the caller's order. Handles need not lie on vertices.
 ///
 /// The project's picture and domain are ignored. Its number of samples is the upper limit of the coarse samples, over
 /// which cells are stored.
 ///
 /// # Errors
-/// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
+/// The errors of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
 pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error> {
     let (input, prepared) = (SolveInput::new(project)?, Arc::clone(&mesh.prepared));
     let located = input.locate(&prepared)?;
@@ -86,7 +87,7 @@ pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error
 ///
 /// # Errors
 /// - [`Error::PictureMismatch`].
-/// - Those of [`Domain::new`](crate::domain::Domain::new).
+/// - The errors of [`Domain::new`](crate::domain::Domain::new).
 /// - [`Error::PointOutside`] if the first point lies outside the domain.
 pub fn distances(
     project: &Project,

@@ -1,6 +1,6 @@
 //! The part of a project that a solve depends on, and the checks of its handles.
 //!
-//! Cost: O(n log n) in the point handles, and a look at every bone for each; for bars and polygons see `bone`.
+//! Cost: O(n log n) in the point handles, plus a visit of every bone for each; for bars and polygons see `bone`.
 
 use std::sync::Arc;
 
@@ -22,8 +22,8 @@ use crate::{
     site::{PointSite, sharp_corners},
 };
 
-/// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] less a tolerance, so that handles exactly that
-/// far apart pass.
+/// Handles closer than this, in pixels, are rejected: [`MIN_SEPARATION`] minus a tolerance, so that handles at exactly
+/// that distance pass.
 const MIN_HANDLE_DISTANCE: f64 = MIN_SEPARATION - 1e-9;
 
 /// Everything that a solve depends on, apart from picture and domain. It does not include the pose of the handles.
@@ -35,11 +35,11 @@ pub(crate) struct SolveInput {
     pub(crate) weighting: Weighting,
     pub(crate) fix_boundary: bool,
     pub(crate) loose_parts: LooseParts,
-    /// Where the picture is stiff. Nowhere in the harmonic mode, which has no energy.
+    /// The stiffness of the picture. It is zero in the harmonic mode, which has no energy.
     pub(crate) stiffness: StiffnessField,
     /// Width and height of the picture.
     pub(crate) picture: DVec2,
-    /// How places are displaced before they are posed; `None` if none is.
+    /// The displacement before posing; `None` if nothing is displaced.
     pub(crate) displacement: Option<Arc<DisplacementField>>,
     /// The handles of all kinds, in the order of the project.
     pub(crate) handles: Vec<SolvedHandle>,
@@ -84,9 +84,9 @@ impl SolveInput {
     /// # Errors
     /// - [`Error::Project`] if [`Project::check`] fails.
     /// - [`Error::TooManyHandles`].
-    /// - [`Error::TooManyCorners`] if bars and polygons have more segments than the limit of sites, as each needs a
-    ///   site.
-    /// - [`Error::PoseNotFinite`] for a pose that no solution could take.
+    /// - [`Error::TooManyCorners`] if bars and polygons have more segments than the limit of sites, because each needs
+    ///   a site.
+    /// - [`Error::PoseNotFinite`] for a pose that no solution accepts.
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
         project.check()?;
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
@@ -127,8 +127,8 @@ impl SolveInput {
         })
     }
 
-    /// Whether the solutions of two inputs differ, and in their posers alone: in stiffness or displacement.
-    pub(crate) fn differs_in_poser_alone(&self, other: &Self) -> bool {
+    /// Whether the solutions of two inputs differ only in their posers: in stiffness or displacement.
+    pub(crate) fn differs_only_in_poser(&self, other: &Self) -> bool {
         let (stiffness, displacement) = (other.stiffness.clone(), other.displacement.clone());
         self != other && Self { stiffness, displacement, ..self.clone() } == *other
     }
@@ -190,7 +190,7 @@ impl SolveInput {
         Ok(points)
     }
 
-    /// Refuses point handles that are too close to each other. `points` are their positions and indices, from top to
+    /// Rejects point handles that are too close to each other. `points` are their positions and indices, from top to
     /// bottom.
     fn check_distances(&self, points: &[(DVec2, u32)]) -> Result<(), Error> {
         for (at, &(one, handle)) in points.iter().enumerate() {
@@ -206,7 +206,7 @@ impl SolveInput {
         Ok(())
     }
 
-    /// Refuses more point handles close to another than [`MAX_CLOSE_HANDLES`].
+    /// Rejects more than [`MAX_CLOSE_HANDLES`] point handles that are close to another handle.
     fn check_crowding(&self, points: &[PointSite], diagonal: f64) -> Result<(), Error> {
         for (share, max) in MAX_CLOSE_HANDLES {
             let within = share * diagonal;
@@ -224,7 +224,7 @@ impl SolveInput {
         Ok(())
     }
 
-    /// Refuses point handles that are too close to a bone.
+    /// Rejects point handles that are too close to a bone.
     fn check_distances_to_bones(&self, skeleton: &Skeleton) -> Result<(), Error> {
         for point in &self.points {
             for bone in &skeleton.bones {
@@ -251,13 +251,13 @@ impl PointHandle {
     }
 }
 
-/// Whether all numbers of a pose are small enough for a solution. A solution may refuse further poses of bars.
+/// Whether all numbers of a pose are small enough for a solution. A solution may reject further poses of bars.
 fn is_posed_in_bounds(handle: &Handle) -> bool {
     let coordinates = handle.shape.posed().iter().flat_map(DVec2::to_array);
     coordinates.chain([handle.scale, handle.depth]).all(|number| number.abs() <= MAX_POSED)
 }
 
-/// Refuses bars and polygons with more segments than the limit of sites. Names the one with the most.
+/// Rejects bars and polygons with more segments than the limit of sites. Names the handle with the most.
 fn check_segments(polylines: &[Polyline]) -> Result<(), Error> {
     let segments: usize = polylines.iter().map(Polyline::segments).sum();
     if segments <= MAX_SITES {

@@ -1,4 +1,4 @@
-//! When two projects with their pictures have the same solution.
+//! Determines whether two projects with their pictures have the same solution.
 
 use crate::{
     error::Error,
@@ -9,8 +9,8 @@ use crate::{
     solve_input::{SolveInput, check_picture},
 };
 
-/// Everything that a solution depends on: equal keys have equal solutions. Poses of handles, clips and colours are left
-/// out, unless the picture is filled behind the domain.
+/// Everything that a solution depends on: equal keys have equal solutions. Poses of handles, clips and colours are not
+/// included, except colours if the picture is filled behind the domain.
 ///
 /// ```
 /// use c2warp::{Picture, SolveKey, project::{Handle, Project}};
@@ -30,7 +30,7 @@ pub struct SolveKey {
     input: SolveInput,
     /// The alpha of each pixel, if the outline depends on it and a pixel is not opaque.
     alpha: Option<Vec<u8>>,
-    /// The fill with the pixels that it is made from.
+    /// The fill with its source pixels.
     fill: Option<(FillKey, Vec<u8>)>,
 }
 

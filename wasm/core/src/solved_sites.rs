@@ -9,14 +9,14 @@ use crate::{
     triangulation::NONE,
 };
 
-/// Sites with the cell graph, harmonic fields and poser made of them.
+/// Sites with their cell graph, harmonic fields and poser.
 #[derive(Debug, Clone)]
 pub(crate) struct SolvedSites {
     pub(crate) sites: Vec<Site>,
     pub(crate) graph: SiteGraph,
     pub(crate) harmonic: HarmonicFields,
     pub(crate) poser: Poser,
-    /// Samples: the nearest site of each; [`NONE`] on an island without sites.
+    /// For each sample, its nearest site; [`NONE`] on an island without sites.
     pub(crate) nearest: Vec<u32>,
 }
 
@@ -33,19 +33,19 @@ impl SolvedSites {
     /// The pose of a project's handles.
     ///
     /// # Errors
-    /// Those of [`Poser::pose`].
+    /// The errors of [`Poser::pose`].
     pub(crate) fn pose(&self, project: &Project) -> Result<Pose, Error> {
         self.poser.pose(&project.handles, project.pose.blend)
     }
 
     /// # Errors
-    /// [`Error::PoseOfAnotherSolution`] if another solution's poser made the pose.
+    /// [`Error::PoseOfAnotherSolution`] if the pose comes from another solution's poser.
     pub(crate) fn check_pose(&self, pose: &Pose) -> Result<(), Error> {
         if self.poser.has_made(pose) { Ok(()) } else { Err(Error::PoseOfAnotherSolution) }
     }
 
     /// # Panics
-    /// If another solution's poser made the pose.
+    /// If the pose comes from another solution's poser.
     pub(crate) fn expect_own(&self, pose: &Pose) {
         assert!(self.poser.has_made(pose), "{}", Error::PoseOfAnotherSolution);
     }

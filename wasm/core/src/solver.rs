@@ -1,6 +1,6 @@
-//! Solves a project stage by stage, and keeps for the next solve what does not depend on point handles.
+//! Solves a project stage by stage, and caches results that do not depend on point handles for the next solve.
 //!
-//! Cost: see `pipeline`. A solve that changes point handles alone reuses the outline and the base samples.
+//! Cost: see `pipeline`. A solve that only changes point handles reuses the outline and the base samples.
 
 use std::sync::Arc;
 
@@ -20,9 +20,10 @@ use crate::{
 
 /// Solves projects of one picture, stage by stage.
 ///
-/// It keeps for the next solve what does not depend on point handles: the outline, and the samples without handles.
+/// It caches results that do not depend on point handles for the next solve: the outline, and the samples without
+/// handles.
 ///
-/// A picture is identified by its size. For another picture of the same size, make a new solver.
+/// A picture is identified by its size. For another picture of the same size, create a new solver.
 ///
 /// ```
 /// use c2warp::{Picture, Solver, project::{Handle, Project}};
@@ -69,9 +70,9 @@ struct PendingSolve {
 /// Results of the last stage that later ones need.
 #[derive(Debug)]
 enum Progress {
-    /// The outline, which the solver keeps.
+    /// The outline, cached by the solver.
     Begun,
-    /// The last solution is the wanted one apart from stiffness and displacement.
+    /// The last solution differs only in stiffness and displacement.
     Solved,
     Located(LocatedHandles),
     Sampled {
@@ -103,15 +104,15 @@ impl Solver {
 
     /// Begins a solve and drops one in progress. All pictures of one size that are passed to a solver must be the same.
     ///
-    /// Finds the outline unless it is kept from the last solve. The first call of [`advance`](Self::advance) then
+    /// Finds the outline unless it is cached from the last solve. The first call of [`advance`](Self::advance) then
     /// checks the handles and returns [`Stage::Domain`].
     ///
     /// # Errors
     /// - [`Error::PictureMismatch`].
     /// - [`Error::Project`] if [`Project::check`] fails.
     /// - [`Error::TooManyHandles`], [`Error::TooManyCorners`].
-    /// - [`Error::PoseNotFinite`] for a pose that no solution could take.
-    /// - Those of [`Domain::new`](crate::domain::Domain::new).
+    /// - [`Error::PoseNotFinite`] for a pose that no solution accepts.
+    /// - The errors of [`Domain::new`](crate::domain::Domain::new).
     pub fn begin(&mut self, project: &Project, picture: &Picture<'_>) -> Result<(), Error> {
         self.pending = None;
         check_picture(project.image.size(), picture)?;
@@ -125,20 +126,20 @@ impl Solver {
         self.begin_fill(project);
         let domain = self.domain.as_ref().map(|domain| &domain.key);
         let known = self.finished.as_ref().filter(|finished| Some(&finished.key) == domain);
-        let is_solved = known.is_some_and(|known| known.input.differs_in_poser_alone(&input));
+        let is_solved = known.is_some_and(|known| known.input.differs_only_in_poser(&input));
         let progress = if is_solved { Progress::Solved } else { Progress::Begun };
         self.pending = Some(PendingSolve { input, progress });
         Ok(())
     }
 
-    /// Runs the next stage of the solve and returns it; `None` if no stage is left. If only stiffness or
-    /// displacement has changed since the last solution, the last stage alone is left.
+    /// Runs the next stage of the solve and returns it; `None` after the last stage. If only stiffness or displacement
+    /// has changed since the last solution, only the last stage runs.
     ///
     /// # Errors
     /// [`Error::OutlineTooLong`], [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::HandlesCrowded`],
     /// [`Error::OnHeldBoundary`], [`Error::BarTooShort`], [`Error::BarsOverlap`], [`Error::HeldTooFine`],
     /// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`]. An error ends the solve; the last
-    /// solution stays.
+    /// solution remains.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
         let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, pending, finished, .. } = self
         else {
@@ -147,7 +148,7 @@ impl Solver {
         let Some(PendingSolve { input, progress }) = pending.take() else { return Ok(None) };
         let (stage, progress) = match progress {
             Progress::Solved => {
-                let finished = finished.as_mut().expect("a solution is only ever replaced");
+                let finished = finished.as_mut().expect("a finished solve has a solution");
                 let solution = Arc::make_mut(&mut finished.solution);
                 let poser = &mut solution.solved.poser;
                 if finished.input.stiffness != input.stiffness {
@@ -185,13 +186,13 @@ impl Solver {
         self.finished.as_ref().map(|finished| &*finished.solution)
     }
 
-    /// The last solution, to be kept while other solves go on.
+    /// The last solution, shared so that it can be kept during other solves.
     #[must_use]
     pub fn shared_solution(&self) -> Option<Arc<Solution>> {
         self.finished.as_ref().map(|finished| Arc::clone(&finished.solution))
     }
 
-    /// Whether the last solution is that of a project, apart from its pose and `image.src`.
+    /// Whether the last solution belongs to a project, apart from its pose and `image.src`.
     #[must_use]
     pub fn has_solved(&self, project: &Project) -> bool {
         self.finished.as_ref().is_some_and(|finished| {

@@ -1,4 +1,4 @@
-//! The fill behind the domain of a solver's project, in steps beside the solve.
+//! The fill behind the domain of a solver's project, computed in steps independently of the solve.
 
 use std::sync::Arc;
 
@@ -6,22 +6,21 @@ use crate::{error::Error, fill_key::FillKey, picture::Picture, project::Project,
 
 /// The fill of the picture behind the domain.
 impl Solver {
-    /// Asks for the fill of a project, and drops one that another domain or seed had. [`begin`](Self::begin) does so
-    /// as well.
+    /// Requests the fill of a project, and drops the fill of another domain or seed. [`begin`](Self::begin) does so as
+    /// well.
     pub fn begin_fill(&mut self, project: &Project) {
         self.fill.ask(FillKey::of(project));
     }
 
-    /// Runs the next step of the fill behind the last project's domain. Returns the part that is done, from 0 to 1;
-    /// `None` if nothing is left to do, or the project has no fill. Solutions of the project then draw it.
+    /// Runs the next step of the fill behind the last project's domain. Returns the completed fraction, from 0 to 1;
+    /// `None` if the fill is finished, or the project has no fill. Solutions of the project then draw the fill.
     ///
-    /// A fill depends on the picture, the domain and the seed alone. It goes on where it was while other handles are
-    /// solved.
+    /// A fill depends only on the picture, the domain and the seed. It continues while other handles are solved.
     ///
     /// # Errors
     /// - [`Error::PictureMismatch`];
     /// - [`Error::NothingToFillFrom`];
-    /// - those of [`Domain::new`](crate::domain::Domain::new).
+    /// - the errors of [`Domain::new`](crate::domain::Domain::new).
     pub fn advance_fill(&mut self, picture: &Picture<'_>) -> Result<Option<f64>, Error> {
         let progress = self.fill.advance(picture)?;
         if progress.is_none()

@@ -1,12 +1,12 @@
-//! A mesh of few vertices over the visible part of a picture, as game engines want it.
+//! A mesh of few vertices over the visible part of a picture, for game engines.
 //!
-//! The outline comes first: it goes around all visible pixels, with corners as few as a tolerance allows. The tolerance
+//! The outline comes first: it encloses all visible pixels, with as few corners as a tolerance allows. The tolerance
 //! grows until corners are at most half of the vertices. A lattice fills the rest. Vertices outside the domain have the
-//! weights of its nearest point, as those of the skirt do.
+//! weights of its nearest point, like those of the skirt.
 //!
-//! Cost: linear in the pixels, some forty lattices, and a visit of the whole outline for each vertex outside.
+//! Cost: linear in the pixels, plus about forty lattices, and a visit of the whole outline for each vertex outside.
 //!
-//! Known limits: specks are left out, and parts closer than some pixels are joined.
+//! Known limits: specks are left out, and parts closer than a few pixels are joined.
 
 use glam::DVec2;
 
@@ -24,11 +24,11 @@ use crate::{
 
 /// The finest tolerance of the outline, in pixels: hardly visible on an edge.
 const FINEST_PX: f64 = 0.5;
-/// From one tolerance to the next.
+/// Factor from one tolerance to the next.
 const COARSER: f64 = 1.4;
 /// The coarsest tolerance, as a fraction of the picture's diagonal: 33 px in a picture of 1024 × 1280 px.
 const COARSEST: f64 = 0.02;
-/// Corners of the outline may be this fraction of the vertices, while a coarser tolerance remains.
+/// Corners of the outline may be this fraction of the vertices, unless the coarsest tolerance is reached.
 const OUTLINE_SHARE: f64 = 0.5;
 /// The corners of the picture, in a mesh with a background.
 const PICTURE_CORNERS: usize = 4;
@@ -60,14 +60,14 @@ pub struct SpriteMesh {
     tolerance: f64,
 }
 
-/// The outline needs more vertices than were asked for.
+/// The outline needs more vertices than requested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the outline alone needs {least} vertices, but {asked} are asked for")]
+#[error("the outline alone needs {least} vertices, but only {asked} are allowed")]
 #[non_exhaustive]
 pub struct TooFewVertices {
-    /// The number asked for.
+    /// The requested number.
     pub asked: usize,
-    /// The least number.
+    /// The minimum number.
     pub least: usize,
 }
 
@@ -75,7 +75,7 @@ impl SpriteMesh {
     /// A mesh of at most `most` vertices for a solution of this picture.
     ///
     /// # Errors
-    /// [`TooFewVertices`] if the outline needs more, by a tolerance of 2 % of the picture's diagonal.
+    /// [`TooFewVertices`] if the outline needs more, even with a tolerance of 2 % of the picture's diagonal.
     pub fn new(solution: &Solution, picture: &Picture, most: usize) -> Result<Self, TooFewVertices> {
         let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
         let has_background = !solution.static_background().triangles().is_empty();
@@ -102,14 +102,14 @@ impl SpriteMesh {
         Ok(mesh)
     }
 
-    /// Vertices at rest, in image pixels. First come those of the outline, last those of the static background.
+    /// Vertices at rest, in image pixels. Those of the outline come first, and those of the static background last.
     #[must_use]
     pub fn vertices(&self) -> &[DVec2] {
         &self.vertices
     }
 
-    /// The [`vertices`](Self::vertices) before the handles pose them: displaced as the project of the solution says.
-    /// Those of the static background stay.
+    /// The [`vertices`](Self::vertices) before the handles pose them, displaced as in the solution's project. Those of
+    /// the static background do not move.
     #[must_use]
     pub fn displaced_vertices(&self) -> &[DVec2] {
         &self.displaced
@@ -121,19 +121,19 @@ impl SpriteMesh {
         &self.triangles
     }
 
-    /// The weights of the vertices, vertices × sites. A vertex that stays has none.
+    /// The weights of the vertices, vertices × sites. A vertex that does not move has no weights.
     #[must_use]
     pub fn weights(&self) -> &SparseWeights {
         &self.weights
     }
 
-    /// The vertices around the mesh, or none if it has several parts, holes or a background.
+    /// The vertices around the mesh, or `None` if it has several parts, holes or a background.
     #[must_use]
     pub fn hull(&self) -> &[u32] {
         &self.hull
     }
 
-    /// How far the outline may be from the one of the visible pixels or of the domain, in pixels.
+    /// The maximum distance between the outline and that of the visible pixels or of the domain, in pixels.
     #[must_use]
     pub fn tolerance(&self) -> f64 {
         self.tolerance
@@ -142,14 +142,14 @@ impl SpriteMesh {
     /// The posed vertices.
     ///
     /// # Panics
-    /// If the pose is of a solution with fewer sites.
+    /// If the pose belongs to a solution with fewer sites.
     #[must_use]
     pub fn posed_vertices(&self, pose: &Pose) -> Vec<DVec2> {
         pose.blend_places(&self.displaced, &self.weights)
     }
 
     /// One order of the triangles for several poses, by the depths of the first one. Where parts cross in any pose, one
-    /// lies in front as a whole, unless the poses contradict each other.
+    /// lies completely in front, unless the poses contradict each other.
     ///
     /// # Panics
     /// Without a pose, or for a pose of a solution with fewer sites.
@@ -172,7 +172,7 @@ impl SpriteMesh {
         still.iter().copied().chain(order.into_iter().map(|t| moving[t as usize])).collect()
     }
 
-    /// Adds the picture around the outline, which stays.
+    /// Adds the static picture around the outline.
     fn add_background(&mut self, size: DVec2, on_outline: &[DVec2], segments: &[[usize; 2]]) {
         let mut vertices = on_outline.to_vec();
         vertices.extend([DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)]);
@@ -197,7 +197,7 @@ struct Outline {
 }
 
 impl Outline {
-    /// The finest outline with few corners, or else the coarsest that fits. An error tells how many corners that has.
+    /// The finest outline with few corners, or else the coarsest that fits. An error contains its number of corners.
     fn new(solution: &Solution, picture: &Picture, room: usize, again: bool) -> Result<Self, usize> {
         let visible = solution.draws_around().then(|| VisiblePixels::new(picture));
         let diagonal = libm::hypot(f64::from(picture.width()), f64::from(picture.height()));

@@ -1,4 +1,4 @@
-//! The stages of a solve by name, and the time that each takes.
+//! The stages of a solve by name, and the time of each.
 
 /// A stage of the solve. Between two stages a caller may decide to solve a newer project instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

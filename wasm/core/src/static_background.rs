@@ -1,4 +1,4 @@
-//! The part of a picture outside a domain that is given as polygons: it stays in place, behind the part that bends.
+//! The part of a picture outside a domain of polygons: it does not move, and lies behind the part that bends.
 //!
 //! Its triangles share the samples of the outline, so that no gap appears along an outline that is held.
 //!

@@ -1,6 +1,6 @@
 //! A solution explained: outline, cells with their radii, falloff, and the rounds of Algorithm 1. For figures.
 //!
-//! Follows figures 2 and 3. Cost: a look at every pair of sites, and the lookup of two paths for each site.
+//! Follows figures 2 and 3. Cost: a visit of every pair of sites, and the lookup of two paths for each site.
 
 use glam::DVec2;
 
@@ -11,9 +11,9 @@ use crate::{
     weight::support_radii,
 };
 
-/// Pieces that the curve of the falloff is drawn with.
+/// Number of segments in the curve of the falloff.
 const FALLOFF_PIECES: u32 = 64;
-/// The nearest site is at the separation up to this, relative to it. Rounding is far smaller.
+/// Relative tolerance for a site at the separation. Rounding errors are far smaller.
 const AT_SEPARATION: f64 = 1e-9;
 
 /// A solution, explained. Points are in image pixels at rest, lengths in pixels.
@@ -29,9 +29,9 @@ pub struct Study {
     pub sites: Vec<SiteStudy>,
     /// φ at even steps from 0 to 1.
     pub falloff: Vec<f64>,
-    /// The rounds of Algorithm 1; none without sites.
+    /// The rounds of Algorithm 1; empty without sites.
     pub rounds: Vec<Round>,
-    /// The greatest score that ends Algorithm 1.
+    /// The score at or below which Algorithm 1 ends.
     pub allowed_score: f64,
 }
 

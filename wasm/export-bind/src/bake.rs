@@ -15,10 +15,11 @@ use crate::solution::solution;
 /// Solves a project, and bakes its clips.
 ///
 /// `rgba` is straight, rows from top to bottom. `picture_file` is a PNG, WebP or JPEG file of the same picture.
-/// `posable`: readers may pose the handles in the rigid mode, too. `tell` gets the part that is done, from 0 to 1.
+/// `posable`: readers may pose the handles in the rigid mode, too. `on_progress` receives the completed fraction, from
+/// 0 to 1.
 ///
 /// # Errors
-/// For a project that cannot be solved with this picture, and for clips that no rig can hold.
+/// For a project that cannot be solved with this picture, and for clips that do not fit in a rig.
 #[wasm_bindgen]
 pub fn bake(
     project_json: &str,
@@ -27,7 +28,7 @@ pub fn bake(
     rgba: &[u8],
     picture_file: Vec<u8>,
     posable: bool,
-    tell: &Function,
+    on_progress: &Function,
 ) -> Result<Vec<u8>, JsError> {
     let refused = |reason: &dyn fmt::Display| JsError::new(&reason.to_string());
     let project = Project::from_json(project_json).map_err(|reason| refused(&reason))?;
@@ -35,10 +36,10 @@ pub fn bake(
     let solution = solution(&project, &picture).map_err(|reason| refused(&reason))?;
     let posable = if posable { Posable::Always } else { Posable::WithoutSolver };
     let picture = RigPicture { width, height, file: picture_file };
-    let mut tell = |part: f64| {
+    let mut on_progress = |part: f64| {
         // Nothing can be done about a listener that fails.
-        let _ = tell.call1(&JsValue::NULL, &part.into());
+        let _ = on_progress.call1(&JsValue::NULL, &part.into());
     };
-    let rig = Rig::bake_telling(&project, &solution, picture, posable, &mut tell);
+    let rig = Rig::bake_with_progress(&project, &solution, picture, posable, &mut on_progress);
     rig.and_then(|rig| rig.to_bytes()).map_err(|reason| refused(&reason))
 }

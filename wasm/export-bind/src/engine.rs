@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::solution::solution;
 
-/// The part of the work that is done once the project is solved.
+/// The completed fraction of the work once the project is solved.
 const SOLVED: f64 = 0.2;
 
 /// A file format of an engine.
@@ -27,7 +27,7 @@ pub enum EngineFormat {
     Godot,
 }
 
-/// A format, and how large the rig may be.
+/// A format, and the limits of the rig.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy)]
 pub struct EngineOptions {
@@ -39,14 +39,14 @@ pub struct EngineOptions {
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct EngineFiles {
-    /// Their names and bytes.
+    /// The names and bytes of the files.
     files: Vec<(String, Vec<u8>)>,
     rig: EngineRig,
 }
 
 #[wasm_bindgen]
 impl EngineOptions {
-    /// The most bones besides the root, the most bones that move a vertex, and the most vertices.
+    /// The maximum number of bones besides the root, of bones that move a vertex, and of vertices.
     #[wasm_bindgen(constructor)]
     pub fn new(format: EngineFormat, bones: usize, influences: usize, vertices: usize) -> Self {
         let format = match format {
@@ -72,15 +72,15 @@ impl EngineFiles {
         self.files.get(file).map(|(_, bytes)| bytes.clone()).unwrap_or_default()
     }
 
-    /// The numbers of bones besides the root, of sites that they stand for, and of vertices.
+    /// The numbers of bones besides the root, of sites that they represent, and of vertices.
     #[wasm_bindgen(getter)]
     pub fn sizes(&self) -> Vec<u32> {
         let ((bones, sites), (vertices, _)) = (self.rig.bones(), self.rig.size());
         [bones, sites, vertices].map(|count| count as u32).to_vec()
     }
 
-    /// The largest error and that of 99 of 100 places, in pixels: of vertices in the project's pose, in random poses,
-    /// and in each clip, and at last of the picture between vertices.
+    /// The largest error and the 99th percentile, in pixels: of vertices in the project's pose, in random poses, and in
+    /// each clip, and finally of the picture between vertices.
     #[wasm_bindgen(getter)]
     pub fn errors(&self) -> Vec<f64> {
         let loss = self.rig.loss();
@@ -90,12 +90,12 @@ impl EngineFiles {
     }
 }
 
-/// Solves a project, and makes its rig for an engine. Its files are named by `stem`.
+/// Solves a project, and builds its rig for an engine. `stem` is the stem of the file names.
 ///
-/// `rgba` is straight, rows from top to bottom. `tell` gets the part that is done, from 0 to 1.
+/// `rgba` is straight, rows from top to bottom. `on_progress` receives the completed fraction, from 0 to 1.
 ///
 /// # Errors
-/// For a project that cannot be solved with this picture, and for options that do not fit it.
+/// For a project that cannot be solved with this picture, and for unsuitable options.
 #[wasm_bindgen]
 pub fn engine_rig(
     project_json: &str,
@@ -104,7 +104,7 @@ pub fn engine_rig(
     rgba: &[u8],
     stem: &str,
     EngineOptions { format, options }: EngineOptions,
-    tell: &Function,
+    on_progress: &Function,
 ) -> Result<EngineFiles, JsError> {
     let refused = |reason: &dyn fmt::Display| JsError::new(&reason.to_string());
     let not_exported = |reason: ExportError| match reason {
@@ -112,17 +112,17 @@ pub fn engine_rig(
         ExportError::Outline(reason) => refused(&reason),
         reason => refused(&reason),
     };
-    let tell = |part: f64| {
+    let on_progress = |part: f64| {
         // Nothing can be done about a listener that fails.
-        let _ = tell.call1(&JsValue::NULL, &part.into());
+        let _ = on_progress.call1(&JsValue::NULL, &part.into());
     };
     options.check(format).map_err(not_exported)?;
     let project = Project::from_json(project_json).map_err(|reason| refused(&reason))?;
     let picture = Picture::new(width, height, rgba).map_err(|reason| refused(&reason))?;
     let solution = solution(&project, &picture).map_err(|reason| refused(&reason))?;
-    let mut tell_rest = |part: f64| tell(SOLVED + (1.0 - SOLVED) * part);
-    tell_rest(0.0);
-    let rig = EngineRig::new_telling(stem, &project, &solution, &picture, options, &mut tell_rest);
+    let mut on_rest = |part: f64| on_progress(SOLVED + (1.0 - SOLVED) * part);
+    on_rest(0.0);
+    let rig = EngineRig::new_with_progress(stem, &project, &solution, &picture, options, &mut on_rest);
     let rig = rig.map_err(not_exported)?;
     let mut png = Vec::new();
     let encoder = PngEncoder::new(&mut png);

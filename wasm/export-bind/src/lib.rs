@@ -1,6 +1,6 @@
-//! Exports for JavaScript: a module of its own with a solver, which a page loads at the first export that needs it.
+//! Exports for JavaScript: a separate module with a solver, which a page loads at the first export that needs it.
 //!
-//! It lives in a worker that ends with the export. So a cancel needs no pause in it. One file an export.
+//! It runs in a worker that ends with the export, so cancelling needs no support here. Each export has its own file.
 
 pub mod bake;
 pub mod drawing;

@@ -7,20 +7,20 @@ use wasm_bindgen::prelude::*;
 
 use crate::solved::{SolvedProject, refused};
 
-/// The largest array: a page holds it as a whole.
+/// The largest array: a page keeps the whole array in memory.
 const MOST_BYTES: u64 = 512 << 20;
 
 /// A quantity with a value at each pixel.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy)]
 pub enum MapKind {
-    /// For each pixel of the warped picture, the place of the picture that it shows.
+    /// For each pixel of the warped picture, the position in the picture that it shows.
     Inverse,
-    /// For each pixel of the picture, its place in the warped picture.
+    /// For each pixel of the picture, its position in the warped picture.
     Forward,
     /// The growth of areas and lengths.
     Stretch,
-    /// Places that the warp uncovers and covers.
+    /// Areas that the warp uncovers and covers.
     Disocclusion,
 }
 
@@ -36,8 +36,8 @@ pub struct MapOptions {
 
 #[wasm_bindgen]
 impl MapOptions {
-    /// `exr`: OpenEXR with 32-bit floats, in place of PNG with 16 bits. `grow`: the map holds all that is bent beyond
-    /// the picture's rectangle. `pixelated`: the drawing is pixel art.
+    /// `exr`: OpenEXR with 32-bit floats, instead of PNG with 16 bits. `grow`: the map grows to contain everything that
+    /// is bent beyond the picture's rectangle. `pixelated`: the drawing is pixel art.
     #[wasm_bindgen(constructor)]
     pub fn new(map: MapKind, exr: bool, grow: bool, pixelated: bool) -> Self {
         let map = match map {
@@ -55,8 +55,7 @@ impl MapOptions {
 
 #[wasm_bindgen]
 impl SolvedProject {
-    /// A map of the project's pose, or of its clip with a name at a time in seconds. `name` is that of the picture's
-    /// file.
+    /// A map of the project's pose, or of a named clip at a time in seconds. `name` is the name of the picture's file.
     ///
     /// # Errors
     /// For an unknown clip, and for a map that is larger than a picture may be.
@@ -67,7 +66,7 @@ impl SolvedProject {
         let drawn = ResampleOptions { scale: 1.0, canvas, filter, edges: self.project.edges };
         let drawing = self.solution.drawing(&picture, &pose, drawn).map_err(refused)?;
         let maps = Maps { solution: &self.solution, pose: &pose, picture, drawing: &drawing, name };
-        maps.file(map, format, &mut |part| self.tell(part)).map_err(refused)
+        maps.file(map, format, &mut |part| self.report(part)).map_err(refused)
     }
 
     /// The weight of a handle as a heat map over the picture at rest, as PNG.
@@ -77,7 +76,7 @@ impl SolvedProject {
     #[wasm_bindgen(js_name = heatMap)]
     pub fn heat_map(&self, handle: &str) -> Result<Vec<u8>, JsError> {
         let weights = Weights::new(&self.solution, &self.project, Some(handle)).map_err(refused)?;
-        heat_map(&self.solution, &weights, self.picture()?, &mut |part| self.tell(part)).map_err(refused)
+        heat_map(&self.solution, &weights, self.picture()?, &mut |part| self.report(part)).map_err(refused)
     }
 
     /// The weights of all sites at every N-th pixel, as an array for NumPy or as CSV.
@@ -97,7 +96,7 @@ impl SolvedProject {
         self.table(Some(handle), every, npy)
     }
 
-    /// The sites in the order of an array's last side, as CSV.
+    /// The sites as CSV, in the order of the array's last axis.
     ///
     /// # Errors
     /// If the table cannot be written.
@@ -116,7 +115,7 @@ impl SolvedProject {
         weights.check_size(&places, MOST_BYTES).map_err(refused)?;
         let format = if npy { TableFormat::Npy } else { TableFormat::Csv };
         let mut file = Vec::new();
-        weights.write(&places, format, &mut file, &mut |part| self.tell(part)).map_err(refused)?;
+        weights.write(&places, format, &mut file, &mut |part| self.report(part)).map_err(refused)?;
         Ok(file)
     }
 }

@@ -1,11 +1,11 @@
-//! Solves a project for exports. They have no use for the fill of the background, so it is not made.
+//! Solves a project for exports. Exports do not need the fill of the background, so it is not computed.
 
 use c2warp::{Error, Picture, Solution, Solver, project::Project};
 
 /// The solution of a project.
 ///
 /// # Errors
-/// Those of [`Solver::begin`] and [`Solver::advance`].
+/// The errors of [`Solver::begin`] and [`Solver::advance`].
 pub(crate) fn solution(project: &Project, picture: &Picture<'_>) -> Result<Solution, Error> {
     let mut solver = Solver::new();
     solver.begin(project, picture)?;

@@ -1,4 +1,4 @@
-//! A solved project, which several kinds of exports begin with.
+//! A solved project, the first step of several kinds of exports.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::solution::solution;
 
-/// The part of the work that is done once the project is solved.
+/// The completed fraction of the work once the project is solved.
 const SOLVED: f64 = 0.2;
 
 /// A solved project with its picture.
@@ -19,7 +19,7 @@ pub struct SolvedProject {
     pub(crate) solution: Solution,
     pub(crate) size: [u32; 2],
     rgba: Vec<u8>,
-    tell: Function,
+    on_progress: Function,
 }
 
 pub(crate) fn refused(reason: impl fmt::Display) -> JsError {
@@ -30,16 +30,23 @@ pub(crate) fn refused(reason: impl fmt::Display) -> JsError {
 impl SolvedProject {
     /// Solves a project.
     ///
-    /// `rgba` is straight, rows from top to bottom. `tell` gets the part of the export that is done, from 0 to 1.
+    /// `rgba` is straight, rows from top to bottom. `on_progress` receives the completed fraction of the export, from 0
+    /// to 1.
     ///
     /// # Errors
     /// For a project that cannot be solved with this picture.
     #[wasm_bindgen(constructor)]
-    pub fn new(project_json: &str, width: u32, height: u32, rgba: Vec<u8>, tell: Function) -> Result<Self, JsError> {
+    pub fn new(
+        project_json: &str,
+        width: u32,
+        height: u32,
+        rgba: Vec<u8>,
+        on_progress: Function,
+    ) -> Result<Self, JsError> {
         let project = Project::from_json(project_json).map_err(refused)?;
         let solution = solution(&project, &Picture::new(width, height, &rgba).map_err(refused)?).map_err(refused)?;
-        let solved = Self { project, solution, size: [width, height], rgba, tell };
-        solved.tell(0.0);
+        let solved = Self { project, solution, size: [width, height], rgba, on_progress };
+        solved.report(0.0);
         Ok(solved)
     }
 }
@@ -61,8 +68,8 @@ impl SolvedProject {
         playback.pose(seconds, project.pose.blend).map_err(refused)
     }
 
-    pub(crate) fn tell(&self, part: f64) {
+    pub(crate) fn report(&self, part: f64) {
         // Nothing can be done about a listener that fails.
-        let _ = self.tell.call1(&JsValue::NULL, &(SOLVED + (1.0 - SOLVED) * part).into());
+        let _ = self.on_progress.call1(&JsValue::NULL, &(SOLVED + (1.0 - SOLVED) * part).into());
     }
 }

@@ -1,7 +1,9 @@
-//! Which sites become bones: those whose motion others cannot take over.
+//! Selects the sites that become bones: those whose motion other sites cannot represent.
 //!
-//! Sites are merged into a neighbour one by one, each time the pair that loses least. The loss of a pair is the squared
-//! distance between the two motions, over all poses and over the vertices that the vanishing site moves.
+//! Sites are merged into a neighbour one by one, always the pair with the smallest loss. The loss of a pair is the
+//! squared distance between the two motions, over all poses and over the vertices that the removed site moves.
+//!
+//! A site with an owner joins an earlier site of the same owner only. So the first site of each owner stays a bone.
 //!
 //! Cost: linear in the poses, for each link of the cell graph, and for each link of a merged site.
 
@@ -11,16 +13,16 @@ use glam::{DAffine2, DVec2};
 
 use c2warp::weight::SparseWeights;
 
-/// The sites that become bones, and the one that stands for each site.
+/// The sites that become bones, and the bone that represents each site.
 #[derive(Debug, PartialEq)]
 pub(crate) struct ChosenSites {
     /// Ascending.
     pub(crate) kept: Vec<usize>,
-    /// Sites: the kept one that takes its weights.
+    /// For each site, the kept site that receives its weights.
     pub(crate) leader: Vec<usize>,
 }
 
-/// Where a site has its weights: sums of w², w² p and w² p pᵀ over the vertices.
+/// The distribution of a site's weights: sums of w², w² p and w² p pᵀ over the vertices.
 #[derive(Debug, Clone, Copy, Default)]
 struct Moments {
     mass: f64,
@@ -55,12 +57,14 @@ impl Moments {
     }
 }
 
-/// At most `most` sites, by their maps in some poses (poses × sites) and the weights of vertices.
-pub(crate) fn chosen_sites(
+/// Selects at most `most` sites, but at least one for each owner, given their maps in some poses (poses × sites) and
+/// the weights of vertices. `owners` has one entry for each site.
+pub(crate) fn chosen_sites<Owner: PartialEq>(
     maps: &[Vec<DAffine2>],
     vertices: &[DVec2],
     weights: &SparseWeights,
     links: impl Iterator<Item = (usize, usize)>,
+    owners: &[Option<Owner>],
     most: usize,
 ) -> ChosenSites {
     let sites = maps.first().map_or(0, Vec::len);
@@ -84,11 +88,14 @@ pub(crate) fn chosen_sites(
     };
     // The cheapest merge of each site.
     let cheapest = |site: usize, moments: &[Moments], beside: &[BTreeSet<usize>], alive: &BTreeSet<usize>| {
-        let of = |&to: &usize| (loss(moments, site, to), to);
-        let least = |a: (f64, usize), b: (f64, usize)| if b.0 < a.0 { b } else { a };
+        let may_join = |to: usize| owners[site].is_none() || (to < site && owners[to] == owners[site]);
+        let of = |others: &BTreeSet<usize>| {
+            let allowed = others.iter().filter(|&&to| to != site && may_join(to));
+            let least = |a: (f64, usize), b: (f64, usize)| if b.0 < a.0 { b } else { a };
+            allowed.map(|&to| (loss(moments, site, to), to)).reduce(least)
+        };
         // A site without neighbours left may join any other.
-        let linked = beside[site].iter().map(of).reduce(least);
-        linked.or_else(|| alive.iter().filter(|&&to| to != site).map(of).reduce(least))
+        of(&beside[site]).or_else(|| of(alive))
     };
     let mut merges: BTreeMap<usize, (f64, usize)> = BTreeMap::new();
     for site in 0..sites {
@@ -134,11 +141,12 @@ mod tests {
     #[test]
     fn sites_that_move_alike_become_one_bone() {
         let shift = |x: f64| DAffine2::from_translation(DVec2::new(x, 0.0));
-        // Sites 1 and 2 always move alike, site 0 by itself.
+        // Sites 1 and 2 always move alike, site 0 independently.
         let maps = vec![vec![shift(0.0), shift(5.0), shift(5.0)], vec![shift(2.0), shift(-1.0), shift(-1.0)]];
         let vertices = [DVec2::ZERO, DVec2::X, DVec2::Y];
         let weights = SparseWeights::from_parts(vec![0, 1, 2, 3], vec![0, 1, 2], vec![1.0; 3]).unwrap();
-        let chosen = chosen_sites(&maps, &vertices, &weights, [(0, 1), (1, 2)].into_iter(), 2);
+        let links = [(0, 1), (1, 2)].into_iter();
+        let chosen = chosen_sites(&maps, &vertices, &weights, links, &[None::<u32>; 3], 2);
         assert_eq!(chosen.kept.len(), 2);
         assert_eq!(chosen.leader[1], chosen.leader[2]);
         assert_eq!(chosen.leader[0], 0);
@@ -148,8 +156,23 @@ mod tests {
     fn sites_without_links_are_merged_as_well() {
         let maps = vec![vec![DAffine2::IDENTITY; 5]];
         let weights = SparseWeights::from_parts(vec![0], vec![], vec![]).unwrap();
-        let chosen = chosen_sites(&maps, &[], &weights, std::iter::empty(), 2);
+        let chosen = chosen_sites(&maps, &[], &weights, std::iter::empty(), &[None::<u32>; 5], 2);
         assert_eq!(chosen.kept.len(), 2);
         assert!(chosen.leader.iter().all(|leader| chosen.kept.contains(leader)));
+    }
+    #[test]
+    fn the_first_site_of_an_owner_stays_even_if_it_moves_as_its_neighbours_do() {
+        // All sites move alike, so any merge loses nothing. Those of owners come in no order.
+        let maps = vec![vec![DAffine2::IDENTITY; 7]];
+        let weights = SparseWeights::from_parts(vec![0], vec![], vec![]).unwrap();
+        let owners = [Some('b'), None, Some('a'), Some('b'), None, Some('a'), Some('c')];
+        let links = || (0..6).map(|site| (site, site + 1));
+        for most in [0, 1, 3, 4, 5] {
+            let chosen = chosen_sites(&maps, &[], &weights, links(), &owners, most);
+            assert_eq!(chosen.kept.len(), most.max(3), "{most}");
+            assert!([0, 2, 6].iter().all(|first| chosen.kept.contains(first)), "{:?}", chosen.kept);
+            let is_own = |site: usize| owners[site].is_none() || owners[chosen.leader[site]] == owners[site];
+            assert!((0..7).all(is_own), "{:?}", chosen.leader);
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! The six numbers by which a format poses a bone, and between which it goes along straight lines.
+//! The six numbers that pose a bone in a format, and that are interpolated linearly.
 
 use std::f64::consts::{PI, TAU};
 
@@ -7,21 +7,22 @@ use glam::{DAffine2, DMat2, DVec2};
 /// x, y, two angles in radians and two scales.
 pub(crate) type Numbers = [f64; 6];
 
-/// Relative difference of the scales below which a bone has no direction of stretch.
+/// Relative difference of the scales below which the direction of stretch is undefined.
 const ISOTROPIC: f64 = 1e-9;
 
-/// How a linear map becomes angles and scales.
+/// How a linear map is decomposed into angles and scales.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Chart {
     /// The angle of the x axis, the angle of the y axis against a right angle, and the lengths of both axes. Spine,
-    /// DragonBones and Godot know bones with a shear.
+    /// DragonBones and Godot support bones with shear.
     Sheared,
-    /// R(first) diag(scales) R(second): a bone with unequal scales inside which another one turns. glTF knows no shear.
+    /// R(first) diag(scales) R(second): a bone with unequal scales that contains a rotated bone. glTF does not support
+    /// shear.
     Chained,
 }
 
 impl Chart {
-    /// The numbers of a bone, with angles as near as possible to those before.
+    /// The numbers of a bone, with angles as near as possible to the previous ones.
     pub(crate) fn numbers(self, bone: &DAffine2, before: Option<&Numbers>) -> Numbers {
         let DVec2 { x, y } = bone.translation;
         let [a, b] = [bone.matrix2.x_axis, bone.matrix2.y_axis];
@@ -53,7 +54,7 @@ impl Chart {
         }
     }
 
-    /// The map of a bone with such numbers.
+    /// The map of a bone with the given numbers.
     pub(crate) fn map(self, [x, y, first, second, along, across]: Numbers) -> DAffine2 {
         let matrix2 = match self {
             Self::Sheared => DMat2::from_cols(along * turn(first), across * turn(first + second).perp()),
@@ -63,7 +64,7 @@ impl Chart {
     }
 }
 
-/// Numbers on a straight line.
+/// Linear interpolation of the numbers.
 pub(crate) fn between(a: &Numbers, b: &Numbers, along: f64) -> Numbers {
     std::array::from_fn(|k| a[k] + (b[k] - a[k]) * along)
 }
@@ -78,7 +79,7 @@ fn rotation(angle: f64) -> DMat2 {
     DMat2::from_cols(turn, turn.perp())
 }
 
-/// The angle plus whole turns that is nearest to another one.
+/// The angle plus whole turns that is nearest to another angle.
 fn near(angle: f64, other: f64) -> f64 {
     angle - TAU * libm::round((angle - other) / TAU)
 }
@@ -88,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_give_the_map_back() {
+    fn numbers_restore_the_map() {
         for chart in [Chart::Sheared, Chart::Chained] {
             let mut before: Option<Numbers> = None;
             for step in 0..200 {

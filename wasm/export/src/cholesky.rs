@@ -1,6 +1,6 @@
-//! A dense Cholesky factorisation: one matrix, many right sides.
+//! A dense Cholesky factorisation: one matrix, many right-hand sides.
 //!
-//! Cost: n³/3 once, and 2 n² for each right side.
+//! Cost: n³/3 once, and 2 n² for each right-hand side.
 
 /// The lower factor of a symmetric positive definite matrix.
 #[derive(Debug, Clone)]
@@ -11,7 +11,7 @@ pub(crate) struct Cholesky {
 }
 
 impl Cholesky {
-    /// Factorises a matrix in full rows, of whose entries only the lower triangle is read.
+    /// Factorises a matrix in full rows; only its lower triangle is read.
     pub(crate) fn new(size: usize, matrix: &[f64]) -> Self {
         let mut rows: Vec<f64> = Vec::with_capacity(size * (size + 1) / 2);
         for i in 0..size {
@@ -26,7 +26,7 @@ impl Cholesky {
         Self { size, rows }
     }
 
-    /// Solves for one right side in place.
+    /// Solves for one right-hand side in place.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         for i in 0..self.size {
             let row = &self.rows[start(i)..start(i + 1)];

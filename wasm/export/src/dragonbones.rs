@@ -1,7 +1,8 @@
 //! DragonBones JSON 5.5: a skeleton, and a texture file with one part.
 //!
 //! Lengths are pixels, and y goes down. The origin is the picture's top left corner. Angles are degrees, clockwise.
-//! Keys add to the pose of the armature. Scales multiply it. Times are whole frames.
+//! Keys add to the pose of the armature. Scales multiply it. Times are whole frames. A scale of time makes up for clips
+//! that last no whole number of them.
 
 use glam::DVec2;
 use serde_json::{Value, json};
@@ -33,7 +34,7 @@ pub(crate) fn skeleton(rig: &EngineRig) -> Vec<u8> {
     let setup = rig.setup(Chart::Sheared);
     let root = &rig.bones[0].name;
     let mut bones = vec![json!({ "name": root })];
-    bones.extend(rig.bones.iter().skip(1).zip(&setup).map(|(bone, numbers)| {
+    bones.extend(rig.bones.iter().zip(&setup).skip(1).map(|(bone, numbers)| {
         let [x, y, turn, shear, along, across] = *numbers;
         json!({ "name": bone.name, "parent": root, "transform": {
             "x": json(x, PLACE), "y": json(y, PLACE),
@@ -100,7 +101,8 @@ fn mesh(rig: &EngineRig) -> Value {
 
 fn animation(rig: &EngineRig, timeline: &Timeline, setup: &[Numbers]) -> Value {
     let mut bones = Vec::new();
-    for ((bone, keys), setup) in rig.bones.iter().skip(1).zip(&timeline.bones).zip(setup) {
+    for (bone, keys) in &timeline.tracks {
+        let (bone, setup) = (&rig.bones[*bone], &setup[*bone]);
         let ends = keys.frames.iter().skip(1).copied().chain([timeline.last_frame]);
         let durations: Vec<u32> = keys.frames.iter().zip(ends).map(|(from, to)| to - from).collect();
         let track = |values: &dyn Fn(&Numbers) -> [(&'static str, Value); 2]| -> Vec<Value> {
@@ -121,5 +123,9 @@ fn animation(rig: &EngineRig, timeline: &Timeline, setup: &[Numbers]) -> Value {
         }));
     }
     let plays = if timeline.looping == Looping::None { 1 } else { 0 };
-    json!({ "duration": timeline.last_frame, "playTimes": plays, "fadeInTime": 0, "name": timeline.name, "bone": bones })
+    let scale = json(timeline.duration * f64::from(FRAMES_PER_SECOND) / f64::from(timeline.last_frame), SCALE);
+    json!({
+        "duration": timeline.last_frame, "scale": scale, "playTimes": plays, "fadeInTime": 0, "name": timeline.name,
+        "bone": bones
+    })
 }

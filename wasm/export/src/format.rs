@@ -1,4 +1,4 @@
-//! The formats, by the ends of file names.
+//! The formats and their file name endings.
 
 use crate::{dragonbones, error::ExportError, gltf, godot, rig::EngineRig, spine};
 
@@ -18,7 +18,7 @@ pub enum Format {
 /// One file of a rig.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RigFile {
-    /// The end of its name, after the stem that all files of a rig share.
+    /// The ending of its name, after the stem that all files of a rig share.
     pub ending: &'static str,
     /// Its bytes.
     pub bytes: Vec<u8>,
@@ -28,7 +28,7 @@ impl Format {
     /// All formats.
     pub const ALL: [Self; 4] = [Self::Spine, Self::DragonBones, Self::Gltf, Self::Godot];
 
-    /// The name for people.
+    /// The display name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -39,7 +39,7 @@ impl Format {
         }
     }
 
-    /// The end of the name of its main file.
+    /// The ending of the main file's name.
     #[must_use]
     pub fn ending(self) -> &'static str {
         match self {
@@ -50,7 +50,7 @@ impl Format {
         }
     }
 
-    /// The end of the name of the PNG beside it; `None` if the picture is inside.
+    /// The ending of the name of the PNG beside it; `None` if the picture is embedded.
     #[must_use]
     pub fn picture_ending(self) -> Option<&'static str> {
         match self {
@@ -60,7 +60,7 @@ impl Format {
         }
     }
 
-    /// The ends of the names of other files beside it.
+    /// The endings of the names of other files beside it.
     #[must_use]
     pub fn other_endings(self) -> &'static [&'static str] {
         match self {
@@ -70,7 +70,7 @@ impl Format {
         }
     }
 
-    /// The format and the stem of a file name; `None` if it ends in no known way or has no stem.
+    /// The format and the stem of a file name; `None` if its ending is unknown or it has no stem.
     #[must_use]
     pub fn of_file(name: &str) -> Option<(Self, &str)> {
         let of = |format: Self| {
@@ -81,7 +81,7 @@ impl Format {
         Self::ALL.into_iter().find_map(of)
     }
 
-    /// The most bones of a vertex, if the format limits them.
+    /// The maximum number of bones per vertex, if the format has a limit.
     #[must_use]
     pub fn most_influences(self) -> Option<usize> {
         (self == Self::Godot).then_some(4)
@@ -89,10 +89,10 @@ impl Format {
 }
 
 impl EngineRig {
-    /// The files of the rig, the main one first. `png` is the picture's file, stored in those that hold the picture.
+    /// The files of the rig, the main one first. `png` is the picture's file, for formats that embed it.
     ///
     /// # Errors
-    /// [`ExportError::InfluencesOfFormat`] for a rig with more influences than the format holds.
+    /// [`ExportError::InfluencesOfFormat`] for a rig with more influences than the format supports.
     pub fn files(&self, format: Format, png: &[u8]) -> Result<Vec<RigFile>, ExportError> {
         if let Some(most) = format.most_influences().filter(|&most| self.influences() > most) {
             let found = self.influences();
@@ -116,7 +116,7 @@ mod tests {
     use super::Format;
 
     #[test]
-    fn formats_are_known_by_the_ends_of_names() {
+    fn formats_follow_from_file_name_endings() {
         assert_eq!(Format::of_file("a.spine.json"), Some((Format::Spine, "a")));
         assert_eq!(Format::of_file("a_ske.json"), Some((Format::DragonBones, "a")));
         assert_eq!(Format::of_file("Ä.GLB"), Some((Format::Gltf, "Ä")));

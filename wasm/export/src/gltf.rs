@@ -1,7 +1,7 @@
-//! glTF 2.0 in one binary file, by the specification of Khronos.
+//! glTF 2.0 as one binary file, following the specification by Khronos.
 //!
 //! One unit is one pixel, and y goes up. The origin is the picture's top left corner: a point at (x, y) of it is at
-//! (x, −y, 0). Bones with unequal scales are two nodes, one of which turns inside the other, as nodes have no shear.
+//! (x, −y, 0). Bones with unequal scales become two nested nodes, because nodes have no shear.
 
 use glam::DVec2;
 use serde_json::{Map, Value, json};
@@ -19,9 +19,9 @@ const ELEMENT_BUFFER: u32 = 34963;
 const LINEAR: u32 = 9729;
 const LINEAR_MIPMAPS: u32 = 9987;
 const CLAMPED: u32 = 33071;
-/// Bones of one attribute.
+/// Number of bones per attribute.
 const SET: usize = 4;
-/// Weights are multiples of 2 to the power of minus this, so that they sum to 1 in 32 bits.
+/// Weights are multiples of 2 to the power of minus this, so they sum to exactly 1 in 32-bit floats.
 const WEIGHT_BITS: i32 = 20;
 /// A bone is one node if its second angle and the difference of its scales stay below this.
 const SIMILAR: f64 = 1e-7;
@@ -138,7 +138,7 @@ struct Nodes {
     nodes: Vec<Value>,
     /// The node of each bone that moves vertices.
     joints: Vec<usize>,
-    /// For each bone but the root the outer node, and the inner one of bones with unequal scales.
+    /// For each bone, the outer node, and the inner node if its scales are unequal.
     of_bones: Vec<(usize, Option<usize>)>,
 }
 
@@ -146,11 +146,12 @@ impl Nodes {
     fn new(rig: &EngineRig, timelines: &[Timeline]) -> Self {
         let setup = rig.setup(Chart::Chained);
         let mut nodes = vec![json!({ "name": rig.name, "mesh": 0, "skin": 0 }), json!({ "name": rig.bones[0].name })];
-        let (mut joints, mut of_bones, mut children) = (vec![1], Vec::new(), Vec::new());
-        for (at, (bone, numbers)) in rig.bones.iter().skip(1).zip(&setup).enumerate() {
-            let all = timelines.iter().flat_map(|timeline| &timeline.bones[at].numbers).chain([numbers]);
-            let is_similar = all
-                .into_iter()
+        let (mut joints, mut of_bones, mut children) = (vec![1], vec![(1, None)], Vec::new());
+        for (at, (bone, numbers)) in rig.bones.iter().zip(&setup).enumerate().skip(1) {
+            let tracks = timelines.iter().flat_map(|timeline| &timeline.tracks).filter(|(bone, _)| *bone == at);
+            let is_similar = tracks
+                .flat_map(|(_, keys)| &keys.numbers)
+                .chain([numbers])
                 .all(|&[.., second, along, across]| second.abs() < SIMILAR && (along - across).abs() < SIMILAR);
             let outer = nodes.len();
             children.push(outer);
@@ -178,7 +179,8 @@ impl Nodes {
 
     fn animation(&self, timeline: &Timeline, buffer: &mut Buffer) -> Value {
         let (mut channels, mut samplers) = (Vec::new(), Vec::new());
-        for (&(outer, inner), keys) in self.of_bones.iter().zip(&timeline.bones) {
+        for (bone, keys) in &timeline.tracks {
+            let (outer, inner) = self.of_bones[*bone];
             let times: Vec<f32> = keys.frames.iter().map(|&frame| (f64::from(frame) * timeline.frame) as f32).collect();
             let input = buffer.bounded(&times, "SCALAR", None);
             let mut channel = |node: usize, path: &str, kind: &str, values: Vec<f32>| {
@@ -206,7 +208,7 @@ fn scale(numbers: &Numbers) -> [f32; 3] {
     [numbers[4] as f32, numbers[5] as f32, 1.0]
 }
 
-/// The quaternion of a clockwise turn, as y goes up.
+/// The quaternion of a clockwise turn, with y up.
 fn turn(angle: f64) -> [f32; 4] {
     let (sin, cos) = libm::sincos(-angle / 2.0);
     [0.0, 0.0, sin as f32, cos as f32]
@@ -247,7 +249,7 @@ impl Buffer {
         self.accessor(view, FLOAT, kind, numbers.len() / components(kind))
     }
 
-    /// Floats with their bounds, which the specification wants of positions and times.
+    /// Floats with their bounds, which the specification requires for positions and times.
     fn bounded(&mut self, numbers: &[f32], kind: &str, target: Option<u32>) -> usize {
         let accessor = self.floats(numbers, kind, target);
         let n = components(kind);

@@ -1,7 +1,7 @@
 //! A scene of Godot 4: a `Polygon2D` with a `Skeleton2D`, and an `AnimationPlayer`.
 //!
 //! Lengths are pixels, and y goes down. The origin is the picture's top left corner. Angles are radians, clockwise.
-//! The texture is looked up beside the scene, so both can lie in any folder of a project.
+//! The texture is looked up beside the scene, so both can be in any folder of a project.
 
 use std::fmt::{self, Write};
 
@@ -46,7 +46,7 @@ fn write_scene(rig: &EngineRig, to: &mut String) -> fmt::Result {
     writeln!(to, "[node name=\"{SKELETON}\" type=\"Skeleton2D\" parent=\".\"]\n")?;
     let root = &rig.bones[0].name;
     write_bone(root, SKELETON, DVec2::ZERO, None, to)?;
-    for (bone, numbers) in rig.bones.iter().skip(1).zip(rig.setup(Chart::Sheared)) {
+    for (bone, numbers) in rig.bones.iter().zip(rig.setup(Chart::Sheared)).skip(1) {
         write_bone(&bone.name, &format!("{SKELETON}/{root}"), bone.rest, Some(numbers), to)?;
     }
     write_polygon(rig, to)?;
@@ -82,16 +82,20 @@ fn write_polygon(rig: &EngineRig, to: &mut String) -> fmt::Result {
         rig.triangles.iter().map(|[a, b, c]| format!("PackedInt32Array({a}, {b}, {c})")).collect();
     writeln!(to, "polygons = [{}]", triangles.join(", "))?;
     let rows: Vec<Vec<(usize, f64)>> = (0..rig.vertices.len()).map(|vertex| shares(rig.weights.row(vertex))).collect();
-    let root = &rig.bones[0].name;
-    let weights = |(index, bone): (usize, &crate::rig::Bone)| {
-        let path = if index == 0 { root.clone() } else { format!("{root}/{}", bone.name) };
+    let weights = |index: usize| {
         let weight = |row: &Vec<(usize, f64)>| row.iter().find(|one| one.0 == index).map_or(0.0, |one| one.1);
-        format!("{}, PackedFloat32Array({})", quoted(&path), list(rows.iter().map(weight), SHARE))
+        format!("{}, PackedFloat32Array({})", quoted(&path(rig, index)), list(rows.iter().map(weight), SHARE))
     };
-    let weights: Vec<String> = rig.bones.iter().enumerate().map(weights).collect();
+    let weights: Vec<String> = (0..rig.bones.len()).map(weights).collect();
     writeln!(to, "bones = [{}]", weights.join(", "))?;
     let inner = if rig.hull == 0 { 0 } else { rig.vertices.len() - rig.hull };
     writeln!(to, "internal_vertex_count = {inner}")
+}
+
+/// The path of a bone from the skeleton.
+fn path(rig: &EngineRig, bone: usize) -> String {
+    let root = &rig.bones[0].name;
+    if bone == 0 { root.clone() } else { format!("{root}/{}", rig.bones[bone].name) }
 }
 
 fn write_animation(rig: &EngineRig, at: usize, timeline: &Timeline, to: &mut String) -> fmt::Result {
@@ -105,7 +109,7 @@ fn write_animation(rig: &EngineRig, at: usize, timeline: &Timeline, to: &mut Str
     writeln!(to, "length = {}\nloop_mode = {looping}", rounded(timeline.duration, SCALE))?;
     writeln!(to, "step = {}", rounded(timeline.frame, SHARE))?;
     let mut track = 0;
-    for (bone, keys) in rig.bones.iter().skip(1).zip(&timeline.bones) {
+    for (bone, keys) in &timeline.tracks {
         let times = list(keys.frames.iter().map(|&frame| f64::from(frame) * timeline.frame), SCALE);
         let ones = vec!["1"; keys.frames.len()].join(", ");
         let values: [(&str, ValueText); 4] = [
@@ -115,7 +119,7 @@ fn write_animation(rig: &EngineRig, at: usize, timeline: &Timeline, to: &mut Str
             ("skew", |n| rounded(n[3], SHARE).to_string()),
         ];
         for (property, value) in values {
-            let path = format!("{SKELETON}/{}/{}:{property}", rig.bones[0].name, bone.name);
+            let path = format!("{SKELETON}/{}:{property}", path(rig, *bone));
             let values: Vec<String> = keys.numbers.iter().map(value).collect();
             writeln!(to, "tracks/{track}/type = \"value\"\ntracks/{track}/imported = false")?;
             writeln!(to, "tracks/{track}/enabled = true\ntracks/{track}/path = NodePath({})", quoted(&path))?;

@@ -1,4 +1,4 @@
-//! As few keys of a bone as keep its vertices within a distance of their baked places.
+//! Finds the fewest keys of a bone that keep its vertices within a distance of their baked positions.
 
 use std::f64::consts::PI;
 
@@ -6,22 +6,23 @@ use glam::{DAffine2, DVec2};
 
 use crate::chart::{Chart, Numbers, between};
 
-/// How far a vertex may be from its baked place between keys, in pixels.
+/// How far a vertex may be from its baked position between keys, in pixels.
 pub const KEY_TOLERANCE_PX: f64 = 0.1;
-/// A greater turn between two keys would have two shortest ways.
+/// A larger turn between two keys would be ambiguous.
 const MOST_TURN: f64 = 0.9 * PI;
 
-/// The numbers of a bone at some times of a clip. Straight lines lead from key to key.
+/// The numbers of a bone at some times of a clip. Values between keys are interpolated linearly.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Keys {
-    /// Indices of frames, the first one and the last one among them. A bone that stays has the first one alone.
+    /// Indices of frames, including the first and the last. A bone that does not move has only the first, unless it
+    /// ends the clip.
     pub(crate) frames: Vec<u32>,
     /// One for each key.
     pub(crate) numbers: Vec<Numbers>,
 }
 
-/// The keys of a bone from its maps at all frames. `corners` are those of the box around its vertices, from the bone at
-/// rest. `setup` are its numbers outside clips, from which angles count on.
+/// The keys of a bone from its maps at all frames. `corners` are the corners of the box around its vertices, relative
+/// to the bone at rest. `setup` are its numbers outside clips, the reference for angles.
 pub(crate) fn keys(chart: Chart, frames: &[DAffine2], corners: &[DVec2; 4], setup: &Numbers) -> Keys {
     let mut all: Vec<Numbers> = Vec::with_capacity(frames.len());
     for bone in frames {
@@ -81,8 +82,8 @@ impl Search<'_> {
         !turns_too_far && (from + 1..to).all(|frame| self.is_near(&between(a, b, along(frame)), frame))
     }
 
-    /// Whether numbers take all vertices of the bone near to their places at a frame. The distance is greatest at a
-    /// corner, as the difference of two maps is affine.
+    /// Whether the numbers move all vertices of the bone close to their positions at a frame. The distance is greatest
+    /// at a corner, because the difference of two maps is affine.
     fn is_near(&self, numbers: &Numbers, frame: usize) -> bool {
         let (found, exact) = (self.chart.map(*numbers), &self.frames[frame]);
         let distance = |q: &DVec2| found.transform_point2(*q).distance(exact.transform_point2(*q));

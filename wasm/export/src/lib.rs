@@ -1,7 +1,7 @@
 //! Solved pictures as rigs for game engines: a mesh with bones, weights and baked clips.
 //!
-//! [`EngineRig::new`] makes a rig of a solution, and [`EngineRig::files`] writes it in a [`Format`]. Nothing here knows
-//! files or the picture's encoding, so a browser can use it as well. The same input gives the same bytes.
+//! [`EngineRig::new`] builds a rig from a solution, and [`EngineRig::files`] writes it in a [`Format`]. The crate does
+//! not access files or decode pictures, so it also runs in a browser. The same input gives the same bytes.
 //!
 //! ```
 //! use c2warp::{Picture, project::{Handle, Project}, solve};
@@ -18,9 +18,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! - `rig`: the rig. `bones`, `weights`, `motions`: its fit. `poses`: the poses for it. `loss`: its errors.
+//! - `rig`: the rig. `bones`, `weights`, `motions`: fit the rig. `poses`: the poses that it is fitted to. `loss`: its
+//!   errors.
 //! - `chart`, `keys`: how a format poses bones, and the keys of clips.
-//! - `spine`, `dragonbones`, `gltf`, `godot`: one file a format. `texture`: the picture beside it.
+//! - `spine`, `dragonbones`, `gltf`, `godot`: one file per format. `texture`: the picture beside it.
 
 mod bones;
 mod chart;

@@ -1,20 +1,20 @@
-//! The loss of a rig: distances of its vertices from their exact places.
+//! The loss of a rig: distances of its vertices from their exact positions.
 
 use glam::DVec2;
 
 /// Distances in pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Errors {
-    /// The greatest one.
+    /// The maximum distance.
     pub largest: f64,
-    /// 99 of 100 are no greater.
+    /// The 99th percentile.
     pub percentile_99: f64,
     /// Their mean.
     pub mean: f64,
 }
 
 impl Errors {
-    /// Those of distances in any order.
+    /// Computes both from distances in any order.
     pub(crate) fn of(mut distances: Vec<f64>) -> Self {
         distances.sort_unstable_by(f64::total_cmp);
         let Some(&largest) = distances.last() else { return Self::default() };
@@ -31,24 +31,24 @@ pub struct Loss {
     pub pose: Errors,
     /// Vertices in 20 random poses.
     pub random: Errors,
-    /// Vertices in the random poses, with bones that move as their sites do, without a fit to the pose. So an animator
-    /// moves them.
+    /// Vertices in the random poses, with bones that move like their sites, without a fit to the pose, as an animator
+    /// would move them.
     pub unfitted: Errors,
-    /// The names of clips, and vertices at 12 times of each.
+    /// The names of the clips, and vertices at 12 times of each clip.
     pub clips: Vec<(String, Errors)>,
     /// The picture between exact vertices, in the project's pose and in the random ones: flat triangles against the
     /// smooth map.
     pub between: Errors,
 }
 
-/// The places within a mesh that its flat triangles are measured at.
+/// The points within a mesh at which its flat triangles are measured.
 pub(crate) struct Places {
-    /// The point among those that are measured, its triangle, and its shares of the corners.
+    /// The index of the measured point, its triangle, and its barycentric coordinates.
     at: Vec<(usize, [u32; 3], [f64; 3])>,
 }
 
 impl Places {
-    /// Those of points that lie in a triangle.
+    /// Finds the points that lie in a triangle.
     pub(crate) fn new(points: &[DVec2], vertices: &[DVec2], triangles: &[[u32; 3]]) -> Self {
         let mut by_x: Vec<usize> = (0..points.len()).collect();
         by_x.sort_by(|&a, &b| points[a].x.total_cmp(&points[b].x));
@@ -70,7 +70,7 @@ impl Places {
         Self { at: places.filter_map(|(at, place)| place.map(|(corners, shares)| (at, corners, shares))).collect() }
     }
 
-    /// How far flat triangles take the points from their exact places.
+    /// Distances between the points in flat triangles and their exact positions.
     pub(crate) fn distances(&self, vertices: &[DVec2], exact: &[DVec2]) -> impl Iterator<Item = f64> {
         self.at.iter().map(|(at, corners, shares)| {
             let flat: DVec2 =

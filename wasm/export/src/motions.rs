@@ -1,9 +1,10 @@
-//! Motions of bones that take the vertices to their exact places as nearly as fixed weights allow.
+//! Motions of bones that move the vertices as close to their exact positions as fixed weights allow.
 //!
-//! With fixed weights, the places are linear in the maps of the bones. So each pose is a least squares problem, and the
-//! matrix of all poses is the same. A slight pull towards the site's own motion decides where few vertices do.
+//! With fixed weights, the positions are linear in the maps of the bones. So each pose is a least squares problem, and
+//! all poses share one matrix. A slight pull towards the site's own motion determines bones with few vertices. Bones of
+//! handles are held: they move exactly with the handles.
 //!
-//! Cost: a factorisation of three unknowns a bone once, and a substitution for each pose.
+//! Cost: one factorisation with three unknowns per bone, and a substitution for each pose.
 
 use glam::{DAffine2, DMat2, DVec2};
 
@@ -11,10 +12,12 @@ use c2warp::weight::SparseWeights;
 
 use crate::cholesky::Cholesky;
 
-/// The pull towards the site's motion, over the mass of the vertices that the bone moves.
+/// The pull towards the site's motion, relative to the mass of the vertices that the bone moves.
 const PULL: f64 = 1e-3;
-/// The pull where a bone moves no vertex.
+/// The pull for a bone that moves no vertex.
 const LEAST_PULL: f64 = 1e-9;
+/// The pull at the place of a held bone: far above the number of vertices, which have a pull of 1 at most.
+const HOLD: f64 = 1e9;
 /// Unknowns of a bone for each axis: two of the linear part, and a translation.
 const UNKNOWNS: usize = 3;
 
@@ -22,14 +25,15 @@ const UNKNOWNS: usize = 3;
 #[derive(Debug)]
 pub(crate) struct MotionFit {
     rest: Vec<DVec2>,
-    /// For each vertex its bones with the three factors of their unknowns.
+    /// For each vertex, its bones with the three factors of their unknowns.
     rows: Vec<Vec<(usize, [f64; UNKNOWNS])>>,
     factor: Cholesky,
 }
 
 impl MotionFit {
-    /// For bones at rest at some places. The first bone does not move.
-    pub(crate) fn new(vertices: &[DVec2], weights: &SparseWeights, rest: &[DVec2]) -> Self {
+    /// Prepares the problem for bones at given rest positions. The first bone does not move. Held ones move with their
+    /// sites.
+    pub(crate) fn new(vertices: &[DVec2], weights: &SparseWeights, rest: &[DVec2], held: &[bool]) -> Self {
         let size = UNKNOWNS * rest.len().saturating_sub(1);
         let mut matrix = vec![0.0; size * size];
         let mut mass = vec![0.0; rest.len()];
@@ -64,11 +68,15 @@ impl MotionFit {
                 let at = UNKNOWNS * (bone - 1) + i;
                 matrix[at * size + at] += PULL * pull + LEAST_PULL;
             }
+            if held[bone] {
+                let at = UNKNOWNS * bone - 1;
+                matrix[at * size + at] += HOLD;
+            }
         }
         Self { rest: rest.to_vec(), rows, factor: Cholesky::new(size, &matrix) }
     }
 
-    /// The maps of all bones in a pose, from those of their sites and the exact places of the vertices.
+    /// The maps of all bones in a pose, from those of their sites and the exact positions of the vertices.
     pub(crate) fn fitted(
         &self,
         sites: &[DAffine2],
@@ -105,7 +113,7 @@ impl MotionFit {
     }
 }
 
-/// The place of a vertex by linear blend skinning.
+/// The position of a vertex by linear blend skinning.
 pub(crate) fn blended(maps: &[DAffine2], p: DVec2, weights: impl Iterator<Item = (usize, f64)>) -> DVec2 {
     weights.map(|(bone, weight)| weight * maps[bone].transform_point2(p)).sum()
 }
@@ -115,18 +123,33 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_bone_takes_its_vertices_to_their_places() {
+    fn bone_motions_move_vertices_to_their_positions() {
         let vertices = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)].map(DVec2::from);
         let weights = SparseWeights::from_parts((0..=4).collect(), vec![1; 4], vec![1.0; 4]).unwrap();
         let rest = [DVec2::ZERO, DVec2::new(5.0, 5.0)];
         let truth =
             DAffine2 { matrix2: DMat2::from_cols_array(&[1.2, 0.3, -0.1, 0.9]), translation: DVec2::new(3.0, -2.0) };
         let targets = vertices.map(|p| truth.transform_point2(p));
-        let fit = MotionFit::new(&vertices, &weights, &rest);
+        let fit = MotionFit::new(&vertices, &weights, &rest, &[false; 2]);
         let found = fit.fitted(&[DAffine2::IDENTITY; 2], &vertices, &weights, &targets);
         assert_eq!(found[0], DAffine2::IDENTITY);
         for (p, target) in vertices.iter().zip(targets) {
             assert!(found[1].transform_point2(*p).distance(target) < 0.02);
         }
+    }
+
+    #[test]
+    fn the_place_of_a_held_bone_goes_with_its_site() {
+        let vertices = [(0.0, 0.0), (10.0, 0.0), (0.0, 10.0)].map(DVec2::from);
+        let weights = SparseWeights::from_parts((0..=3).collect(), vec![1; 3], vec![1.0; 3]).unwrap();
+        let rest = [DVec2::ZERO, DVec2::new(2.0, 1.0)];
+        let targets = vertices.map(|p| DMat2::from_angle(0.4) * p + DVec2::new(20.0, 0.0));
+        let site = DAffine2::from_translation(DVec2::new(18.0, 3.0));
+        let placed = |held: bool| {
+            let fit = MotionFit::new(&vertices, &weights, &rest, &[false, held]);
+            let found = fit.fitted(&[DAffine2::IDENTITY, site], &vertices, &weights, &targets)[1];
+            found.transform_point2(rest[1]).distance(site.transform_point2(rest[1]))
+        };
+        assert!(placed(true) < 1e-6 && placed(false) > 1.0, "{} and {}", placed(true), placed(false));
     }
 }

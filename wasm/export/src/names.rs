@@ -2,17 +2,19 @@
 
 use std::collections::BTreeSet;
 
-/// Godot refuses these in names of nodes and animations.
+use c2warp::DisplayName;
+
+/// Characters that Godot rejects in names of nodes and animations.
 const REFUSED: &[char] = &['.', ':', '@', '/', '"', '%', ',', '[', ']', '\\'];
 
-/// Gives out names, each once.
+/// Hands out unique names.
 #[derive(Debug, Default)]
 pub(crate) struct Names(BTreeSet<String>);
 
 impl Names {
-    /// The name with refused characters replaced, and a number where it is taken.
+    /// Returns the name with rejected characters replaced, and a number appended if it is taken.
     pub(crate) fn unique(&mut self, name: &str) -> String {
-        let is_refused = |c: char| c.is_control() || REFUSED.contains(&c);
+        let is_refused = |c: char| DisplayName::is_escaped(c) || REFUSED.contains(&c);
         let plain: String = name.chars().map(|c| if is_refused(c) { '_' } else { c }).collect();
         let mut unique = plain.clone();
         for number in 2.. {
@@ -36,5 +38,6 @@ mod tests {
         assert_eq!(names.unique("a/b"), "a_b");
         assert_eq!(names.unique("a:b"), "a_b 2");
         assert_eq!(names.unique("hand"), "hand 2");
+        assert_eq!(names.unique("left\n\u{202e}"), "left__");
     }
 }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-/// Decimals of places and lengths in pixels.
+/// Decimals of positions and lengths in pixels.
 pub(crate) const PLACE: i32 = 4;
 /// Decimals of weights, texture coordinates and matrices.
 pub(crate) const SHARE: i32 = 7;
@@ -11,7 +11,7 @@ pub(crate) const DEGREE: i32 = 5;
 /// Decimals of scales, and of times in seconds.
 pub(crate) const SCALE: i32 = 6;
 
-/// The rounded number. There is no negative zero.
+/// The rounded number, never negative zero.
 pub(crate) fn rounded(number: f64, decimals: i32) -> f64 {
     let steps = 10_f64.powi(decimals);
     (number * steps).round() / steps + 0.0
@@ -23,7 +23,7 @@ pub(crate) fn json(number: f64, decimals: i32) -> Value {
     if number.fract() == 0.0 && number.abs() < 1e15 { Value::from(number as i64) } else { Value::from(number) }
 }
 
-/// Weights that sum to 1 after rounding: the greatest takes the rest.
+/// Rounds weights so that they sum to 1: the greatest takes the remainder.
 pub(crate) fn shares(row: impl Iterator<Item = (usize, f64)>) -> Vec<(usize, f64)> {
     let mut row: Vec<(usize, f64)> = row.map(|(bone, weight)| (bone, rounded(weight, SHARE))).collect();
     let sum: f64 = row.iter().map(|one| one.1).sum();

@@ -1,29 +1,31 @@
-//! How large a rig may be.
+//! Size limits of a rig.
+
+use c2warp::project::Project;
 
 use crate::{error::ExportError, format::Format};
 
-/// The most bones besides the root: engines such as Bevy count the bones of a skin in 8 bits.
+/// Maximum number of bones besides the root: engines such as Bevy store bone numbers in 8 bits.
 pub const MOST_BONES: usize = 255;
-/// The most bones that a vertex may have.
+/// Maximum number of bones per vertex.
 pub(crate) const MOST_INFLUENCES: usize = 32;
-/// The fewest vertices that make a triangle.
+/// Minimum number of vertices, for one triangle.
 pub(crate) const LEAST_VERTICES: usize = 3;
-/// The most vertices: formats and engines count them in 16 bits.
+/// Maximum number of vertices: formats and engines store vertex numbers in 16 bits.
 pub(crate) const MOST_VERTICES: usize = 65_535;
 
-/// How large a rig may be.
+/// Size limits of a rig.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
-    /// The most bones besides the root.
+    /// Maximum number of bones besides the root.
     pub bones: usize,
-    /// The most bones that move a vertex.
+    /// Maximum number of bones that move a vertex.
     pub influences: usize,
-    /// The most vertices.
+    /// Maximum number of vertices.
     pub vertices: usize,
 }
 
 impl Default for Options {
-    /// 64 bones lose at most half a pixel at 99 of 100 vertices of the samples, in random poses.
+    /// With 64 bones, 99 % of the vertices of the samples are at most 0.75 px off in random poses.
     fn default() -> Self {
         Self { bones: 64, influences: 4, vertices: 300 }
     }
@@ -50,5 +52,17 @@ impl Options {
             return Err(ExportError::Vertices { found: vertices });
         }
         Ok(())
+    }
+
+    /// Checks that each handle of a project can have a bone of its own.
+    ///
+    /// # Errors
+    /// [`ExportError::Handles`] or [`ExportError::HandlesOfFormats`].
+    pub fn check_handles(&self, project: &Project) -> Result<(), ExportError> {
+        match project.handles.len() {
+            found if found > MOST_BONES => Err(ExportError::HandlesOfFormats { found }),
+            found if found > self.bones => Err(ExportError::Handles { found }),
+            _ => Ok(()),
+        }
     }
 }

@@ -3,14 +3,14 @@
 use c2warp::project::{Handle, Project, Rotation};
 use glam::DVec2;
 
-/// How far a handle goes in a random pose at most: a part of its distance from the nearest other handle.
+/// Greatest move of a handle in a random pose, as a fraction of its distance to the nearest other handle.
 const OF_NEAREST: f64 = 1.0 / 3.0;
-/// The same as a part of the picture's diagonal.
+/// The same as a fraction of the picture's diagonal.
 const OF_DIAGONAL: f64 = 0.1;
-/// How far handles turn in a random pose, in degrees either way.
+/// Greatest turn of a handle in a random pose, in degrees in either direction.
 const TURN: f64 = 20.0;
 
-/// The handles of a project in a random pose, the same for the same seed.
+/// The handles of a project in a random pose, determined by the seed.
 pub(crate) fn random_handles(project: &Project, seed: u64) -> Vec<Handle> {
     let diagonal = libm::hypot(f64::from(project.image.width), f64::from(project.image.height));
     let mut random = Random(seed);

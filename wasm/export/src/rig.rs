@@ -1,18 +1,20 @@
 //! A solved project as an engine's rig: vertices that few bones move linearly.
 //!
-//! Engines blend affine maps of bones linearly, as eq. 1 blends those of sites. So with all sites as bones and all
-//! weights, the linear blend is exact. Otherwise the rig is fitted to poses:
+//! Engines blend affine maps of bones linearly, as eq. 1 blends those of sites. So the linear blend is exact if all
+//! sites are bones and all weights are kept. Otherwise the rig is fitted to poses:
 //!
-//! 1. Sites are merged until few enough are left: see `bones`.
-//! 2. Weights are fitted to the exact places of the vertices in all poses: see `weights`.
-//! 3. The motions of the bones are fitted to the same places: see `motions`. Both are repeated.
+//! 1. Sites are merged until few enough remain, but at least one for each handle: see `bones`.
+//! 2. Weights are fitted to the exact positions of the vertices in all poses: see `weights`.
+//! 3. The motions of the bones are fitted to the same positions: see `motions`. Both are repeated.
 //!
 //! The poses are the project's, some of each clip, and random ones. The loss is measured in other random poses. The
 //! motions of the bones are then fitted again in each frame of each clip.
 //!
 //! Cost: seconds for 300 vertices and 100 bones.
 //!
-//! Known limits: the rigid blend is not linear, so a rig of it always loses something. Bones hang from the root alone.
+//! Known limits: the rigid blend is not linear, so its rigs are never exact. All bones are children of the root.
+
+use std::collections::BTreeSet;
 
 use glam::{DAffine2, DVec2};
 
@@ -21,7 +23,7 @@ use c2warp::{
     clip::Playback,
     deform::Pose,
     project::{Blend, Clip, Looping, Project},
-    site::SiteKind,
+    site::{Site, SiteKind},
     weight::SparseWeights,
 };
 
@@ -38,28 +40,30 @@ use crate::{
     weights::WeightFit,
 };
 
-/// Random poses that a rig is fitted to, and the first seed of those that it is measured in.
+/// Number of random poses that a rig is fitted to, and the first seed of those in which it is measured.
 const FITTED_POSES: u64 = 40;
 const MEASURED_POSES: u64 = 20;
 const MEASURED_SEED: u64 = 1000;
-/// Times of a clip that a rig is fitted to and measured at.
+/// Number of times of a clip at which a rig is fitted and measured.
 const TIMES: u32 = 12;
-/// How often weights and motions are fitted in turn.
+/// How often weights and motions are fitted alternately.
 const ROUNDS: usize = 4;
-/// The parts of the work that are done once poses are made, and once bones are fitted.
+/// The completed fractions of the work once poses are computed, and once bones are fitted.
 const POSED: f64 = 0.15;
 const FITTED: f64 = 0.6;
-/// Frames a second that clips are baked at.
+/// Frame rate at which clips are baked.
 pub const FRAMES_PER_SECOND: u32 = 60;
 /// The longest clip: all frames of all bones are in memory while keys are chosen.
 const MOST_SECONDS: f64 = 120.0;
 
-/// A bone, which hangs from the root.
+/// A bone, a child of the root.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bone {
     pub(crate) name: String,
-    /// Its place at rest. It has no turn there.
+    /// Its position at rest. Its rotation at rest is 0.
     pub(crate) rest: DVec2,
+    /// Whether it is a bone of a handle.
+    pub(crate) is_handle: bool,
 }
 
 /// A picture with bones, for the writers of all formats.
@@ -68,13 +72,13 @@ pub struct EngineRig {
     pub(crate) name: String,
     pub(crate) width: u32,
     pub(crate) height: u32,
-    /// At rest, where textures are read.
+    /// The vertices at rest, where the texture is sampled.
     pub(crate) vertices: Vec<DVec2>,
     /// The vertices before bones move them: displaced as the project says.
     pub(crate) displaced: Vec<DVec2>,
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) hull: usize,
-    /// The root comes first. It stays at the picture's top left corner.
+    /// The root comes first, fixed at the picture's top left corner.
     pub(crate) bones: Vec<Bone>,
     /// Vertices × bones.
     pub(crate) weights: SparseWeights,
@@ -101,18 +105,19 @@ pub(crate) struct Timeline {
     pub(crate) name: String,
     pub(crate) looping: Looping,
     pub(crate) duration: f64,
-    /// Seconds of one frame.
+    /// Duration of a frame in seconds.
     pub(crate) frame: f64,
     pub(crate) last_frame: u32,
-    /// For each bone but the root.
-    pub(crate) bones: Vec<Keys>,
+    /// Bones with their keys. At least one of them has a key at the last frame, where Spine and glTF end a clip.
+    pub(crate) tracks: Vec<(usize, Keys)>,
 }
 
 impl EngineRig {
-    /// The rig of a project with a name, by its solution and picture.
+    /// Builds the rig of a project, with a name, from its solution and picture.
     ///
     /// # Errors
-    /// An [`ExportError`] for an outline with too many corners, a long clip, or a pose that cannot be made.
+    /// An [`ExportError`] for too many handles, an outline with too many corners, a long clip, or a pose that cannot be
+    /// computed.
     pub fn new(
         name: &str,
         project: &Project,
@@ -120,21 +125,22 @@ impl EngineRig {
         picture: &Picture,
         options: Options,
     ) -> Result<Self, ExportError> {
-        Self::new_telling(name, project, solution, picture, options, &mut |_| {})
+        Self::new_with_progress(name, project, solution, picture, options, &mut |_| {})
     }
 
-    /// The same as [`new`](Self::new). Tells the part that is done, from 0 to 1.
+    /// Like [`new`](Self::new), with progress: `on_progress` receives the completed fraction, from 0 to 1.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
-    pub fn new_telling(
+    /// The errors of [`new`](Self::new).
+    pub fn new_with_progress(
         name: &str,
         project: &Project,
         solution: &Solution,
         picture: &Picture,
         options: Options,
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> Result<Self, ExportError> {
+        options.check_handles(project)?;
         let mesh = SpriteMesh::new(solution, picture, options.vertices)?;
         let blend = project.pose.blend;
         let pose = solution.pose(project)?;
@@ -148,8 +154,8 @@ impl EngineRig {
         // Random handles may have no pose, such as bars that a rigid mode cannot follow.
         let random = |seed| solution.poser().pose(&random_handles(project, seed), blend).ok();
         poses.extend((1..=FITTED_POSES).filter_map(random));
-        tell(POSED);
-        let mut fitted = |part: f64| tell(POSED + (FITTED - POSED) * part);
+        on_progress(POSED);
+        let mut fitted = |part: f64| on_progress(POSED + (FITTED - POSED) * part);
         let skeleton = Skeleton::new(project, solution, &mesh, options, &poses, &mut fitted);
 
         let measured: Vec<Pose> = (MEASURED_SEED..MEASURED_SEED + MEASURED_POSES).filter_map(random).collect();
@@ -175,7 +181,7 @@ impl EngineRig {
         let mut baked = 0.0;
         let clips = clips.iter_mut().map(|clip| {
             let Clip { name, duration, looping, .. } = clip.clip;
-            tell(FITTED + (1.0 - FITTED) * baked / all);
+            on_progress(FITTED + (1.0 - FITTED) * baked / all);
             baked += duration;
             let poses = clip.all(blend)?;
             let frames = poses.iter().map(|pose| skeleton.maps(&mesh, pose)).collect();
@@ -206,7 +212,7 @@ impl EngineRig {
         &self.loss
     }
 
-    /// The number of bones besides the root, and of the sites that they stand for.
+    /// The number of bones besides the root, and of the sites that they represent.
     #[must_use]
     pub fn bones(&self) -> (usize, usize) {
         (self.bones.len() - 1, self.sites)
@@ -218,22 +224,22 @@ impl EngineRig {
         (self.vertices.len(), self.triangles.len())
     }
 
-    /// The most bones that move a vertex.
+    /// The maximum number of bones that move a vertex.
     #[must_use]
     pub fn influences(&self) -> usize {
         self.weights.offsets().windows(2).map(|row| row[1] - row[0]).max().unwrap_or(0) as usize
     }
 
-    /// How far the outline may be from that of the visible pixels, in pixels.
+    /// The maximum distance between the outline and that of the visible pixels, in pixels.
     #[must_use]
     pub fn outline_tolerance(&self) -> f64 {
         self.outline
     }
 
-    /// The numbers of all bones but the root in the project's pose.
+    /// The numbers of all bones in the project's pose.
     pub(crate) fn setup(&self, chart: Chart) -> Vec<Numbers> {
         let numbers = |(bone, map): (&Bone, &DAffine2)| chart.numbers(&seen_from(bone.rest, map), None);
-        self.bones.iter().zip(&self.pose).skip(1).map(numbers).collect()
+        self.bones.iter().zip(&self.pose).map(numbers).collect()
     }
 
     /// The keys of all clips.
@@ -244,15 +250,23 @@ impl EngineRig {
             let last_frame = clip.frames.len() as u32 - 1;
             let of_bone = |bone: usize| {
                 let frames = clip.frames.iter().map(|maps| seen_from(self.bones[bone].rest, &maps[bone]));
-                keys(chart, &frames.collect::<Vec<_>>(), &boxes[bone], &setup[bone - 1])
+                (bone, keys(chart, &frames.collect::<Vec<_>>(), &boxes[bone], &setup[bone]))
             };
+            // The root stays, so it has keys only if it is the only bone.
+            let animated = if self.bones.len() == 1 { 0..1 } else { 1..self.bones.len() };
+            let mut tracks: Vec<(usize, Keys)> = animated.map(of_bone).collect();
+            if tracks.iter().all(|(_, keys)| keys.frames.len() == 1) {
+                let (_, keys) = &mut tracks[0];
+                keys.frames.push(last_frame);
+                keys.numbers.push(keys.numbers[0]);
+            }
             Timeline {
                 name: clip.name.clone(),
                 looping: clip.looping,
                 duration: clip.duration,
                 frame: clip.duration / f64::from(last_frame),
                 last_frame,
-                bones: (1..self.bones.len()).map(of_bone).collect(),
+                tracks,
             }
         };
         self.clips.iter().map(timeline).collect()
@@ -276,13 +290,13 @@ impl EngineRig {
 }
 
 impl Timeline {
-    /// The same clip there and back, for formats that cannot play backwards.
+    /// The clip forwards and backwards, for formats that cannot play backwards.
     pub(crate) fn there_and_back(mut self) -> Self {
         if self.looping != Looping::Alternate {
             return self;
         }
         let last = self.last_frame;
-        for keys in self.bones.iter_mut().filter(|keys| keys.frames.len() > 1) {
+        for (_, keys) in self.tracks.iter_mut().filter(|(_, keys)| keys.frames.len() > 1) {
             let back = (0..keys.frames.len() - 1).rev();
             let (frames, numbers): (Vec<u32>, Vec<Numbers>) =
                 back.map(|key| (2 * last - keys.frames[key], keys.numbers[key])).unzip();
@@ -294,7 +308,7 @@ impl Timeline {
     }
 }
 
-/// A map as the pose of a bone: about its place at rest.
+/// Converts a map to the pose of a bone, relative to its position at rest.
 fn seen_from(rest: DVec2, map: &DAffine2) -> DAffine2 {
     DAffine2 { matrix2: map.matrix2, translation: map.transform_point2(rest) }
 }
@@ -324,14 +338,14 @@ impl<'a> Moments<'a> {
         (0..=count).map(pose).collect()
     }
 
-    /// At some times, evenly spread.
+    /// Poses at evenly spaced times.
     fn some(&mut self, blend: Blend) -> Result<Vec<Pose>, ExportError> {
         let mut poses = self.at(TIMES, blend)?;
         poses.pop();
         Ok(poses)
     }
 
-    /// At all frames, with both ends.
+    /// Poses at all frames, including both ends.
     fn all(&mut self, blend: Blend) -> Result<Vec<Pose>, ExportError> {
         let frames = (self.clip.duration * f64::from(FRAMES_PER_SECOND)).round().max(1.0) as u32;
         self.at(frames, blend)
@@ -355,14 +369,15 @@ impl Skeleton {
         mesh: &SpriteMesh,
         options: Options,
         poses: &[Pose],
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> Self {
         let all = solution.sites().len();
         let site_maps: Vec<Vec<DAffine2>> =
             poses.iter().map(|pose| (0..all).map(|site| map_of(pose, site)).collect()).collect();
         let links = solution.links().map(|(a, b, _)| (a, b));
+        let owners = owners(solution, options.bones);
         let ChosenSites { kept, leader } =
-            chosen_sites(&site_maps, mesh.displaced_vertices(), mesh.weights(), links, options.bones);
+            chosen_sites(&site_maps, mesh.displaced_vertices(), mesh.weights(), links, &owners, options.bones);
         let weights = of_bones(mesh.weights(), &kept, &leader);
         let most = weights.offsets().windows(2).map(|row| row[1] - row[0]).max().unwrap_or(0) as usize;
         let is_exact = project.pose.blend == Blend::Linear && kept.len() == all && most <= options.influences;
@@ -370,7 +385,7 @@ impl Skeleton {
         if !is_exact {
             let targets: Vec<Vec<DVec2>> = poses.iter().map(|pose| mesh.posed_vertices(pose)).collect();
             for round in 0..ROUNDS {
-                tell(round as f64 / ROUNDS as f64);
+                on_progress(round as f64 / ROUNDS as f64);
                 let maps: Vec<Vec<DAffine2>> = poses.iter().map(|pose| skeleton.maps(mesh, pose)).collect();
                 let fit = WeightFit { vertices: mesh.displaced_vertices(), targets: &targets, maps: &maps };
                 skeleton.weights = fit.fitted(&skeleton.weights, options.influences);
@@ -383,12 +398,14 @@ impl Skeleton {
 
     fn refit(&mut self, mesh: &SpriteMesh) {
         let rest: Vec<DVec2> = self.bones.iter().map(|bone| bone.rest).collect();
-        self.fit = Some(MotionFit::new(mesh.displaced_vertices(), &self.weights, &rest));
+        let held: Vec<bool> = self.bones.iter().map(|bone| bone.is_handle).collect();
+        self.fit = Some(MotionFit::new(mesh.displaced_vertices(), &self.weights, &rest, &held));
     }
 
-    /// Drops the bones that move no vertex.
+    /// Drops the bones that move no vertex, besides those of handles.
     fn drop_unused(&mut self, mesh: &SpriteMesh) {
-        let mut number = vec![None; self.bones.len()];
+        let is_handle = |bone: &Bone| bone.is_handle.then_some(0);
+        let mut number: Vec<Option<u32>> = self.bones.iter().map(is_handle).collect();
         for &bone in self.weights.sites() {
             number[bone as usize] = Some(0);
         }
@@ -407,7 +424,7 @@ impl Skeleton {
         }
     }
 
-    /// The maps of the sites that the bones stand for.
+    /// The maps of the sites that the bones represent.
     fn site_maps(&self, pose: &Pose) -> Vec<DAffine2> {
         let moving = self.sites.iter().map(|&site| map_of(pose, site));
         [DAffine2::IDENTITY].into_iter().chain(moving).collect()
@@ -422,7 +439,7 @@ impl Skeleton {
         }
     }
 
-    /// How far bones with such maps take the vertices from their exact places in some poses.
+    /// Distances between the vertices moved by these maps and their exact positions in some poses.
     fn errors(
         &self,
         mesh: &SpriteMesh,
@@ -446,7 +463,7 @@ fn map_of(pose: &Pose, site: usize) -> DAffine2 {
     DAffine2 { matrix2: glam::DMat2::from_cols(x, y), translation: origin }
 }
 
-/// The weights of sites as those of the bones that stand for them. Vertices that stay belong to the root.
+/// Converts weights of sites to weights of the bones that represent them. Vertices that do not move belong to the root.
 fn of_bones(weights: &SparseWeights, kept: &[usize], leader: &[usize]) -> SparseWeights {
     let (mut offsets, mut bones, mut shares) = (vec![0], Vec::new(), Vec::new());
     for vertex in 0..weights.len() {
@@ -471,18 +488,38 @@ fn of_bones(weights: &SparseWeights, kept: &[usize], leader: &[usize]) -> Sparse
     SparseWeights::from_parts(offsets, bones, shares).expect("rows of all vertices")
 }
 
-/// The root, and a bone for each site, named by its handle or its number.
+/// The handle of each site. Pieces of bars and polygons are told apart if they leave half of the bones for the sites
+/// between.
+fn owners(solution: &Solution, bones: usize) -> Vec<Option<(u32, u32)>> {
+    let owner = |kind: SiteKind| match kind {
+        SiteKind::Point { handle } => Some((handle, 0)),
+        SiteKind::Bone { handle, bone } => Some((handle, bone)),
+        SiteKind::Boundary | SiteKind::Virtual => None,
+    };
+    let pieces: Vec<Option<(u32, u32)>> = solution.sites().iter().map(|site| owner(site.kind)).collect();
+    let are_few = 2 * pieces.iter().flatten().collect::<BTreeSet<_>>().len() <= bones;
+    if are_few { pieces } else { pieces.into_iter().map(|piece| piece.map(|(handle, _)| (handle, 0))).collect() }
+}
+
+/// The root, and a bone for each site, named after its handle or its number.
 fn named(project: &Project, solution: &Solution, sites: &[usize]) -> Vec<Bone> {
     let mut names = Names::default();
-    let root = Bone { name: names.unique("root"), rest: DVec2::ZERO };
-    // Handles first, so that no number of a site takes their names.
-    let name = |&site: &usize| match solution.sites()[site].kind {
-        SiteKind::Point { handle } | SiteKind::Bone { handle, .. } => project.handles[handle as usize].id.clone(),
-        SiteKind::Boundary => format!("border {site}"),
-        SiteKind::Virtual => format!("site {site}"),
+    // Handles first, so that no other bone takes their names.
+    let mut of_handles: Vec<Option<String>> =
+        project.handles.iter().map(|handle| Some(names.unique(&handle.id))).collect();
+    let root = Bone { name: names.unique("root"), rest: DVec2::ZERO, is_handle: false };
+    let mut name = |site: usize| match solution.sites()[site].kind {
+        SiteKind::Point { handle } | SiteKind::Bone { handle, .. } => {
+            let at = handle as usize;
+            of_handles[at].take().unwrap_or_else(|| names.unique(&project.handles[at].id))
+        }
+        SiteKind::Boundary => names.unique(&format!("border {site}")),
+        SiteKind::Virtual => names.unique(&format!("site {site}")),
     };
-    let bone = |site: &usize| Bone { name: names.unique(&name(site)), rest: solution.sites()[*site].rest };
     let mut bones = vec![root];
-    bones.extend(sites.iter().map(bone));
+    bones.extend(sites.iter().map(|&site| {
+        let Site { rest, kind, .. } = solution.sites()[site];
+        Bone { name: name(site), rest, is_handle: kind.handle().is_some() }
+    }));
     bones
 }

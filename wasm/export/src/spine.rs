@@ -1,4 +1,4 @@
-//! Spine JSON 4.2 with its atlas, as <http://esotericsoftware.com/spine-json-format> documents them.
+//! Spine JSON 4.2 with its atlas, as documented at <http://esotericsoftware.com/spine-json-format>.
 //!
 //! Lengths are pixels, and y goes up. The origin is the picture's top left corner: a point at (x, y) of it is at
 //! (x, −y). Angles are degrees, anticlockwise. Keys add to the setup pose. Scales multiply it.
@@ -25,7 +25,7 @@ pub(crate) fn skeleton(rig: &EngineRig) -> Vec<u8> {
     let setup = rig.setup(Chart::Sheared);
     let root = &rig.bones[0].name;
     let mut bones = vec![json!({ "name": root })];
-    bones.extend(rig.bones.iter().skip(1).zip(&setup).map(|(bone, numbers)| of_bone(&bone.name, root, numbers)));
+    bones.extend(rig.bones.iter().zip(&setup).skip(1).map(|(bone, numbers)| of_bone(&bone.name, root, numbers)));
     let animations: Map<String, Value> = rig
         .timelines(Chart::Sheared)
         .into_iter()
@@ -92,11 +92,15 @@ fn mesh(rig: &EngineRig) -> Value {
 
 fn animated(rig: &EngineRig, timeline: &Timeline, setup: &[Numbers]) -> Map<String, Value> {
     let mut bones = Map::new();
-    for ((bone, keys), setup) in rig.bones.iter().skip(1).zip(&timeline.bones).zip(setup) {
+    for (bone, keys) in &timeline.tracks {
+        let (bone, setup) = (&rig.bones[*bone], &setup[*bone]);
         let mut tracks = Map::new();
+        // A bone that stays has a second key only to end the clip.
+        let ends_clip = keys.numbers.len() > 1 && keys.numbers.iter().all(|numbers| *numbers == keys.numbers[0]);
         let mut track = |name: &str, still: i64, values: &dyn Fn(&Numbers) -> Vec<(&'static str, Value)>| {
             let all: Vec<Vec<(&str, Value)>> = keys.numbers.iter().map(values).collect();
-            if all.iter().flatten().all(|(_, value)| *value == still) {
+            let is_needed = ends_clip && name == "translate";
+            if !is_needed && all.iter().flatten().all(|(_, value)| *value == still) {
                 return;
             }
             let key = |(frame, values): (&u32, Vec<(&str, Value)>)| {

@@ -1,16 +1,16 @@
 //! The picture of a rig, with the colours of its edges in the transparent pixels around them.
 //!
-//! Engines scale textures and blend neighbouring pixels with straight alpha. So the colour of a transparent pixel shows
-//! at edges that the picture ends at, often as a dark line. Each ring of pixels around the visible ones takes the mean
-//! colours of the ring before. All of them stay transparent.
+//! Engines scale textures and blend neighbouring pixels with straight alpha. So the colour of transparent pixels shows
+//! at the edges of the picture, often as a dark line. Each ring of pixels around the visible ones takes the mean
+//! colours of the previous ring. These pixels remain transparent.
 //!
 //! Cost: linear in the pixels.
 
 use c2warp::Picture;
 
-/// How far colours reach, in pixels. A texture that is drawn at an eighth of its size blends pixels so far apart.
+/// How far colours extend, in pixels. A texture drawn at an eighth of its size blends pixels this far apart.
 const REACH_PX: usize = 8;
-/// The weight of a filled pixel in the mean: that of an opaque one.
+/// The weight of a filled pixel in the mean, equal to that of an opaque pixel.
 const OPAQUE: u32 = 255;
 
 /// The pixels of a picture for a texture: straight RGBA, rows from top to bottom.
@@ -18,7 +18,7 @@ const OPAQUE: u32 = 255;
 pub fn texture(picture: &Picture) -> Vec<u8> {
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let mut rgba = picture.rgba().to_vec();
-    // How much a pixel's colour counts: nothing as long as it has none.
+    // The weight of a pixel's colour: 0 while it has no colour.
     let mut weights: Vec<u32> = rgba.chunks_exact(4).map(|pixel| u32::from(pixel[3])).collect();
     let around = |at: usize| {
         let (x, y) = (at % width, at / width);

@@ -1,24 +1,25 @@
-//! Weights of few bones that move each vertex as many sites do, over a set of poses.
+//! Finds weights of few bones that move each vertex like its many sites, over a set of poses.
 //!
-//! Each vertex has a least squares problem of its own. Its weights are not negative and sum to 1, and their blend is
-//! nearest to the exact places in all poses. Weights are dropped one by one, always the one that is missed least, and
-//! the others are fitted again.
+//! Each vertex has its own least squares problem. Its weights are not negative and sum to 1, and their blend is nearest
+//! to the exact positions in all poses. Weights are dropped one by one, always the least important one, and the others
+//! are fitted again.
 //!
-//! Cost: for each vertex the distances of all bones in all poses, and some hundred systems of up to 16 weights.
+//! Cost: for each vertex the distances of all bones in all poses, and a few hundred systems of up to 16 weights.
 
 use glam::{DAffine2, DVec2};
 
 use c2warp::weight::SparseWeights;
 
-/// Bones that a vertex may have: the heaviest ones of its weights so far, and those that move most like it.
+/// Candidate bones of a vertex: those with its greatest weights so far, and those that move most like it.
 const HEAVIEST: usize = 10;
 const NEAREST: usize = 6;
-/// Pull towards the weights so far, over the mean square of the distances: it decides only where poses do not.
+/// Pull towards the weights so far, relative to the mean square of the distances. It only matters where poses do not
+/// determine the weights.
 const PULL: f64 = 1e-6;
 /// The same in square pixels for each pose, where all distances vanish.
 const LEAST_PULL: f64 = 1e-9;
 
-/// Vertices, their exact places in some poses, and the maps of the bones in these.
+/// Vertices, their exact positions in some poses, and the maps of the bones in these.
 pub(crate) struct WeightFit<'a> {
     pub(crate) vertices: &'a [DVec2],
     /// Poses × vertices.
@@ -28,7 +29,7 @@ pub(crate) struct WeightFit<'a> {
 }
 
 impl WeightFit<'_> {
-    /// Weights of at most `influences` bones a vertex, from weights of any number.
+    /// Reduces weights to at most `influences` bones per vertex.
     pub(crate) fn fitted(&self, weights: &SparseWeights, influences: usize) -> SparseWeights {
         let (mut offsets, mut bones, mut shares) = (vec![0], Vec::new(), Vec::new());
         for vertex in 0..self.vertices.len() {
@@ -44,7 +45,7 @@ impl WeightFit<'_> {
     fn row(&self, vertex: usize, before: &[(usize, f64)], influences: usize) -> Vec<(usize, f64)> {
         let candidates = self.candidates(vertex, before);
         let p = self.vertices[vertex];
-        // Candidates × poses: how far each is from the exact place.
+        // Candidates × poses: how far each is from the exact position.
         let apart = |&bone: &usize| -> Vec<DVec2> {
             let poses = self.maps.iter().zip(self.targets);
             poses.map(|(maps, targets)| maps[bone].transform_point2(p) - targets[vertex]).collect()
@@ -111,7 +112,7 @@ struct Minimum {
 }
 
 impl Simplex {
-    /// The minimum over a set of weights. Those that would become negative leave the set, the most negative first.
+    /// The minimum over a set of weights. Weights that would become negative leave the set, the most negative first.
     fn minimum(&self, mut set: Vec<usize>) -> Minimum {
         loop {
             let weights = self.stationary(&set);
@@ -194,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn bones_that_never_differ_share_what_they_had() {
+    fn identical_bones_keep_their_shares() {
         let maps = vec![vec![shift(1.0, 1.0); 3]];
         let fit = WeightFit { vertices: &[DVec2::ZERO], targets: &[vec![DVec2::ONE]], maps: &maps };
         let before = SparseWeights::from_parts(vec![0, 2], vec![0, 2], vec![0.4, 0.6]).unwrap();

@@ -1,6 +1,6 @@
-//! Films from frames, for JavaScript: a module of its own, which a page loads when somebody exports a film.
+//! Films from frames, for JavaScript: a separate module, which a page loads when a film is exported.
 //!
-//! It lives in a worker. Bytes are taken out after every frame, so that memory does not grow with the film.
+//! It runs in a worker. Bytes are taken out after every frame, so memory does not grow with the film.
 
 mod outlet;
 
@@ -13,7 +13,7 @@ use wasm_bindgen::prelude::*;
 
 use self::outlet::Outlet;
 
-/// The form of a film.
+/// The format of a film.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy)]
 pub enum Container {
@@ -27,13 +27,13 @@ pub enum Container {
     Sheet,
 }
 
-/// A film in the making.
+/// A film that is being written.
 #[wasm_bindgen]
 pub struct FilmWriter {
     outlet: Outlet,
     /// `None` after the end.
     encoder: Option<Box<dyn Encoder>>,
-    /// Where the frames of a sheet lie.
+    /// The positions of the frames in a sheet.
     json: Option<String>,
 }
 
@@ -43,7 +43,7 @@ impl fmt::Debug for FilmWriter {
     }
 }
 
-/// Bytes of a film, and where they belong.
+/// Bytes of a film, and their position in the file.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Piece {
@@ -60,7 +60,7 @@ impl Piece {
         self.position as f64
     }
 
-    /// The bytes. They are gone from here afterwards.
+    /// The bytes. The bytes can be taken only once.
     pub fn take(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.bytes)
     }
@@ -70,12 +70,12 @@ impl Piece {
 impl FilmWriter {
     /// Begins a film of frames with a width and height in pixels. `rate` is in frames a second.
     ///
-    /// A GIF has the colours of `picture`, as straight RGBA. Its soft edges blend with the colour `matte`, three bytes,
-    /// or else are cut at half their alpha. A sheet is for a file named `image`, and its frames are named by `name` and
-    /// their number.
+    /// A GIF uses the colours of `picture`, in straight RGBA. Its soft edges blend with the colour `matte`, three
+    /// bytes, or else are cut at half their alpha. The JSON of a sheet refers to the file `image`, and names the frames
+    /// by `name` and their number.
     ///
     /// # Errors
-    /// For a film that the container cannot hold.
+    /// For a film that exceeds the limits of the format.
     #[wasm_bindgen(constructor)]
     #[allow(clippy::too_many_arguments, reason = "wasm-bindgen has no structs of plain values")]
     pub fn new(
@@ -135,8 +135,8 @@ impl FilmWriter {
         self.encoder.take().map_or(Ok(()), |encoder| encoder.finish().map_err(|reason| to_js(&reason)))
     }
 
-    /// The next bytes that have not been taken; `undefined` if all have. Only the first bytes of a file may come later
-    /// than those behind them.
+    /// The next bytes that have not been taken; `undefined` if all have. Only the first bytes of a file may be written
+    /// after later ones.
     #[wasm_bindgen(js_name = takePiece)]
     pub fn take_piece(&mut self) -> Option<Piece> {
         self.outlet.take().map(|(position, bytes)| Piece { position, bytes })

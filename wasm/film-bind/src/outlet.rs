@@ -5,14 +5,14 @@ use std::collections::VecDeque;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::rc::Rc;
 
-/// Bytes that have been written and not been taken. Copies share them.
+/// Bytes that have been written but not taken. Copies share them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Outlet(Rc<RefCell<Written>>);
 
 #[derive(Debug, Default)]
 struct Written {
     pieces: VecDeque<(u64, Vec<u8>)>,
-    /// Where the next byte belongs.
+    /// The position of the next byte.
     position: u64,
     length: u64,
 }

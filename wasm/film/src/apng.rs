@@ -1,4 +1,4 @@
-//! Animated PNG: lossless, with full alpha. Programs without animations show the first frame.
+//! Animated PNG: lossless, with full alpha. Programs without support for animation show the first frame.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -9,10 +9,10 @@ use png::{BitDepth, ColorType, Compression, Encoder as PngEncoder, Info, Writer}
 use crate::png_error::png_error;
 use crate::{Encoder, Film, Plays};
 
-/// Units of delays: a fraction of two numbers of 16 bits would not hold every rate.
+/// Units of delays: a fraction of two 16-bit numbers cannot express every rate.
 const MILLISECONDS: u32 = 1000;
 
-/// An animated PNG in the making.
+/// An animated PNG that is being written.
 pub struct Apng<W: Write> {
     film: Film,
     writer: Writer<W>,

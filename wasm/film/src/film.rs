@@ -15,7 +15,7 @@ pub struct Film {
     pub rate: f64,
     /// How often the film runs.
     pub plays: Plays,
-    /// ICC profile of the colours; `None` for sRGB. GIF and sheets have none.
+    /// ICC profile of the colours; `None` for sRGB. GIFs and sheets have no profile.
     pub profile: Option<Vec<u8>>,
 }
 
@@ -29,8 +29,8 @@ pub enum Plays {
 }
 
 impl Film {
-    /// How long a frame is shown, in whole units of which a second has `units`. Rounding does not add up: frame k ends
-    /// at (k + 1) / rate, within half a unit.
+    /// How long a frame is shown, in whole units; a second has `units` of them. Rounding errors do not accumulate:
+    /// frame k ends at (k + 1) / rate, within half a unit.
     #[must_use]
     pub fn delay(&self, frame: u32, units: u32) -> u32 {
         let end = |frame: u32| (f64::from(frame) * f64::from(units) / self.rate).round();
@@ -43,22 +43,22 @@ impl Film {
     }
 
     /// # Errors
-    /// For bytes that are no frame of this film.
+    /// If the bytes are not a frame of this film.
     pub(crate) fn check(&self, rgba: &[u8]) -> io::Result<()> {
         if rgba.len() == self.frame_bytes() {
             Ok(())
         } else {
-            Err(io::Error::new(io::ErrorKind::InvalidInput, "the frame has another size than the film"))
+            Err(io::Error::new(io::ErrorKind::InvalidInput, "the size of the frame differs from that of the film"))
         }
     }
 }
 
-/// Takes the frames of a film and writes it.
+/// Writes a film from its frames.
 pub trait Encoder {
     /// Adds the next frame: straight RGBA, rows from top to bottom.
     ///
     /// # Errors
-    /// If the frame has another size than the film, or the output fails.
+    /// If the frame and the film differ in size, or the output fails.
     fn add(&mut self, rgba: &[u8]) -> io::Result<()>;
 
     /// Completes the film, after its last frame.

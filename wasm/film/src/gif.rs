@@ -1,7 +1,7 @@
 //! GIF: 255 colours for the whole film, and pixels that are either opaque or transparent.
 //!
-//! Colours between those of the palette are mixed by a fixed pattern. So parts that rest look the same in every frame,
-//! and do not flicker.
+//! Colours between those of the palette are dithered with a fixed pattern, so parts that do not move look the same in
+//! every frame, without flicker.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -11,13 +11,13 @@ use ::gif::{DisposalMethod, Encoder as GifEncoder, EncodingError, Frame, Repeat}
 
 use crate::{Encoder, Film, GifColours, Plays};
 
-/// Frames a second at most: viewers show shorter delays than two hundredths of a second as ten.
+/// Maximum frame rate: viewers treat delays below two hundredths of a second as ten hundredths.
 pub const MOST_GIF_RATE: f64 = 50.0;
 
 /// Units of delays in a second.
 const HUNDREDTHS: u32 = 100;
 
-/// A GIF in the making.
+/// A GIF that is being written.
 pub struct Gif<W: Write> {
     film: Film,
     colours: GifColours,

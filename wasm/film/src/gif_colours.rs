@@ -1,4 +1,4 @@
-//! The colours of a GIF: the palette of a picture, and what becomes of translucent pixels.
+//! The colours of a GIF: the palette of a picture, and the treatment of translucent pixels.
 
 use crate::palette::Dithering;
 
@@ -7,8 +7,8 @@ const LEAST_ALPHA: [u8; 2] = [128, 16];
 
 /// The colours of a GIF, known before its first frame.
 ///
-/// A warp moves the colours of one picture, so its pixels give the palette of all frames, also of colours that some
-/// frames hide. On clips of three samples, the palette of eight frames or of all was no better.
+/// A warp moves the colours of one picture, so its pixels determine the palette of all frames, including colours that
+/// some frames hide. On clips of three samples, palettes of eight frames or of all frames were no better.
 #[derive(Debug)]
 pub struct GifColours {
     matte: Option<[u8; 3]>,
@@ -19,11 +19,11 @@ impl GifColours {
     /// The index of transparent pixels.
     pub(crate) const TRANSPARENT: u8 = 255;
 
-    /// The colours of a picture, as straight RGBA. It may have any size: that of the frames has their fine mixtures.
-    /// Soft edges blend with the colour `matte`, or else are cut at half their alpha.
+    /// The colours of a picture, as straight RGBA. It may have any size; at the size of the frames, it contains their
+    /// fine mixtures. Soft edges blend with the colour `matte`, or else are cut at half their alpha.
     #[must_use]
     pub fn new(picture: &[u8], matte: Option<[u8; 3]>) -> Self {
-        Self { matte, dithering: Dithering::new(shown(picture, matte).flatten()) }
+        Self { matte, dithering: Dithering::new(shown(picture, matte)) }
     }
 
     /// Red, green and blue of 256 colours.
@@ -41,7 +41,7 @@ impl GifColours {
 }
 
 /// The pixels that are shown: opaque ones on the matte, `None` for transparent ones.
-fn shown(rgba: &[u8], matte: Option<[u8; 3]>) -> impl Iterator<Item = Option<[u8; 3]>> {
+fn shown(rgba: &[u8], matte: Option<[u8; 3]>) -> impl Iterator<Item = Option<[u8; 3]>> + Clone {
     let least = LEAST_ALPHA[usize::from(matte.is_some())];
     rgba.as_chunks::<4>().0.iter().map(move |&[r, g, b, alpha]| {
         let blend = |colour: u8, matte: u8| {

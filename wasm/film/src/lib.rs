@@ -1,7 +1,8 @@
 //! Animated pictures from frames: GIF, APNG, WebP, and sprite sheets.
 //!
-//! Frames go in one after another, as straight RGBA of the film's size; bytes come out as they are made. Nothing here
-//! knows warps, clips or files, so a browser can use it as well. Memory: one frame, except for a sheet.
+//! Frames are added one after another, as straight RGBA of the film's size; bytes are written as they become available.
+//! The crate does not depend on warps, clips or files, so it also runs in a browser. Memory: one frame, except for a
+//! sheet.
 
 mod apng;
 mod film;

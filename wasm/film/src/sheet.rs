@@ -1,7 +1,7 @@
-//! A sprite sheet: all frames in one PNG, and where they lie as JSON.
+//! A sprite sheet: all frames in one PNG, and their positions as JSON.
 //!
 //! The JSON has TexturePacker's hash form, with the `duration` of each frame in milliseconds, as Aseprite writes it.
-//! Game engines read it. Memory: the whole sheet.
+//! Game engines read this format. Memory: the whole sheet.
 
 use std::fmt;
 use std::io::{self, Write};
@@ -12,12 +12,12 @@ use serde_json::{Map, Value, json};
 use crate::png_error::png_error;
 use crate::{Encoder, Film};
 
-/// Pixels of a side at most: what graphics cards hold.
+/// Maximum number of pixels of a side, the limit of graphics cards.
 pub const MOST_SHEET_SIDE: u32 = 16_384;
 
 const MILLISECONDS: u32 = 1000;
 
-/// A sheet in the making.
+/// A sheet that is being drawn.
 pub struct Sheet<W: Write> {
     film: Film,
     output: W,
@@ -43,7 +43,8 @@ impl<W: Write> Sheet<W> {
         let [width, height] = [u64::from(columns) * u64::from(film.width), u64::from(rows) * u64::from(film.height)];
         if width.max(height) > MOST_SHEET_SIDE.into() {
             let message = format!(
-                "{} frames of {} × {} pixels need a sheet of {width} × {height}, but {MOST_SHEET_SIDE} is the most",
+                "{} frames of {} × {} pixels need a sheet of {width} × {height}, but a side can have at most \
+                 {MOST_SHEET_SIDE}",
                 film.frames, film.width, film.height
             );
             return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
@@ -85,7 +86,7 @@ impl<W: Write> Sheet<W> {
     }
 }
 
-/// Columns and rows whose sheet is nearest to a square.
+/// The columns and rows that make the sheet nearest to a square.
 fn layout(film: &Film) -> [u32; 2] {
     let [width, height] = [film.width, film.height].map(f64::from);
     let columns = (f64::from(film.frames) * height / width).sqrt().round() as u32;

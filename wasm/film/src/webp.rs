@@ -1,6 +1,6 @@
 //! Animated WebP of lossless frames, with full alpha.
 //!
-//! The container is that of the WebP container specification (RFC 9649, section 2.7).
+//! The container follows the WebP specification (RFC 9649, section 2.7).
 
 use std::fmt;
 use std::io::{self, Cursor, Seek, SeekFrom, Write};
@@ -10,19 +10,19 @@ use image_webp::{ColorType, EncodingError, WebPEncoder};
 use crate::{Encoder, Film, Plays};
 
 const MILLISECONDS: u32 = 1000;
-/// Pixels of a side at most.
+/// Maximum number of pixels of a side.
 const MOST_SIDE: u32 = 1 << 14;
 
 /// Bits of the header VP8X.
 const ANIMATION: u8 = 0x02;
 const ALPHA: u8 = 0x10;
 const PROFILE: u8 = 0x20;
-/// Bit of a frame: it replaces the one before instead of being drawn over it.
+/// Bit of a frame: it replaces the previous frame instead of being drawn over it.
 const REPLACES: u8 = 0x02;
-/// Bytes of a frame before its picture: place, size, delay and bits.
+/// Bytes of a frame before its picture: position, size, delay and bits.
 const FRAME_HEADER: usize = 16;
 
-/// An animated WebP in the making. The output is sought once, to write the length of the file at its beginning.
+/// An animated WebP that is being written. The writer seeks once, to write the length of the file at its beginning.
 pub struct WebP<W: Write + Seek> {
     film: Film,
     output: W,

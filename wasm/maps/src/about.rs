@@ -1,10 +1,10 @@
-//! The convention of a map in words, for the header of its file.
+//! Descriptions of the maps, for the headers of their files.
 
 use c2warp::Extent;
 
 use crate::maps::{Map, MapFormat, Maps};
 
-/// A sentence or a few about a map.
+/// Describes a map and its channels.
 pub(crate) fn about(maps: &Maps<'_>, map: Map, format: MapFormat) -> String {
     let Extent { origin: [x, y], width, height } = maps.drawing.extent();
     let (name, scale) = (maps.name, maps.drawing.scale());
@@ -23,8 +23,8 @@ pub(crate) fn about(maps: &Maps<'_>, map: Map, format: MapFormat) -> String {
     let channels = match (map, format) {
         (Map::Inverse, MapFormat::Exr) => " Blue is the growth of areas, and alpha the covered part of the pixel.",
         (Map::Inverse, MapFormat::Png) => " Alpha is the covered part of the pixel.",
-        (Map::Forward, MapFormat::Exr) => " Alpha is 0 where the picture has no place.",
-        (Map::Forward, MapFormat::Png) => " Alpha is 0 where the picture has no place, or one outside.",
+        (Map::Forward, MapFormat::Exr) => " Alpha is 0 where the picture has no position.",
+        (Map::Forward, MapFormat::Png) => " Alpha is 0 where the picture has no position, or one outside.",
         (Map::Stretch, MapFormat::Exr) => "",
         (Map::Stretch, MapFormat::Png) => {
             " The level is 0.5 + log2(growth) / 8: half of 65535 where nothing grows, 0 where the picture is turned over."
@@ -33,11 +33,11 @@ pub(crate) fn about(maps: &Maps<'_>, map: Map, format: MapFormat) -> String {
     };
     let values = match map {
         Map::Inverse => format!(
-            "Inverse ST map by c2warp: for each pixel of {warped}, the place of {picture} that it shows. {}",
+            "Inverse ST map by c2warp: for each pixel of {warped}, the position in {picture} that it shows. {}",
             uv("the picture")
         ),
         Map::Forward => format!(
-            "Forward ST map by c2warp: for each pixel of {picture}, its place in {warped}. {}",
+            "Forward ST map by c2warp: for each pixel of {picture}, its position in {warped}. {}",
             uv("the warped picture")
         ),
         Map::Stretch => format!(

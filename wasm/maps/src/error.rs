@@ -1,18 +1,18 @@
-//! Why a file of a map or of weights was not made.
+//! Why a file of a map or of weights was not written.
 
-/// A map that could not be encoded.
+/// Why a map was not encoded.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapError {
-    /// The OpenEXR file.
-    #[error("the OpenEXR file could not be made: {0}")]
+    /// Encoding as OpenEXR failed.
+    #[error("cannot write OpenEXR: {0}")]
     Exr(#[from] exr::error::Error),
-    /// The PNG file.
-    #[error("the PNG file could not be made: {0}")]
+    /// Encoding as PNG failed.
+    #[error("cannot write PNG: {0}")]
     Png(#[from] png::EncodingError),
 }
 
-/// Weights that make no table.
+/// Why weights were not written as a table.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum WeightsError {
@@ -21,23 +21,27 @@ pub enum WeightsError {
     NoHandle {
         /// The name.
         name: String,
-        /// The names that there are.
+        /// The names of all handles.
         names: Vec<String>,
     },
-    /// A table that is too large.
-    #[error("{} numbers take {}: {advice}", shape.iter().map(ToString::to_string).collect::<Vec<_>>().join(" × "), size(*bytes))]
+    /// The table is too large.
+    #[error(
+        "{} numbers need {}: {advice}",
+        shape.iter().map(ToString::to_string).collect::<Vec<_>>().join(" × "),
+        size(*bytes)
+    )]
     TooLarge {
         /// Points or rows and columns of points, then sites.
         shape: Vec<usize>,
         /// Its size.
         bytes: u64,
-        /// How to make it smaller.
+        /// How to make the table smaller.
         advice: &'static str,
     },
 }
 
 fn listed(names: &[String]) -> String {
-    if names.is_empty() { "the project has none".to_owned() } else { format!("the project has {names:?}") }
+    if names.is_empty() { "the project has no handles".to_owned() } else { format!("the project has {names:?}") }
 }
 
 fn size(bytes: u64) -> String {

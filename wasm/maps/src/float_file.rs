@@ -1,7 +1,7 @@
 //! OpenEXR files with 32-bit floats.
 //!
-//! The channels are R, G, B and A, in blocks of 16 rows that are packed without loss. The attribute `comments` has the
-//! convention of the map.
+//! The channels are R, G, B and A, in blocks of 16 rows with lossless compression. The attribute `comments` describes
+//! the map.
 
 use std::io::Cursor;
 use std::ops::Range;
@@ -15,18 +15,18 @@ use exr::prelude::Text;
 
 use crate::error::MapError;
 
-/// The rows that were made last.
+/// The most recently computed rows.
 struct Band {
     rows: Range<u32>,
     values: Vec<[f32; 4]>,
 }
 
-/// Encodes a picture whose rows are made in bands, from top to bottom.
+/// Encodes a picture whose rows are computed in bands, from top to bottom.
 pub(crate) fn encode(
     [width, height]: [u32; 2],
     about: &str,
     rows: impl Fn(Range<u32>) -> Vec<[f32; 4]> + Sync,
-    tell: &mut dyn FnMut(f64),
+    on_progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<u8>, MapError> {
     let band = Mutex::new(Band { rows: 0..0, values: Vec::new() });
     let channels = SpecificChannels::rgba(|Vec2(x, y): Vec2<usize>| {
@@ -45,11 +45,11 @@ pub(crate) fn encode(
     image.layer_data.attributes.comments = Text::new_or_none(latin(about));
     image.layer_data.attributes.software_name = Text::new_or_none("c2warp");
     let mut file = Cursor::new(Vec::new());
-    image.write().on_progress(tell).to_buffered(&mut file)?;
+    image.write().on_progress(on_progress).to_buffered(&mut file)?;
     Ok(file.into_inner())
 }
 
-/// The text of a header has one byte for each character. Others are named by their code.
+/// Header text has one byte per character. Other characters are written as escapes.
 fn latin(text: &str) -> String {
     let character = |c: char| if c.is_ascii() { c.to_string() } else { c.escape_unicode().to_string() };
     text.chars().map(character).collect()
@@ -68,9 +68,9 @@ mod tests {
             made.lock().unwrap().push(band.clone());
             vec![[0.5; 4]; band.len() * 3]
         };
-        let mut told = Vec::new();
-        encode([3, 40], "a map", rows, &mut |part| told.push(part)).unwrap();
+        let mut reported = Vec::new();
+        encode([3, 40], "a map", rows, &mut |part| reported.push(part)).unwrap();
         assert_eq!(*made.lock().unwrap(), [0..16, 16..32, 32..40]);
-        assert!(told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
+        assert!(reported.is_sorted() && reported.last() == Some(&1.0), "{reported:?}");
     }
 }

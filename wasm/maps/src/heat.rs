@@ -1,8 +1,8 @@
-//! The weight of a handle as colours over the picture at rest: those of the editor's heat maps.
+//! The weight of a handle over the picture at rest, in the colours of the editor's heat maps.
 //!
 //! Weights are interpolated between the vertices of the mesh, as in the editor.
 //!
-//! Cost: linear in the pixels, and for each band of rows in the triangles.
+//! Cost: linear in the pixels, plus linear in the triangles for each band of rows.
 
 use c2warp::{Picture, Solution, glam::DVec2};
 use png::BitDepth;
@@ -14,8 +14,8 @@ pub type RampColour = [f64; 4];
 
 /// The colours of 0, 0.2, … 1: from transparent through blue to yellow.
 ///
-/// The OKLab lightness rises in equal steps from 0.42 to 0.93, so that the ramp reads without hues. Nearly everyone can
-/// tell blue from yellow.
+/// The OKLab lightness rises in equal steps from 0.42 to 0.93, so that the ramp is readable without hue. Nearly
+/// everyone can distinguish blue from yellow.
 pub const HEAT_RAMP: [RampColour; 6] = [
     [85.0, 40.0, 169.0, 0.0],
     [59.0, 98.0, 196.0, 0.55],
@@ -25,24 +25,24 @@ pub const HEAT_RAMP: [RampColour; 6] = [
     [244.0, 240.0, 78.0, 0.78],
 ];
 
-/// The bytes of a PNG with the picture under the colours of the weights. `tell` gets the fraction that is done.
+/// The bytes of a PNG with the picture under the colours of the weights. `on_progress` receives the completed fraction.
 ///
 /// # Errors
 /// [`MapError`] if the file cannot be encoded.
 ///
 /// # Panics
-/// If the weights are of another solution.
+/// If the weights belong to another solution.
 pub fn heat_map(
     solution: &Solution,
     weights: &Weights<'_>,
     picture: Picture<'_>,
-    tell: &mut dyn FnMut(f64),
+    on_progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<u8>, MapError> {
     let at_vertices = weights.at_vertices();
     let about = "Heat map by c2warp: the weight of a handle over the picture at rest, from blue near 0 to yellow at 1.";
     let (width, height) = (picture.width(), picture.height());
     png_file::write([width, height], BitDepth::Eight, about, |rows| {
-        tell(f64::from(rows.start) / f64::from(height));
+        on_progress(f64::from(rows.start) / f64::from(height));
         let centre = |x: u32, y: u32| DVec2::new(f64::from(x), f64::from(y)) + 0.5;
         let first = rows.start as usize * width as usize * 4;
         let centres: Vec<DVec2> = rows.flat_map(|y| (0..width).map(move |x| centre(x, y))).collect();
@@ -52,7 +52,7 @@ pub fn heat_map(
     })
 }
 
-/// A pixel under the colour of a weight from 0 to 1.
+/// A pixel covered with the colour of a weight from 0 to 1.
 fn heated([red, green, blue, alpha]: [u8; 4], heat: f64) -> [u8; 4] {
     let at = heat.clamp(0.0, 1.0) * 5.0;
     let below = (at as usize).min(4);
@@ -71,7 +71,7 @@ mod tests {
     use super::heated;
 
     #[test]
-    fn colours_go_from_the_picture_to_yellow() {
+    fn colours_range_from_the_picture_to_yellow() {
         assert_eq!(heated([10, 20, 30, 40], 0.0), [10, 20, 30, 40]);
         assert_eq!(heated([0, 0, 0, 255], 1.0), [190, 187, 61, 255]);
         assert_eq!(heated([0, 0, 0, 255], 7.0), heated([0, 0, 0, 255], 1.0));

@@ -1,6 +1,6 @@
 //! A solved picture as numbers for other programs: maps of the warp, and the weights of sites and handles.
 //!
-//! Nothing here knows files, so a browser can use it as well. The same input gives the same bytes.
+//! The crate does not access files, so it also runs in a browser. The same input gives the same bytes.
 //!
 //! ```
 //! use c2warp::{Picture, ResampleOptions, project::{Handle, Project}, solve};
@@ -19,7 +19,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! - `maps`: the values of each map. `about`: their convention in words. `float_file`, `png_file`: the two formats.
+//! - `maps`: the values of each map. `about`: their descriptions. `float_file`, `png_file`: the two formats.
 //! - `weights`: tables of weights. `npy`: their binary format. `places`: the points of a table.
 //! - `heat`: the weight of a handle as colours over the picture.
 

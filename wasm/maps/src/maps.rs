@@ -1,10 +1,10 @@
 //! The maps of a warp, a few rows at a time.
 //!
-//! Places are u to the right and v upwards, from 0 to 1 across a picture: the convention of ST maps. The centre of a
-//! picture's lower left pixel is half a pixel from both axes.
+//! Positions are u to the right and v upwards, from 0 to 1 across a picture, as in ST maps. The centre of a picture's
+//! lower left pixel is half a pixel from both axes.
 //!
-//! Cost: that of the inverse map is linear in the pixels. The forward map evaluates eq. 1 at each pixel of the domain:
-//! about two microseconds. Memory holds the rows of a band, besides the file.
+//! Cost: the inverse map is linear in the pixels. The forward map evaluates eq. 1 at each pixel of the domain: about
+//! two microseconds. Memory: the rows of a band, besides the file.
 
 use std::ops::Range;
 
@@ -19,13 +19,14 @@ use crate::{MapError, about::about, float_file, png_file};
 /// A quantity with a value at each pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Map {
-    /// For each pixel of the warped picture, the place of the picture that it shows. An ST map bends pictures by it.
+    /// For each pixel of the warped picture, the position in the picture that it shows. Compositors use this ST map to
+    /// bend pictures.
     Inverse,
-    /// For each pixel of the picture, its place in the warped picture. An ST map takes the warp back by it.
+    /// For each pixel of the picture, its position in the warped picture. Compositors use this ST map to undo the warp.
     Forward,
     /// How areas and lengths grow, at each pixel of the warped picture.
     Stretch,
-    /// What the warp uncovers and covers, at each pixel of the warped picture.
+    /// Whether the warp uncovers or covers each pixel of the warped picture.
     Disocclusion,
 }
 
@@ -34,7 +35,7 @@ pub enum Map {
 pub enum MapFormat {
     /// OpenEXR with 32-bit floats.
     Exr,
-    /// PNG with 16 bits a channel. Values outside 0 to 1 do not fit.
+    /// PNG with 16 bits per channel. Values outside 0 to 1 do not fit.
     Png,
 }
 
@@ -67,22 +68,24 @@ pub struct Maps<'a> {
 }
 
 impl Maps<'_> {
-    /// The bytes of a map's file. `tell` gets the fraction that is done.
+    /// The bytes of a map's file. `on_progress` receives the completed fraction.
     ///
     /// # Errors
     /// [`MapError`] if the file cannot be encoded.
     ///
     /// # Panics
     /// If the parts do not belong together.
-    pub fn file(&self, map: Map, format: MapFormat, tell: &mut dyn FnMut(f64)) -> Result<Vec<u8>, MapError> {
+    pub fn file(&self, map: Map, format: MapFormat, on_progress: &mut dyn FnMut(f64)) -> Result<Vec<u8>, MapError> {
         let size = self.size(map);
         let about = about(self, map, format);
         let [_, height] = size;
         let at_rest = (map == Map::Disocclusion).then(|| self.at_rest());
         match format {
-            MapFormat::Exr => float_file::encode(size, &about, |rows| self.rows(map, at_rest.as_ref(), rows), tell),
+            MapFormat::Exr => {
+                float_file::encode(size, &about, |rows| self.rows(map, at_rest.as_ref(), rows), on_progress)
+            }
             MapFormat::Png => png_file::encode(size, &about, |rows| {
-                tell(f64::from(rows.start) / f64::from(height));
+                on_progress(f64::from(rows.start) / f64::from(height));
                 let values = self.rows(map, at_rest.as_ref(), rows);
                 values.into_iter().map(|value| levels(map, value)).collect()
             }),
@@ -166,12 +169,12 @@ impl Maps<'_> {
     }
 }
 
-/// A place in a picture as u and v.
+/// A position in a picture as u and v.
 fn uv(place: DVec2, [width, height]: [f64; 2]) -> [f32; 2] {
     [(place.x / width) as f32, (1.0 - place.y / height) as f32]
 }
 
-/// Octaves that the levels of a stretch span: from 1/16 to 16.
+/// Octaves that the levels of a stretch map span: from 1/16 to 16.
 const OCTAVES: f64 = 8.0;
 
 /// The levels of a PNG, from 0 to 1.

@@ -1,8 +1,8 @@
-//! NPY, the file of one array of NumPy, version 1.0.
+//! NPY, NumPy's file format for one array, version 1.0.
 //!
-//! Numbers are 64-bit floats, little-endian, the last index running fastest.
+//! Numbers are 64-bit floats, little-endian, with the last index varying fastest.
 
-/// Bytes that the header with its prefix is a multiple of.
+/// The length of the header and its prefix is a multiple of this.
 const ALIGNMENT: usize = 64;
 /// The bytes before the header: the signature, the version, and the length of the header.
 const PREFIX: usize = 10;

@@ -41,7 +41,7 @@ impl Places {
         self.shape().iter().product()
     }
 
-    /// A point. Those of a grid are counted row by row.
+    /// A point. Grid points are numbered row by row.
     pub(crate) fn at(&self, index: usize) -> DVec2 {
         match self {
             Self::Points(points) => points[index],

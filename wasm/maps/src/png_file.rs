@@ -1,4 +1,4 @@
-//! PNG files of maps and heat maps. The text chunk `Comment` has the convention of the map.
+//! PNG files of maps and heat maps. The text chunk `Comment` describes the map.
 
 use std::io::Write;
 use std::ops::Range;
@@ -8,7 +8,7 @@ use png::{BitDepth, ColorType, Compression, Encoder};
 
 use crate::error::MapError;
 
-/// Encodes levels from 0 to 1 with 16 bits a channel. Rows are made in bands, from top to bottom.
+/// Encodes levels from 0 to 1 with 16 bits per channel. Rows are computed in bands, from top to bottom.
 pub(crate) fn encode(
     size: [u32; 2],
     about: &str,
@@ -20,7 +20,7 @@ pub(crate) fn encode(
     })
 }
 
-/// Encodes RGBA with the samples that `rows` makes.
+/// Encodes RGBA with the samples from `rows`.
 pub(crate) fn write(
     [width, height]: [u32; 2],
     depth: BitDepth,

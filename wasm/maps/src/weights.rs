@@ -1,9 +1,11 @@
 //! Tables of weights at points: of all sites (eq. 2), or of one handle.
 //!
-//! The weight of a handle is the part of its motion that a point follows in the harmonic mode: the weights of its own
-//! sites, and those of virtual sites times ϖ, the share that they take from it (eq. 4). Over all handles they sum to 1.
+//! The weight of a handle is the fraction of its motion that a point follows in the harmonic mode: the weights of its
+//! own sites, and those of virtual sites times ϖ, the share that they take from it (eq. 4). Over all handles they sum
+//! to 1.
 //!
-//! Cost: about two microseconds a point. Rows are written one after another, so memory does not grow with the points.
+//! Cost: about two microseconds per point. Rows are written one after another, so memory does not depend on the number
+//! of points.
 
 use std::io::{self, Write};
 
@@ -14,18 +16,18 @@ use crate::{WeightsError, npy, number::decimal, places::Places};
 /// Bytes of a number in a table.
 const NUMBER_BYTES: u64 = 8;
 /// Points between two reports of progress.
-const TOLD: usize = 4096;
+const POINTS_PER_REPORT: usize = 4096;
 
 /// The weights of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Columns {
-    /// Those of all sites.
+    /// The weights of all sites.
     Sites,
-    /// That of one handle.
+    /// The weight of one handle.
     Handle {
         /// Its name.
         name: String,
-        /// Sites: the share of the handle's motion that each takes.
+        /// For each site, its share of the handle's motion.
         shares: Vec<f64>,
     },
 }
@@ -54,7 +56,7 @@ impl<'a> Weights<'a> {
     /// [`WeightsError::NoHandle`] for an unknown name.
     ///
     /// # Panics
-    /// If the solution is of another project.
+    /// If the solution belongs to another project.
     pub fn new(solution: &'a Solution, project: &'a Project, handle: Option<&str>) -> Result<Self, WeightsError> {
         let columns = match handle {
             None => Columns::Sites,
@@ -68,19 +70,19 @@ impl<'a> Weights<'a> {
     /// Checks the name of a handle before a solve.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn check_handle(project: &Project, name: &str) -> Result<(), WeightsError> {
         handle_index(project, name).map(|_| ())
     }
 
-    /// The weights of each vertex of the mesh, if they are those of a handle.
+    /// The weights of the mesh's vertices, for one handle.
     #[must_use]
     pub fn at_vertices(&self) -> Vec<f64> {
         let rows = self.solution.weights();
         (0..self.solution.vertices().len()).map(|vertex| self.sum(rows.row(vertex))).collect()
     }
 
-    /// The sides of an array of all weights: those of the places, then the sites.
+    /// The shape of an array of all weights: the axes of the points, then the sites.
     #[must_use]
     pub fn shape(&self, places: &Places) -> Vec<usize> {
         let mut shape = places.shape();
@@ -90,7 +92,7 @@ impl<'a> Weights<'a> {
         shape
     }
 
-    /// Refuses an array of more bytes than `most`.
+    /// Rejects an array of more than `most` bytes.
     ///
     /// # Errors
     /// [`WeightsError::TooLarge`].
@@ -104,34 +106,34 @@ impl<'a> Weights<'a> {
         if bytes > most { Err(WeightsError::TooLarge { shape, bytes, advice }) } else { Ok(()) }
     }
 
-    /// Writes a table. `tell` gets the fraction that is done.
+    /// Writes a table. `on_progress` receives the completed fraction.
     ///
     /// # Errors
-    /// Those of the output.
+    /// The errors of the output.
     pub fn write(
         &self,
         places: &Places,
         format: TableFormat,
         to: &mut dyn Write,
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> io::Result<()> {
-        let mut told = |point: usize| {
-            if point.is_multiple_of(TOLD) {
-                tell(point as f64 / places.count() as f64);
+        let mut on_point = |point: usize| {
+            if point.is_multiple_of(POINTS_PER_REPORT) {
+                on_progress(point as f64 / places.count() as f64);
             }
         };
         match format {
-            TableFormat::Csv => self.write_csv(places, to, &mut told),
-            TableFormat::Npy => self.write_npy(places, to, &mut told),
+            TableFormat::Csv => self.write_csv(places, to, &mut on_point),
+            TableFormat::Npy => self.write_npy(places, to, &mut on_point),
         }
     }
 
-    /// Writes an array. A point outside the domain has zeros.
-    fn write_npy(&self, places: &Places, to: &mut dyn Write, told: &mut dyn FnMut(usize)) -> io::Result<()> {
+    /// Writes an array. Points outside the domain have zeros.
+    fn write_npy(&self, places: &Places, to: &mut dyn Write, on_point: &mut dyn FnMut(usize)) -> io::Result<()> {
         to.write_all(&npy::header(&self.shape(places)))?;
         let mut row = vec![0.0; self.solution.sites().len()];
         for point in 0..places.count() {
-            told(point);
+            on_point(point);
             let p = places.at(point);
             match self.columns {
                 Columns::Handle { .. } => to.write_all(&self.handle_at(p).to_le_bytes())?,
@@ -149,7 +151,7 @@ impl<'a> Weights<'a> {
         Ok(())
     }
 
-    fn write_csv(&self, places: &Places, to: &mut dyn Write, told: &mut dyn FnMut(usize)) -> io::Result<()> {
+    fn write_csv(&self, places: &Places, to: &mut dyn Write, on_point: &mut dyn FnMut(usize)) -> io::Result<()> {
         let mut table = csv::Writer::from_writer(to);
         match self.columns {
             Columns::Sites => {
@@ -160,7 +162,7 @@ impl<'a> Weights<'a> {
             Columns::Handle { .. } => table.write_record(["point", "x", "y", "handle", "weight"]).map_err(io_error)?,
         }
         for point in 0..places.count() {
-            told(point);
+            on_point(point);
             let p = places.at(point);
             let number = point.to_string();
             match &self.columns {
@@ -186,7 +188,7 @@ impl<'a> Weights<'a> {
     /// Writes the sites, whose order is that of the last index of an array: `site,kind,handle,site_x,site_y`.
     ///
     /// # Errors
-    /// Those of the output.
+    /// The errors of the output.
     pub fn write_sites(&self, to: &mut dyn Write) -> io::Result<()> {
         let mut table = csv::Writer::from_writer(to);
         table.write_record(["site", "kind", "handle", "site_x", "site_y"]).map_err(io_error)?;
@@ -197,7 +199,8 @@ impl<'a> Weights<'a> {
         table.flush()
     }
 
-    /// The kind of a site, its handle, and its place. The sites of a held boundary are real, but belong to no handle.
+    /// The kind of a site, its handle, and its position. The sites of a fixed boundary are real, but belong to no
+    /// handle.
     fn site_cells(&self, site: usize) -> [String; 4] {
         let site = &self.solution.sites()[site];
         let kind = if site.kind.is_real() { "real" } else { "virtual" };
@@ -236,7 +239,7 @@ fn shares(solution: &Solution, handle: usize) -> Vec<f64> {
     (0..sites.len()).map(share).collect()
 }
 
-/// `From<csv::Error>` would lose the kind.
+/// `From<csv::Error>` would lose the kind of error.
 fn io_error(reason: csv::Error) -> io::Error {
     match reason.into_kind() {
         csv::ErrorKind::Io(reason) => reason,

@@ -1,6 +1,6 @@
-//! Poses of baked rigs for JavaScript: a module of its own that poses and does nothing else.
+//! Poses of baked rigs for JavaScript: a separate module that only poses.
 //!
-//! The player of rigs loads it for the first picture that readers pose, if its poses need the solver.
+//! The player loads it when a reader first poses a picture whose poses need the solver.
 
 use c2warp::{deform::HandlePose, pose::Motion, rig::RigPoser};
 use js_sys::Error as JsError;
@@ -18,18 +18,18 @@ impl SectionPoser {
     /// Reads the unpacked section `POSR` of a rig.
     ///
     /// # Errors
-    /// For a section of another format, or a damaged one.
+    /// For a section of another format, or a damaged section.
     #[wasm_bindgen(constructor)]
     pub fn new(section: &[u8]) -> Result<Self, JsError> {
         let poser = RigPoser::from_section(section).map_err(|reason| JsError::new(&reason.to_string()))?;
         Ok(Self { poser })
     }
 
-    /// The motions of all sites with the handles posed. Each has seven numbers: angle; strain xx, xy, yy; translation
-    /// x, y; depth. `poses` is the flat array of [`HandlePose::from_numbers`].
+    /// The motions of all sites for posed handles. Each has seven numbers: angle; strain xx, xy, yy; translation x, y;
+    /// depth. `poses` is the flat array of [`HandlePose::from_numbers`].
     ///
     /// # Errors
-    /// For poses of other handles, and for those that have no motions.
+    /// For poses of other handles, and for poses without valid motions.
     pub fn motions(&self, poses: &[f64]) -> Result<Vec<f64>, JsError> {
         let poses = HandlePose::from_numbers(poses).ok_or_else(|| JsError::new("the poses end within a handle"))?;
         let motions = self.poser.motions(&poses).map_err(|reason| JsError::new(&reason.to_string()))?;

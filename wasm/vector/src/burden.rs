@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use roxmltree::{Document, Node, NodeId};
+use usvg::roxmltree::{Document, Node, NodeId};
 
 use crate::error::VectorError;
 

@@ -1,24 +1,24 @@
 //! The bent course of one segment of a path: a cubic Hermite spline through samples of the map.
 //!
-//! Samples are dense enough that the spline is within [`SPLINE_ERROR`] of the map midway between them. Where the map
-//! has a kink, at the outline of the domain, they are [`LEAST_STEP`] apart.
+//! Samples are dense enough that the spline is within [`SPLINE_ERROR`] of the map midway between them. At kinks of the
+//! map, on the outline of the domain, samples are [`LEAST_STEP`] apart.
 
 use std::ops::Range;
 
 use kurbo::{CubicBez, CurveFitSample, ParamCurve, ParamCurveArclen, ParamCurveFit, PathSeg, Point, Vec2};
 
-/// First distance of samples, in pixels: shorter than any bend of a smooth warp.
+/// Initial distance of samples, in pixels: shorter than any bend of a smooth warp.
 const FIRST_STEP: f64 = 8.0;
-/// Greatest number of first samples, for segments that lead far out of the picture.
+/// Maximum number of initial samples, for segments that extend far outside the picture.
 const MOST_FIRST: f64 = 512.0;
 const LEAST_STEP: f64 = 0.25;
 const SPLINE_ERROR: f64 = 0.002;
-/// Lines between two samples: two pixels long at most.
+/// Number of lines between two samples: each is at most two pixels long.
 const PIECES: u32 = 4;
-/// Length of the step that finds the direction at an end, in pixels.
+/// Step for finding the direction at an end, in pixels.
 const END_STEP: f64 = 0.05;
 
-/// A sample: the parameter, the place at rest, the posed place and its derivative by the parameter.
+/// A sample: the parameter, the position at rest, the posed position and its derivative with respect to the parameter.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sample {
     pub(crate) t: f64,
@@ -46,7 +46,7 @@ impl Course {
         let step = (END_STEP / length.max(END_STEP)).min(0.01);
         let slope = |from: f64, to: f64| (place(segment.eval(to)) - place(segment.eval(from))) / step;
         let ends = [slope(0.0, step), slope(1.0 - step, 1.0)];
-        // An interval is measured once: the first flag tells of the one that begins at its sample.
+        // An interval is measured once: the first flag refers to the interval that begins at its sample.
         let mut is_fine = vec![false; samples.len()];
         loop {
             set_slopes(&mut samples, ends);
@@ -84,7 +84,7 @@ impl Course {
         CubicBez::new(from.posed, from.posed + third * from.slope, to.posed - third * to.slope, to.posed)
     }
 
-    /// Points between two samples, dense enough that lines between them are the course itself.
+    /// Points between two samples, dense enough that lines between them follow the course.
     pub(crate) fn points(&self, samples: Range<usize>) -> Vec<Point> {
         let samples = &self.samples[samples.start..=samples.end];
         let pieces = samples.windows(2).flat_map(|pair| {
@@ -94,14 +94,14 @@ impl Course {
         pieces.chain(samples.last().map(|last| last.posed)).collect()
     }
 
-    /// The place and the derivative at a parameter.
+    /// The position and the derivative at a parameter.
     fn at(&self, t: f64) -> (Point, Vec2) {
         let after = self.samples.partition_point(|sample| sample.t <= t).clamp(1, self.samples.len() - 1);
         between(&self.samples[after - 1], &self.samples[after], t)
     }
 }
 
-/// Slopes by the parabola through three samples, and those given at the ends.
+/// Slopes from the parabola through three samples, and given slopes at the ends.
 fn set_slopes(samples: &mut [Sample], ends: [Vec2; 2]) {
     for at in 1..samples.len() - 1 {
         let [before, here, after] = [samples[at - 1], samples[at], samples[at + 1]];
@@ -113,7 +113,7 @@ fn set_slopes(samples: &mut [Sample], ends: [Vec2; 2]) {
     (samples[0].slope, samples[last].slope) = (ends[0], ends[1]);
 }
 
-/// The place and the derivative of the spline between two samples.
+/// The position and the derivative of the spline between two samples.
 fn between(from: &Sample, to: &Sample, t: f64) -> (Point, Vec2) {
     let width = to.t - from.t;
     let u = (t - from.t) / width;

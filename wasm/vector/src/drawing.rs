@@ -1,93 +1,92 @@
-//! A drawing, read by usvg into a plain form: paths, groups and definitions. Nothing outside the file is loaded.
+//! A drawing, simplified by usvg to paths, groups and definitions. Nothing outside the file is loaded.
 //!
 //! Sizes are bounded before usvg makes copies of used elements: see [`Burden`].
 
 #[cfg(feature = "text")]
 use std::collections::HashSet;
-use std::{
-    ops::Deref,
-    sync::{Arc, Mutex, PoisonError},
-};
+use std::sync::{Arc, Mutex, PoisonError};
 
-use roxmltree::{Document, Error as XmlError, Node, ParsingOptions};
-use usvg::ImageKind;
+use c2warp::limits::MAX_PIXELS;
+use usvg::{
+    ImageKind,
+    roxmltree::{Document, Error as XmlError, Node, ParsingOptions},
+};
 
 use crate::{
     burden::{Burden, MAX_DEPTH, MAX_ELEMENTS},
     error::VectorError,
-    plain::PlainDrawing,
     remark::{Remark, Remarks},
     style,
 };
 
 /// Largest file, in bytes.
 pub const MAX_BYTES: usize = 64 << 20;
-/// Most attributes of an element: reading them takes the square of their number.
+/// Maximum number of attributes of an element, because parsing them takes quadratic time.
 const MAX_ATTRIBUTES: usize = 256;
-/// Deepest nesting of drawings in pictures of drawings.
+/// Greatest nesting depth of drawings in pictures of drawings.
 const MAX_PICTURE_DEPTH: u32 = 5;
-/// Most bytes of pictures in a drawing, with a copy for each use.
+/// Maximum size of the pictures in a drawing in bytes, counting a copy for each use.
 const MAX_PICTURE_BYTES: usize = 256 << 20;
-/// Characters of a text in a remark.
+/// Maximum number of characters of a text in a remark.
 const TEXT_CHARACTERS: usize = 40;
 
-/// A drawing whose shapes are paths, as it was read from a file.
+/// A drawing whose shapes are paths.
 #[derive(Debug, Clone)]
 pub struct Drawing {
-    plain: PlainDrawing,
+    /// SVG as usvg writes it.
+    pub(crate) text: String,
+    size: [f64; 2],
     pub(crate) tree: usvg::Tree,
     pub(crate) burden: Burden,
     remarks: Vec<Remark>,
-    has_texts: bool,
-}
-
-impl Deref for Drawing {
-    type Target = PlainDrawing;
-
-    fn deref(&self) -> &PlainDrawing {
-        &self.plain
-    }
 }
 
 impl Drawing {
-    /// Reads an SVG file. Its texts are left out.
+    /// Reads an SVG file. Texts are left out.
     ///
     /// # Errors
-    /// For files that are no drawings, and for drawings that are too large.
+    /// For files that are not drawings, and for drawings that are too large.
     pub fn read(text: &str) -> Result<Self, VectorError> {
         Self::read_by(text, &Reader::default())
     }
 
-    /// Reads an SVG file. Its texts become paths by these fonts.
+    /// Reads an SVG file. Texts become paths, using these fonts.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read).
+    /// The errors of [`read`](Self::read).
     #[cfg(feature = "text")]
     pub fn read_with_fonts(text: &str, fonts: Arc<usvg::fontdb::Database>) -> Result<Self, VectorError> {
         Self::read_by(text, &Reader { fonts: Some(fonts), ..Reader::default() })
     }
 
     fn read_by(text: &str, reader: &Reader) -> Result<Self, VectorError> {
-        let Read { tree, burden, has_texts } = reader.read(text, MAX_PICTURE_DEPTH)?;
+        let (tree, burden) = reader.read(text, MAX_PICTURE_DEPTH)?;
+        check_pictures(tree.root())?;
         let size = [tree.size().width(), tree.size().height()].map(f64::from);
         let text = tree.to_string(&usvg::WriteOptions { indent: usvg::Indent::None, ..Default::default() });
         if text.contains("<image ") {
             reader.note(Remark::Pictures);
         }
         let remarks = reader.with(|notes| notes.remarks.all().to_vec());
-        Ok(Self { plain: PlainDrawing::new(text, size), tree, burden, remarks, has_texts })
+        Ok(Self { text, size, tree, burden, remarks })
+    }
+
+    /// Width and height in its own units.
+    #[must_use]
+    pub fn size(&self) -> [f64; 2] {
+        self.size
+    }
+
+    /// The drawing at rest, as SVG with shapes as paths and without references to other files.
+    #[must_use]
+    pub fn plain_svg(&self) -> &str {
+        &self.text
     }
 
     /// Parts that are left out or do not bend.
     #[must_use]
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
-    }
-
-    /// Whether the file has texts, drawn or left out.
-    #[must_use]
-    pub fn has_texts(&self) -> bool {
-        self.has_texts
     }
 }
 
@@ -99,21 +98,14 @@ struct Reader {
     fonts: Option<Arc<usvg::fontdb::Database>>,
 }
 
-/// Notes on all that was read.
+/// Remarks and counts for the whole file.
 #[derive(Debug, Default)]
 struct Notes {
     remarks: Remarks,
     picture_bytes: usize,
     elements: u64,
-    /// Why a picture in the drawing is refused, and so the drawing.
+    /// The reason for rejecting a picture in the drawing, and therefore the drawing.
     refusal: Option<VectorError>,
-}
-
-/// A drawing, or a picture in one.
-struct Read {
-    tree: usvg::Tree,
-    burden: Burden,
-    has_texts: bool,
 }
 
 impl Reader {
@@ -125,12 +117,12 @@ impl Reader {
         self.with(|notes| notes.remarks.note(remark));
     }
 
-    /// `depth`: how deeply pictures may be nested.
-    fn read(&self, text: &str, depth: u32) -> Result<Read, VectorError> {
+    /// Reads a drawing, or a picture in one. `depth`: the number of levels of pictures that may be nested in it.
+    fn read(&self, text: &str, depth: u32) -> Result<(usvg::Tree, Burden), VectorError> {
         let source = parsed(text)?;
-        // Styles add references, so all is counted again below.
-        // Pictures lie in elements that are nested already.
+        // Pictures are in elements that are nested already.
         let most_depth = MAX_DEPTH >> (MAX_PICTURE_DEPTH - depth);
+        // Resolving styles recurses. It also adds references, so the result is counted again.
         Burden::of(&source, most_depth)?;
         let text = self.with(|notes| {
             note_left_out(&source, &mut notes.remarks);
@@ -149,30 +141,29 @@ impl Reader {
         if let Some(refusal) = self.with(|notes| notes.refusal.take()) {
             return Err(refusal);
         }
-        let texts: Vec<String> = texts(&source).collect();
         #[cfg(feature = "text")]
         let drawn = {
             let mut drawn = HashSet::new();
             note_texts(tree.root(), &mut drawn);
             drawn
         };
-        for text in &texts {
+        for text in texts(&source) {
             #[cfg(feature = "text")]
-            if drawn.contains(&compact(text)) {
+            if drawn.contains(&compact(&text)) {
                 continue;
             }
-            self.note(Remark::Text(text.clone()));
+            self.note(Remark::Text(text));
         }
-        Ok(Read { tree, burden, has_texts: !texts.is_empty() })
+        Ok((tree, burden))
     }
 
-    /// Options under which nothing is loaded: data in the file is all there is.
+    /// Options that prevent loading: only data in the file is used.
     fn options(&self, depth: u32) -> usvg::Options<'static> {
         let mut options = usvg::Options::default();
         #[cfg(feature = "text")]
         if let Some(fonts) = &self.fonts {
             options.fontdb = Arc::clone(fonts);
-            options.font_resolver.select_font = telling(self.clone());
+            options.font_resolver.select_font = font_selector(self.clone());
         }
         options.image_href_resolver.resolve_string = Box::new(|_, _| None);
         let known = usvg::ImageHrefResolver::default_data_resolver();
@@ -199,11 +190,11 @@ impl Reader {
         options
     }
 
-    /// A drawing as a picture in another one.
+    /// Reads a drawing that is a picture in another one.
     fn nested(&self, data: &[u8], depth: u32) -> Option<ImageKind> {
         let text = std::str::from_utf8(data).ok().filter(|_| depth > 0)?;
         match self.read(text, depth - 1) {
-            Ok(Read { tree, .. }) => Some(ImageKind::SVG(tree)),
+            Ok((tree, _)) => Some(ImageKind::SVG(tree)),
             // Browsers leave these out as well.
             Err(VectorError::Xml(_) | VectorError::Root(_) | VectorError::NoSize) => None,
             Err(refusal) => {
@@ -220,6 +211,31 @@ fn refused(reason: usvg::Error) -> VectorError {
         usvg::Error::ElementsLimitReached => VectorError::TooManyElements { most: MAX_ELEMENTS },
         reason => VectorError::Xml(reason.to_string()),
     }
+}
+
+/// Rejects a drawing that contains a picture with too many pixels.
+fn check_pictures(group: &usvg::Group) -> Result<(), VectorError> {
+    for node in group.children() {
+        match node {
+            usvg::Node::Group(group) => check_pictures(group)?,
+            usvg::Node::Image(image) => match image.kind() {
+                usvg::ImageKind::SVG(tree) => check_pictures(tree.root())?,
+                _ if image.size().width() * image.size().height() > MAX_PIXELS as f32 => {
+                    return Err(VectorError::PictureTooLarge { most: MAX_PIXELS / 1_000_000 });
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+        let mut within = Ok(());
+        node.subroots(|root| {
+            if within.is_ok() {
+                within = check_pictures(root);
+            }
+        });
+        within?;
+    }
+    Ok(())
 }
 
 /// Parses a file, and checks its size.
@@ -241,8 +257,8 @@ fn parsed(text: &str) -> Result<Document<'_>, VectorError> {
     }
     Ok(document)
 }
-/// The most attributes of an element, or of an entity that may hold elements. More for elements that have `=` in
-/// attributes without quotes, which are none.
+
+/// The greatest number of attributes of an element, or of an entity, which may contain elements.
 fn most_attributes(text: &str) -> usize {
     let mut rest = text;
     let mut most = 0;
@@ -253,7 +269,7 @@ fn most_attributes(text: &str) -> usize {
             rest = rest.find(end).map_or("", |at| &rest[at + end.len()..]);
             continue;
         }
-        // Entities are texts with elements.
+        // The text of an entity may contain elements.
         let is_declaration = rest.starts_with('!');
         let (mut quote, mut count, mut end) = (None, 0, rest.len());
         for (at, byte) in rest.bytes().enumerate() {
@@ -280,7 +296,7 @@ fn most_attributes(text: &str) -> usize {
     most
 }
 
-/// Remarks on all that usvg leaves out but text.
+/// Records remarks on everything that usvg leaves out, except text.
 fn note_left_out(document: &Document<'_>, remarks: &mut Remarks) {
     let mut note = |remark: Remark| remarks.note(remark);
     for sheet in document.root().children().filter_map(|node| node.pi()).filter(|pi| pi.target == "xml-stylesheet") {
@@ -327,13 +343,13 @@ fn texts<'a>(document: &'a Document<'_>) -> impl Iterator<Item = String> + 'a {
     })
 }
 
-/// A text without white space, as white space counts little in SVG.
+/// A text without white space, because SVG mostly ignores it.
 #[cfg(feature = "text")]
 fn compact(text: &str) -> String {
     text.split_whitespace().collect()
 }
 
-/// Notes the beginnings of the texts that became paths.
+/// Records the beginnings of texts that became paths.
 #[cfg(feature = "text")]
 fn note_texts(group: &usvg::Group, drawn: &mut HashSet<String>) {
     for node in group.children() {
@@ -350,9 +366,9 @@ fn note_texts(group: &usvg::Group, drawn: &mut HashSet<String>) {
     }
 }
 
-/// Selects fonts as usvg does, and notes those that take the place of others.
+/// Selects fonts as usvg does, and records substitutions.
 #[cfg(feature = "text")]
-fn telling(reader: Reader) -> usvg::FontSelectionFn<'static> {
+fn font_selector(reader: Reader) -> usvg::FontSelectionFn<'static> {
     let select = usvg::FontResolver::default_font_selector();
     Box::new(move |font, fonts| {
         let id = select(font, fonts)?;

@@ -1,9 +1,10 @@
-//! Few lines and Béziers along a course.
+//! Fits few lines and Béziers to a course.
 //!
-//! Each Bézier covers the longest part of the rest that one can be fitted to, by halving the number of samples. The fit
-//! is kurbo's, which keeps the directions at both ends and the area below. Its distance is measured here.
+//! Each Bézier covers the longest part of the remaining course that one Bézier can fit, found by halving the number of
+//! samples. The fit is kurbo's, which keeps the directions at both ends and the area below. This module measures its
+//! distance.
 //!
-//! Cost: some ten fits for each Bézier.
+//! Cost: about ten fits for each Bézier.
 
 use std::ops::Range;
 
@@ -11,14 +12,14 @@ use kurbo::{BezPath, CubicBez, Line, ParamCurve, ParamCurveNearest, Point};
 
 use crate::course::Course;
 
-/// Greatest distance between a bent path and the map of the path, in pixels.
+/// Maximum distance between a bent path and the map of the path, in pixels.
 pub const TOLERANCE: f64 = 0.1;
-/// Greatest measured distance of a Bézier from its course. The rest of [`TOLERANCE`] is for the spline of the course,
-/// for the parts between the measured points, and for numbers in the file.
+/// Greatest measured distance of a Bézier from its course. The rest of [`TOLERANCE`] is reserved for the spline of the
+/// course, for the parts between the measured points, and for rounding in the file.
 const FITTED: f64 = 0.09;
-/// Greatest distance of a bent line that stays a line.
+/// Maximum distance of a bent line that remains a line.
 const STRAIGHT: f64 = 0.02;
-/// Points of a Bézier at which its distance is measured.
+/// Number of points of a Bézier at which its distance is measured.
 const MEASURED: u32 = 32;
 
 /// Appends the segments along a course. The path already ends at its beginning.
@@ -38,7 +39,7 @@ pub(crate) fn append_fit(path: &mut BezPath, course: &Course, is_line: bool) {
     }
 }
 
-/// The Bézier from a sample to the farthest one that it can reach, and that sample.
+/// The Bézier from a sample to the farthest sample that it can reach, and that sample.
 fn longest(course: &Course, start: usize) -> (usize, CubicBez) {
     let last = course.samples.len() - 1;
     if let Some(whole) = fitted(course, start..last) {
@@ -66,7 +67,7 @@ fn fitted(course: &Course, samples: Range<usize>) -> Option<CubicBez> {
     (cubic.is_finite() && is_close(cubic, course, samples)).then_some(cubic)
 }
 
-/// Whether points lie on a line in their order.
+/// Whether points lie on a line in the given order.
 fn is_straight(points: &[Point]) -> bool {
     let [from, to] = [points[0], points[points.len() - 1]];
     let line = Line::new(from, to);
@@ -80,7 +81,7 @@ fn is_straight(points: &[Point]) -> bool {
     })
 }
 
-/// Whether points of a Bézier are close to a part of a course, and those of the course to the Bézier.
+/// Whether points of a Bézier are close to a part of a course, and points of the course close to the Bézier.
 fn is_close(cubic: CubicBez, course: &Course, samples: Range<usize>) -> bool {
     let is_near = |distance_sq: f64| distance_sq <= FITTED * FITTED;
     let points = course.points(samples);

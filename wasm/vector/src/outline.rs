@@ -12,11 +12,11 @@ pub(crate) struct BentPath {
     pub(crate) places: Vec<[Point; 2]>,
 }
 
-/// Distance of points that are looked at to tell whether a path meets the domain.
+/// Distance of the points that are checked to determine whether a path meets the domain.
 const LOOK_STEP: f64 = 4.0;
 const MOST_LOOKS: f64 = 256.0;
 
-/// Bends a path in image pixels; `None` if it stays as it is.
+/// Bends a path in image pixels; `None` if it does not change.
 pub(crate) fn bent(path: &BezPath, warp: &Warp<'_>) -> Option<BentPath> {
     if !warp.moves(&looks(path)) {
         return None;
@@ -58,7 +58,7 @@ fn looks(path: &BezPath) -> Vec<Point> {
     path.segments().flat_map(of_segment).collect()
 }
 
-/// Digits after the point, so that rounding moves a point by at most a thousandth of a pixel.
+/// Number of decimals, so that rounding moves a point by at most a thousandth of a pixel.
 pub(crate) fn digits(to_pixels: Affine) -> usize {
     let mut rounding = 0.5 * to_pixels.determinant().abs().sqrt();
     let mut digits = 0;

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-/// Most remarks on a drawing.
+/// Maximum number of remarks on a drawing.
 const MOST: usize = 20;
-/// Characters of the drawing's own words in a remark.
+/// Maximum number of characters of a quotation in a remark.
 const MOST_CHARACTERS: usize = 60;
 
 /// A remark on a part of a drawing.
@@ -19,13 +19,13 @@ pub enum Remark {
     Foreign,
     /// Another file is needed, and is not loaded.
     External(String),
-    /// A text is left out: there is no font for it.
+    /// A text is left out, because it has no font.
     Text(String),
     /// A text is drawn in another font.
     Font {
-        /// The families that the drawing asks for.
+        /// The families that the drawing requests.
         wanted: String,
-        /// The family in their place.
+        /// The family that is used instead.
         used: String,
     },
     /// Pictures move as a whole.
@@ -58,13 +58,13 @@ impl fmt::Display for Remark {
                 write!(f, "the text “{text}” is left out: convert it to paths, or install its font")
             }
             Self::Font { wanted, used } => {
-                write!(f, "the font {wanted:?} is not installed, so {used:?} takes its place")
+                write!(f, "the font {wanted:?} is not installed, so {used:?} is used instead")
             }
-            Self::Pictures => write!(f, "pictures in the drawing move as a whole, and do not bend"),
             Self::Picture => write!(f, "a picture in the drawing cannot be read, and is left out"),
             Self::Property(name) => write!(f, "the property {name} is not supported, and is left out"),
             Self::Value { property, value } => write!(f, "{property}: the value “{value}” is left out"),
             Self::Rules(rules) => write!(f, "the style rules of “{rules}” are left out"),
+            Self::Pictures => write!(f, "pictures in the drawing move as a whole and do not bend"),
             Self::More => write!(f, "more parts are left out"),
         }
     }
@@ -80,7 +80,7 @@ impl Remark {
     }
 }
 
-/// The beginning of a text, on one line.
+/// The start of a text, on one line.
 fn short(text: &str) -> String {
     let words = text.split_whitespace().take(MOST_CHARACTERS).collect::<Vec<_>>();
     let line = words.join(" ");
@@ -88,7 +88,7 @@ fn short(text: &str) -> String {
     if start == line { line } else { start + "…" }
 }
 
-/// Remarks that differ, up to some.
+/// Different remarks, up to [`MOST`].
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Remarks(Vec<Remark>);
 
@@ -110,7 +110,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn remarks_are_told_once_and_up_to_a_number() {
+    fn remarks_are_recorded_once_and_up_to_a_limit() {
         let mut remarks = Remarks::default();
         for at in 0..100 {
             remarks.note(Remark::Property(format!("p{}", at / 2)));

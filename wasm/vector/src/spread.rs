@@ -1,16 +1,17 @@
-//! The affine map closest to a warp over some points, for all that cannot bend: gradients, patterns, pictures.
+//! The affine map closest to a warp over some points, for content that cannot bend: gradients, patterns, pictures.
 
 use kurbo::{Affine, Point, Vec2};
 
 use crate::warp::Warp;
 
-/// Points whose spread across is less than this fraction of that along lie on a line: they leave the map open.
+/// Points whose spread across is less than this fraction of the spread along count as a line, which does not determine
+/// the map.
 const THIN: f64 = 1e-4;
-/// Points that the growth is measured at.
+/// Number of points at which the growth is measured.
 const GROWTH_POINTS: usize = 12;
 
-/// The affine map that takes points from rest to their posed places with the least sum of squared errors. For points on
-/// a line, the map's derivative at their centre.
+/// The affine map from rest positions to posed positions with the least sum of squared errors. For points on a line,
+/// the map's derivative at their centre.
 pub(crate) fn affine_of(places: &[[Point; 2]], warp: &Warp<'_>) -> Affine {
     if places.is_empty() {
         return Affine::IDENTITY;

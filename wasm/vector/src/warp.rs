@@ -9,18 +9,17 @@ pub(crate) struct Warp<'a> {
     pub(crate) map: &'a ContinuedMap<'a>,
 }
 
-/// Step of differences, in pixels.
+/// Step of finite differences, in pixels.
 const STEP: f64 = 0.5;
 
 impl Warp<'_> {
-    /// The posed place of a point in image pixels.
+    /// The posed position of a point in image pixels.
     pub(crate) fn place(&self, p: Point) -> Point {
         let place = self.map.place(DVec2::new(p.x, p.y));
         Point::new(place.x, place.y)
     }
 
-    /// Whether some of these points move: around a domain that leaves the rest of the picture in place, those of a path
-    /// in the domain.
+    /// Whether any of these points move. If the picture around the domain does not move, only points in the domain do.
     pub(crate) fn moves(&self, points: &[Point]) -> bool {
         !self.map.background_stays() || points.iter().any(|p| self.map.is_inside(DVec2::new(p.x, p.y)))
     }

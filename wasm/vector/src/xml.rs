@@ -1,20 +1,19 @@
-//! XML as text, one element a line or all in one.
+//! XML as text, one element per line, or all in one line.
 
 use std::fmt::{Display, Write};
 
-/// Elements in the order of their beginnings.
+/// Writes elements in document order.
 #[derive(Debug, Default)]
 pub(crate) struct Xml {
     text: String,
-    /// The start tag of the last element still lacks its `>`.
+    /// Whether the start tag of the last element still lacks its `>`.
     is_open: bool,
-    /// White space counts in texts.
+    /// Whether no white space is added, which would change texts.
     is_one_line: bool,
 }
 
 impl Xml {
     /// Elements without white space between them.
-    #[cfg(feature = "read")]
     pub(crate) fn in_one_line() -> Self {
         Self { is_one_line: true, ..Self::default() }
     }
@@ -54,7 +53,6 @@ impl Xml {
     }
 
     /// Characters between elements.
-    #[cfg(feature = "read")]
     pub(crate) fn text(&mut self, characters: &str) {
         self.end_start_tag();
         for character in characters.chars() {
@@ -67,7 +65,7 @@ impl Xml {
         }
     }
 
-    /// Whole elements as text.
+    /// Complete elements as text.
     pub(crate) fn append(&mut self, elements: &str) {
         self.end_start_tag();
         self.text.push_str(elements);
@@ -85,7 +83,7 @@ impl Xml {
     }
 }
 
-/// A number with as many digits after the point as asked for, and no zeros at the end.
+/// A number with a given number of decimals, without trailing zeros.
 pub(crate) fn number(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
@@ -107,7 +105,6 @@ mod tests {
         assert_eq!(xml.into_text(), "\n<g id=\"a&lt;&quot;&amp;&#10;\">\n<path/>\n</g>");
     }
 
-    #[cfg(feature = "read")]
     #[test]
     fn texts_are_escaped_and_get_no_white_space() {
         let mut xml = Xml::in_one_line();

@@ -1,10 +1,10 @@
 //! `xtask bindgen`: the WebAssembly modules of pages with their TypeScript glue, or one of another crate.
 //!
-//! Builds crates for `wasm32-unknown-unknown` and passes the results to `wasm-bindgen`. That is a library here, in
-//! the version that the crates are compiled with. So nothing must be installed, and versions always match. Takes half a
-//! second if nothing has changed.
+//! Builds crates for `wasm32-unknown-unknown` and passes the results to `wasm-bindgen`. `wasm-bindgen` is used as a
+//! library, in the version that the crates are compiled with, so nothing must be installed and versions always match.
+//! Takes half a second if nothing has changed.
 //!
-//! One run of cargo builds all modules. They share what they depend on, and their last steps run side by side.
+//! One run of cargo builds all modules. The modules share their dependencies, and their last steps run in parallel.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,18 +16,18 @@ use crate::split::{JOINING_TYPES, Parts, joining_glue, split};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// A module: its crate, the folder to write it into, from the root of the repository, and the name of its files.
+/// A module: its crate, its output folder relative to the root of the repository, and the name of its files.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Module<'a> {
     pub(crate) package: &'a str,
     pub(crate) output: &'a Path,
     pub(crate) name: &'a str,
-    /// The exports that a page loads later, as `NAME_later_bg.wasm`; none for a module in one part.
+    /// The exports that a page loads later, as `NAME_later_bg.wasm`; empty for a module in one part.
     pub(crate) later: &'a [&'a str],
 }
 
-/// The exports of the solver that few pages need, or only after a while: suggestions, drawings, films, fills,
-/// explanations, and questions that `c2warp/core` alone asks. A name that ends with `_` is a beginning.
+/// The exports of the solver that few pages need, or only later: suggestions, drawings, films, fills, explanations, and
+/// queries that only `c2warp/core` uses. A name that ends with `_` is a prefix.
 const LATER: &[&str] = &[
     "session_begin_fill",
     "session_advance_fill",
@@ -60,23 +60,21 @@ const LATER: &[&str] = &[
 /// The name of a solver's files, also of its benchmark's.
 pub(crate) const SOLVER: &str = "c2warp";
 
-/// The modules that pages load: the solver, the makers of films and of other exports, the reader of drawings, and the
-/// poser of baked rigs.
-pub(crate) fn page_modules() -> [Module<'static>; 5] {
+/// The modules that pages load: the solver, the modules for films and other exports, and the poser of baked rigs.
+pub(crate) fn page_modules() -> [Module<'static>; 4] {
     let solver =
         Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER, later: LATER };
     let film =
         Module { package: "c2warp-film-bind", output: Path::new("web/src/io/generated"), name: "film", later: &[] };
     let export = Module { package: "c2warp-export-bind", output: solver.output, name: "c2warp_export", later: &[] };
-    let drawing = Module { package: "c2warp-drawing-bind", output: film.output, name: "drawing", later: &[] };
     let pose =
         Module { package: "c2warp-pose-bind", output: Path::new("web/src/player/generated"), name: "pose", later: &[] };
-    [solver, film, export, drawing, pose]
+    [solver, film, export, pose]
 }
 
 /// The solver and the poser in another folder.
 pub(crate) fn measured_in(output: &Path) -> [Module<'_>; 2] {
-    let [solver, .., pose] = page_modules();
+    let [solver, _, _, pose] = page_modules();
     [solver, pose].map(|module| Module { output, ..module })
 }
 
@@ -87,7 +85,7 @@ pub(crate) enum Profile {
     Dev,
     /// The module of a published editor.
     Release,
-    /// As a release, with the names of functions: for measuring what it is made of.
+    /// As a release, with the names of functions: for measuring its composition.
     Named,
 }
 
@@ -155,7 +153,7 @@ fn generate(module: &Path, output: &Path, name: &str, profile: Profile) -> Resul
         .ts_typed_array_buffers(true)
         // The page compiles the module itself, so that the bundler need not follow an import to it.
         .omit_default_module_path(true)
-        // Programs without a worker go on after a panic, with a new instance.
+        // Programs without a worker continue after a panic, with a new instance.
         .reset_state_function(name == SOLVER)
         .keep_debug(matches!(profile, Profile::Dev))
         .remove_name_section(matches!(profile, Profile::Release));

@@ -1,4 +1,4 @@
-//! The build steps of c2warp that cargo itself does not know: `cargo run -p xtask -- COMMAND`.
+//! The build steps of c2warp that cargo does not perform: `cargo run -p xtask -- COMMAND`.
 
 mod bindgen;
 mod panic_places;
@@ -20,7 +20,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Builds WebAssembly modules and their glue: without options, those of pages
+    /// Builds the WebAssembly modules of pages and their glue, or other modules by options
     Bindgen {
         /// Builds quickly, and keeps the names of functions
         #[arg(long)]
@@ -28,16 +28,16 @@ enum Command {
         /// Writes the solver and the poser with the names of their functions into this folder, for `npm run sizes`
         #[arg(long, conflicts_with_all = ["dev", "package"])]
         named: Option<PathBuf>,
-        /// Another crate to build in their place
+        /// Another crate to build instead
         #[arg(long, requires = "out")]
         package: Option<String>,
-        /// The folder to write it into, from the root of the repository
+        /// The output folder, relative to the root of the repository
         #[arg(long, requires = "package")]
         out: Option<PathBuf>,
     },
     /// Writes the types and constants that the page shares with the solver into web/src/*/generated
     Schema {
-        /// Writes nothing, and fails where the files are out of date
+        /// Writes nothing, and fails if the files are out of date
         #[arg(long)]
         check: bool,
     },

@@ -1,7 +1,7 @@
-//! Removes the places of panics from the data of a module: paths of source files, lines and columns.
+//! Removes panic locations from the data of a module: paths of source files, lines and columns.
 //!
-//! The standard library writes them to the standard error output, which pages do not have. A page learns the trap
-//! alone. Places take two hundredths of a download, and have paths of the machine that built it.
+//! The standard library writes them to the standard error output, which pages do not have. A page only receives the
+//! trap. Locations take two hundredths of a download, and contain paths of the build machine.
 
 use std::ops::Range;
 
@@ -10,12 +10,12 @@ use walrus::{ConstExpr, Data, DataId, DataKind, Module, ir::Value};
 /// Bytes of a `core::panic::Location` in WebAssembly: address and length of the path, line, column.
 const PLACE: usize = 16;
 
-/// Larger numbers are no lines, columns or lengths of paths.
+/// Larger numbers are not lines, columns or lengths of paths.
 const MOST_LINES: u32 = 100_000;
 const MOST_COLUMNS: u32 = 2_000;
 const LONGEST_PATH: u32 = 300;
 
-/// Sets all places of panics in the data, and their paths, to zero.
+/// Sets all panic locations in the data, and their paths, to zero.
 pub(crate) fn remove(module: &mut Module) {
     let segments: Vec<(DataId, usize)> =
         module.data.iter().filter_map(|data| Some((data.id(), address(data)?))).collect();
@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_and_their_paths_become_zeros_and_other_data_stays() {
+    fn locations_and_their_paths_become_zeros_and_other_data_is_kept() {
         let mut module = Module::with_config(ModuleConfig::new());
         let memory = module.memories.add_local(false, false, 1, None, None);
         let place: Vec<u8> = [1000_u32, 6, 12, 5].iter().flat_map(|number| number.to_le_bytes()).collect();

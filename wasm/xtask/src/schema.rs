@@ -1,4 +1,4 @@
-//! `xtask schema`: the types and constants of the solver that others read.
+//! `xtask schema`: the types and constants that the solver shares with other code.
 //!
 //! Writes a JSON schema of the project file for editors and validators, and TypeScript for the page. The page shares
 //! the project, the report of a solve, its stages, codes of errors, limits and settings. The files are committed, so
@@ -93,28 +93,33 @@ fn picture_limits() -> String {
         ("Least width and height of a picture, in pixels.", "MIN_SIDE", u64::from(limits::MIN_SIDE)),
         ("Greatest width and height of a picture, in pixels.", "MAX_SIDE", u64::from(limits::MAX_SIDE)),
         ("Greatest number of pixels of a picture.", "MAX_PIXELS", limits::MAX_PIXELS),
+        ("Greatest length of a project file, in bytes.", "MAX_PROJECT_BYTES", limits::MAX_PROJECT_BYTES as u64),
     ];
     constants.into_iter().fold(HEADER.to_owned(), |text, (comment, name, value)| {
         text + &format!("\n/** {comment} */\nexport const {name} = {value};\n")
     })
 }
 
-/// The colours of heat maps, which maps of the command have too.
+/// The colours of heat maps, in the editor and in the command.
 fn heat_ramp() -> String {
     let comment = "The colours of 0, 0.2, … 1: sRGB, 0 to 255, and an opacity, 0 to 1.";
     let lines = HEAT_RAMP.map(|[red, green, blue, alpha]| format!("  [{red}, {green}, {blue}, {alpha}],\n")).concat();
     format!("{HEADER}\n/** {comment} */\nexport const HEAT_RAMP = [\n{lines}] as const;\n")
 }
 
-/// The settings of the editor, and the defaults of the format. These are the paper's.
+/// The settings of the editor, and the defaults of the format, taken from the paper.
 fn settings(schema: &Value) -> String {
     let paper = Project::new(ImageRef::new("", 2, 2)).with_handles([Handle::point("point", [1.0, 1.0])]);
     let editor = paper.clone().with_editor_settings();
     let all = [
-        ("The defaults of the format, which are the paper's.", "PAPER_SETTINGS", paper),
+        ("The defaults of the format, taken from the paper.", "PAPER_SETTINGS", paper),
         ("The editor's settings for new projects.", "EDITOR_SETTINGS", editor),
     ];
-    let text = HEADER.to_owned() + &ranges(schema) + &stiffness_cells(schema) + &displacement_points(schema);
+    let names = format!(
+        "\n/** The most characters of the name of a handle or a clip. */\nexport const MAX_NAME = {};\n",
+        limits::MAX_NAME
+    );
+    let text = HEADER.to_owned() + &ranges(schema) + &names + &stiffness_cells(schema) + &displacement_points(schema);
     all.into_iter().fold(text, |text, (comment, name, project)| {
         let json: Value = serde_json::from_str(&project.to_json()).expect("a project is JSON");
         let settings = [
@@ -133,7 +138,7 @@ fn settings(schema: &Value) -> String {
     })
 }
 
-/// The least and the greatest value of each number.
+/// The least and the largest value of each number.
 fn ranges(schema: &Value) -> String {
     let numbers = [
         ("samples", &schema["properties"]["samples"]),
@@ -145,22 +150,20 @@ fn ranges(schema: &Value) -> String {
         format!("  {name}: [{}, {}],\n", literal(&number["minimum"]), literal(&number["maximum"]))
     };
     let lines = numbers.map(range).concat();
-    format!(
-        "\n/** The least and the greatest value of each number. */\nexport const RANGES = {{\n{lines}}} as const;\n"
-    )
+    format!("\n/** The least and the largest value of each number. */\nexport const RANGES = {{\n{lines}}} as const;\n")
 }
 
-/// The greatest number of cells of a mask along either side.
+/// The maximum number of cells of a mask along either side.
 fn stiffness_cells(schema: &Value) -> String {
     let most = literal(&schema["$defs"]["Stiffness"]["properties"]["width"]["maximum"]);
     format!("\n/** The most cells of a mask of stiffness, each way. */\nexport const STIFFNESS_CELLS = {most};\n")
 }
 
-/// The least and the greatest number of control points of a displacement along either side.
+/// The minimum and maximum numbers of control points of a displacement along either side.
 fn displacement_points(schema: &Value) -> String {
     let side = &schema["$defs"]["Displacement"]["properties"]["width"];
     let [least, most] = ["minimum", "maximum"].map(|end| literal(&side[end]));
-    let comment = "The fewest and the most control points of a displacement, each way.";
+    let comment = "The least and the greatest number of control points of a displacement along each axis.";
     format!("\n/** {comment} */\nexport const DISPLACEMENT_POINTS = [{least}, {most}] as const;\n")
 }
 

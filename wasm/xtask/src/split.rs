@@ -1,8 +1,9 @@
-//! Splits a WebAssembly module in two: what a page needs at once, and what it loads later.
+//! Splits a WebAssembly module in two: the functions that a page needs at once, and those that it loads later.
 //!
-//! Both share the memory, the tables and the globals of the first part. The later part holds the functions that only
+//! Both share the memory, the tables and the globals of the first part. The later part contains the functions that only
 //! its own exports reach, and imports all others from the first. Nothing in the first part calls the later one, so the
-//! first needs no stubs. Functions in tables stay in the first part, since anything may call them. So does all data.
+//! first needs no stubs. Functions in tables remain in the first part, because any function may call them. So does all
+//! data.
 
 use std::collections::HashMap;
 
@@ -36,9 +37,9 @@ pub(crate) fn split(bytes: &[u8], is_later: impl Fn(&str) -> bool) -> walrus::Re
     Ok(Parts { first: first.emit_wasm(), later: later.emit_wasm() })
 }
 
-/// What the generated glue needs for a later part: a function that adds it, and its type.
+/// The additions to the generated glue for a later part: a function that adds it, and its type.
 ///
-/// An instance that replaces one after a panic gets the later part again. `None` for glue of another shape.
+/// After a panic, the new instance gets the later part again. `None` if the glue has an unexpected structure.
 pub(crate) fn joining_glue(glue: &str) -> Option<String> {
     const REPLACED: &str = "wasm = wasmInstance.exports;\n    wasm.__wbindgen_start();";
     let (before, after) = glue.split_once(REPLACED)?;
@@ -76,7 +77,7 @@ fn functions(module: &Module) -> HashMap<usize, FunctionId> {
     module.funcs.iter_local().map(|(id, _)| (id.index(), id)).collect()
 }
 
-/// Turns all that the first part has into imports from it.
+/// Turns everything in the first part into imports from it.
 fn import_from_first(later: &mut Module, of_first: &HashMap<usize, FunctionId>) {
     later.start = None;
     for (at, id) in functions(later).into_iter().filter(|(at, _)| of_first.contains_key(at)) {
@@ -103,10 +104,10 @@ fn import_from_first(later: &mut Module, of_first: &HashMap<usize, FunctionId>) 
     elements.into_iter().for_each(|id| later.elements.delete(id));
 }
 
-/// Exports all that the later part imports.
+/// Exports everything that the later part imports.
 fn export_to_later(first: &mut Module, later: &Module, of_first: &HashMap<usize, FunctionId>) {
     for import in later.imports.iter().filter(|import| import.module == FIRST) {
-        let item = item_of_first(first, import, of_first).expect("the first part has all that is shared");
+        let item = item_of_first(first, import, of_first).expect("the first part has all shared items");
         first.exports.add(&import.name, item);
     }
 }
@@ -162,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn the_later_part_has_what_only_its_exports_reach() {
+    fn later_part_has_functions_that_only_its_exports_reach() {
         let parts = split(&module(), |name| name == "seldom").unwrap();
         let (first, later) = (Module::from_buffer(&parts.first).unwrap(), Module::from_buffer(&parts.later).unwrap());
         assert_eq!(first.funcs.iter_local().count(), 2);
@@ -175,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn glue_of_another_shape_is_refused() {
+    fn unexpected_glue_is_rejected() {
         assert_eq!(joining_glue("wasm = instance.exports;"), None);
     }
 }

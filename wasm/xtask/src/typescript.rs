@@ -1,8 +1,8 @@
-//! TypeScript types from a JSON schema, as far as the schemas of this project go.
+//! Generates TypeScript types from a JSON schema, for the features that this project's schemas use.
 //!
 //! An object becomes an interface. A choice between objects with a `kind` becomes an interface for each (`PointHandle`,
 //! `BarHandle`, …) and their union (`Handle`). The compiler narrows it by `kind`. Descriptions and defaults become doc
-//! comments. Everything is read-only: a document is replaced, not changed.
+//! comments. Everything is read-only, because documents are replaced, not changed.
 //!
 //! Other schemas are an error.
 
@@ -15,7 +15,7 @@ pub(crate) const HEADER: &str = "// Generated from the Rust types by `cargo run 
 
 type Object = Map<String, Value>;
 
-/// A part of a schema that has no translation here.
+/// An unsupported part of a schema.
 #[derive(Debug, thiserror::Error)]
 #[error("no TypeScript type is known for the schema {0}")]
 pub(crate) struct Unknown(String);
@@ -54,7 +54,7 @@ pub(crate) fn declare(text: &mut String, name: &str, schema: &Value) -> Result<(
     Ok(())
 }
 
-/// One interface from the properties of several objects; the last one's description.
+/// One interface from the properties of several objects, with the description of the last one.
 fn interface(text: &mut String, name: &str, parts: &[&Object]) -> Result<(), Unknown> {
     if let Some(part) = parts.last() {
         comment(text, "", part);
@@ -153,7 +153,7 @@ mod tests {
     use super::declarations;
 
     #[test]
-    fn tells_the_kinds_of_a_choice_apart() {
+    fn distinguishes_the_kinds_of_a_choice() {
         let schema = json!({
             "title": "Scene",
             "type": "object",

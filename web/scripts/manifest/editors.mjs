@@ -1,4 +1,4 @@
-/** Files that editors read about the tags: custom data of VS Code, and web types of JetBrains. */
+/** Files that describe the tags to editors: custom data for VS Code, and web types for JetBrains. */
 
 /** @typedef {import('./manifest.mjs').Element} Element */
 /** @typedef {import('./manifest.mjs').Type} Type */
@@ -88,5 +88,5 @@ function partsByName(elements) {
   return parts;
 }
 
-/** Editors know no type of this package. @param {Type} type */
+/** Editors do not know the types of this package. @param {Type} type */
 const expanded = ({ text, words }) => (words ? words.map((word) => `'${word}'`).join(' | ') : text);

@@ -1,4 +1,4 @@
-/** Writes the manifest into the package, with data for editors and types for frameworks. */
+/** Adds the manifest, data for editors and types for frameworks to the package. */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { ROOT } from '../steps.mjs';

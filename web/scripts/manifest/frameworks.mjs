@@ -1,7 +1,7 @@
 /**
  * Types of the tags for templates of frameworks, and of the component for React.
  *
- * Each is a file that adds to the types of its framework. None needs another framework.
+ * Each file extends the types of its framework. No file needs another framework.
  */
 
 /** @typedef {import('./manifest.mjs').Element} Element */
@@ -15,7 +15,7 @@
  * }} Framework The declarations, of outer scopes first, that have an entry for each tag.
  */
 
-const HEADER = '// Made from the manifest of the elements.\n';
+const HEADER = '// Generated from the manifest of the elements.\n';
 
 /** Their setters need an element on a page: templates set properties earlier. Set them by a reference. */
 const LIVE = new Map([['c2-warp', ['currentTime', 'playbackRate', 'zoom']]]);

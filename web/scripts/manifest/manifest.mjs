@@ -1,7 +1,7 @@
 /**
  * The custom-elements manifest of both elements (schema 2.1.0), from the doc comments of their sources.
  *
- * The types and editor data of the package, and tables of the documentation, are made from it.
+ * The package's types and editor data, and tables of the documentation, are generated from it.
  */
 import { StepError } from '../steps.mjs';
 import { withSource } from './source.mjs';
@@ -52,7 +52,7 @@ const ELEMENTS = /** @type {const} */ ([
   },
 ]);
 
-/** Called by the browser alone. */
+/** Called only by the browser. */
 const REACTIONS = /^(connected|disconnected|adopted|attributeChanged|form\w+)Callback$/;
 
 /** @returns {Element[]} @throws Error that names members without a comment. */
@@ -103,11 +103,10 @@ function element(source, { tag, name, file, events }) {
     throw new StepError(
       silent.map((one) => `${one.file}: ${one.owner}.${one.name} has no comment`).join('\n'),
     );
-  const { defaults, block } = source.text(symbol, 'properties');
-  const options = optionsOf(block);
+  const options = optionsOf(source.text(symbol, 'properties'));
   const fields = members
     .filter(({ kind }) => kind !== 'method')
-    .map((member) => field(member, name, options.get(member.name), defaults.get(member.name)));
+    .map((member) => field(member, name, options.get(member.name)));
   return {
     kind: 'class',
     customElement: true,
@@ -136,7 +135,7 @@ const isShown = ({ name, privacy, file, tags }) =>
   // They only add the types of events.
   !(file.endsWith('/events.ts') && name.endsWith('EventListener'));
 
-/** The names and attributes of properties, by `static properties`. @param {string} block */
+/** The names, attributes and first values of properties, by `static properties`. @param {string} block */
 const optionsOf = (block) =>
   new Map(
     [...block.matchAll(/^ {4}(\w+): \{(.*?)\}/gms)].map(([, name = '', text = '']) => {
@@ -145,25 +144,30 @@ const optionsOf = (block) =>
         name,
         {
           attribute: attribute ? attribute[1] : name.toLowerCase(),
-          reflects: text.includes('reflect: true'),
+          initial: initialOf(text),
         },
       ];
     }),
   );
 
+/** As `PropertyOptions` has it. @param {string} text */
+function initialOf(text) {
+  const [, kind] = text.match(/kind: '(\w+)'/) ?? [];
+  const [, initial] = text.match(/initial: ('[^']*'|\[\])/) ?? [];
+  if (kind === 'flag') return 'false';
+  return initial ?? (kind === 'optional' || text.includes('words:') ? 'null' : "''");
+}
+
 /**
  * @param {Member} member
  * @param {string} owner
- * @param {{ attribute: string | undefined, reflects: boolean } | undefined} option
- * @param {string | undefined} initial
+ * @param {{ attribute: string | undefined, initial: string } | undefined} option
  * @returns {Field}
  */
-function field(member, owner, option, initial) {
+function field(member, owner, option) {
   const { name, type, written, tags } = member;
   const attribute = option ? option.attribute : tags.some((tag) => tag.name === 'attr') ? name : undefined;
-  // The accessors of the player read and write attributes.
-  const reflects = option ? option.reflects : attribute !== undefined;
-  const value = tags.find((tag) => tag.name === 'default')?.text ?? initial;
+  const value = tags.find((tag) => tag.name === 'default')?.text ?? option?.initial;
   return {
     kind: 'field',
     name,
@@ -174,7 +178,8 @@ function field(member, owner, option, initial) {
     ...(value !== undefined && { default: value }),
     ...(!written && { readonly: true }),
     ...(attribute !== undefined && { attribute }),
-    ...(attribute !== undefined && reflects && { reflects }),
+    // All accessors read and write attributes.
+    ...(attribute !== undefined && { reflects: /** @type {const} */ (true) }),
     ...inherited(member, owner),
   };
 }

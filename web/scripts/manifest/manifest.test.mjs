@@ -47,15 +47,18 @@ describe('the manifest', () => {
   it('gives editors the words of attributes, and which have no value', () => {
     const attributes = htmlData(all).tags[0]?.attributes ?? [];
     expect(attributes.find(({ name }) => name === 'theme')?.values).toEqual([
+      { name: 'auto' },
       { name: 'dark' },
       { name: 'light' },
     ]);
     expect(attributes.find(({ name }) => name === 'loop')?.valueSet).toBe('v');
     const [element] = webTypes(all, { name: 'c2warp', version: '1.0.0' }).contributions.html.elements;
-    expect(element?.attributes.find(({ name }) => name === 'theme')?.value.type).toBe("'dark' | 'light'");
+    expect(element?.attributes.find(({ name }) => name === 'theme')?.value.type).toBe(
+      "'auto' | 'dark' | 'light'",
+    );
   });
 
-  it('gives templates what can be set before an element is on a page', () => {
+  it('lists for templates the properties that can be set before connection', () => {
     const names = settable(warp).map(({ name }) => name);
     expect(names).toEqual(expect.arrayContaining(['project', 'tool', 'hint-for', 'hintFor', 'samples']));
     for (const name of ['projectSource', 'zoom', 'paused']) expect(names).not.toContain(name);
@@ -67,7 +70,7 @@ describe('the manifest', () => {
     expect(names).toEqual(['onChange', 'onSelectionChange', 'onTimeUpdate', 'onBeforeOpen', 'onEnded']);
   });
 
-  it('fills the tables of a document, and leaves the rest alone', () => {
+  it('fills the tables of a document, and changes nothing else', () => {
     const before = 'First.\n\n<!-- manifest: c2-warp slots -->\nold\n<!-- /manifest -->\n\nLast.\n';
     const after = withTables(before, [{ ...warp, slots: [{ name: '', description: 'A | B.' }] }], '');
     expect(after).toBe(

@@ -1,4 +1,4 @@
-/** A plugin of Vite: the tables of the component for React, from the manifest. */
+/** A Vite plugin that generates the tables of the React component from the manifest. */
 import { reactListener, settable } from './frameworks.mjs';
 import { elements } from './manifest.mjs';
 
@@ -13,8 +13,8 @@ export const reactTables = () => ({
     const [warp] = elements();
     if (!warp) throw new Error('there are no elements');
     const properties = settable(warp).filter((one) => 'kind' in one);
-    const initial = properties.map(({ name, ...rest }) => `  ${name}: ${rest.default ?? 'null'},`);
+    const names = properties.map(({ name }) => `'${name}'`);
     const events = warp.events.map(({ name }) => `  ${reactListener(name)}: '${name}',`);
-    return `export const PROPERTIES = {\n${initial.join('\n')}\n};\nexport const EVENTS = {\n${events.join('\n')}\n};\n`;
+    return `export const PROPERTIES = [${names.join(', ')}];\nexport const EVENTS = {\n${events.join('\n')}\n};\n`;
   },
 });

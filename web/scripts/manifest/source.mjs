@@ -1,5 +1,5 @@
 /**
- * Reads classes and interfaces with their doc comments, by the API of the TypeScript compiler.
+ * Reads classes and interfaces with their doc comments, through the API of the TypeScript compiler.
  *
  * The checker knows the members that a class inherits, and the words of a type such as `ToolName`.
  */
@@ -134,19 +134,16 @@ export class Source {
   }
 
   /**
-   * Values that the constructor of a class sets, and one of its static fields, as they are written.
+   * A static field of a class, as it is written.
    * @param {Symbol} symbol
    * @param {string} name Of the static member.
    */
   text(symbol, name) {
     const node = symbol.valueDeclaration?.resolve(this.#project);
     const source = node ? textOf(node) : '';
-    const [, body = ''] = source.match(/^ {2}constructor\(.*?\{\n(.*?)^ {2}\}/ms) ?? [];
-    const values = [...body.matchAll(/^ {4}this\.(\w+) = ([^;]+);$/gm)];
-    const defaults = new Map(values.map(([, key = '', text = '']) => [key, text]));
     const [, block = ''] =
       source.match(new RegExp(`static [^=]*\\b${name}\\b[^=]*= ([[{].*?[\\]}]);`, 's')) ?? [];
-    return { defaults, block };
+    return block;
   }
 
   /** @param {Declaration} node @returns {Parameter} */

@@ -1,4 +1,4 @@
-/** The tables of the reference: regions of documents between two comments, made from the manifest. */
+/** The tables of the reference: regions of documents between two comments, generated from the manifest. */
 
 /** @typedef {import('./manifest.mjs').Element} Element */
 /** @typedef {import('./manifest.mjs').Type} Type */
@@ -6,7 +6,7 @@
 const REGION = /(<!-- manifest: ([\w-]+) ([a-z ]+) -->\n)(.*?)(<!-- \/manifest -->)/gs;
 
 /**
- * A document with its tables made anew.
+ * A document with regenerated tables.
  * @param {string} markdown
  * @param {readonly Element[]} elements
  * @param {string} errors The source with the codes of errors.
@@ -104,4 +104,4 @@ const code = (text) => `\`${text}\``;
 
 /** @param {Type} type */
 const attributeValue = ({ text, words }) =>
-  text === 'boolean' ? 'none: it is there or not' : (words?.map(code).join(', ') ?? code(text));
+  text === 'boolean' ? 'boolean: present or absent' : (words?.map(code).join(', ') ?? code(text));

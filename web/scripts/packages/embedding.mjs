@@ -14,7 +14,7 @@ import { forwardingServer, staticServer } from './counting_server.mjs';
  * @property {string} [build] A command.
  * @property {string} [serve] The folder of static files that the build writes.
  * @property {string} [start] A command that serves instead, at the port `{port}`.
- * @property {Record<string, string>} [with] Versions of packages in place of those in `package.json`.
+ * @property {Record<string, string>} [with] Versions of packages instead of those in `package.json`.
  */
 
 /**
@@ -22,7 +22,7 @@ import { forwardingServer, staticServer } from './counting_server.mjs';
  * @property {string} folder
  * @property {string} pictures The folder for the samples.
  * @property {string[]} [samples] Their names.
- * @property {import('./first_deed.mjs').Deed} [deed] What a person does to the page.
+ * @property {import('./first_interaction.mjs').Interaction} [interaction] The interaction that bends the picture.
  * @property {string} [handle] The handle that is dragged.
  * @property {Embedding[]} embeddings
  */
@@ -132,7 +132,7 @@ function started(line, folder) {
   const child = spawn(line, {
     cwd: folder,
     shell: true,
-    // A group of its own, so that it ends with the processes that it starts.
+    // A separate group, so that it ends with the processes that it starts.
     detached: !isWindows,
     env: {
       ...process.env,

@@ -1,8 +1,8 @@
 /**
- * The ten edits, each as a person makes it: draw around a part, place handles, drag them. Places are pixels of the
+ * The ten edits, as a user makes them: draw around a part, place handles, drag them. Coordinates are pixels of the
  * pictures in `tests/quality/photographs/pictures`.
  *
- * `choose` draws the lasso and the handles, and leaves the picture as it is. `edit` moves the handles.
+ * `choose` draws the lasso and the handles, and does not change the picture. `edit` moves the handles.
  */
 
 /** @typedef {import('./hand.mjs').Hand} Hand */
@@ -37,7 +37,7 @@ export const EDITS = [
         ],
         { snap: false },
       );
-      await hand.press('Hold its boundary');
+      await hand.press('Lock its outline');
       await hand.points([690, 26], [680, 108], [712, 96]);
     },
     async edit(hand) {
@@ -64,7 +64,7 @@ export const EDITS = [
         ],
         { snap: false },
       );
-      await hand.press('Hold its boundary');
+      await hand.press('Lock its outline');
       await hand.points([203, 139.5], [247.5, 139], [224, 143], [224, 157], [224, 131]);
     },
     async edit(hand) {
@@ -187,7 +187,7 @@ export const EDITS = [
     picture: 'horses',
     grip: [3, 338],
     async choose(hand) {
-      await hand.setSwitch('Hold the boundary', false);
+      await hand.setSwitch('Lock the outline', false);
       await hand.bar([3, 3], [897, 3]);
       await hand.bar([3, 580], [897, 580]);
       await hand.bar([3, 338], [897, 418]);
@@ -255,7 +255,7 @@ export const EDITS = [
         ],
         { snap: false },
       );
-      await hand.press('Turn this part, keep the rest');
+      await hand.press('Turn this part, bend the rest');
     },
     async edit(hand) {
       await hand.turn(await hand.middle('polygon 1'), -12);

@@ -38,7 +38,7 @@ export class Hand {
     await page.goto(address);
     await page.getByText(/[0-9] samples/).waitFor();
     const chooser = page.waitForEvent('filechooser');
-    await page.getByRole('button', { name: 'Open a picture or a project' }).click();
+    await page.getByRole('button', { name: 'Open a picture or project' }).click();
     const bytes = typeof file === 'string' ? readFileSync(file) : file.buffer;
     const { width, height } = await hand.sizeOf(bytes);
     await (await chooser).setFiles(typeof file === 'string' ? file : { ...file });

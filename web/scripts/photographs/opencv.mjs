@@ -1,4 +1,7 @@
-/** A Python with OpenCV, in a virtual environment of its own below `target`. Installed once, never part of a build. */
+/**
+ * Installs Python with OpenCV, in its own virtual environment below `target`. It is installed once and never part of a
+ * build.
+ */
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { printed, ROOT, step } from '../steps.mjs';

@@ -1,5 +1,5 @@
 /**
- * `npm run quality -- photographs`: ten photographs edited by a hand in the browser, and fills beside OpenCV's.
+ * `npm run quality -- photographs`: edits ten photographs in the browser, and compares fills with OpenCV's.
  *
  * Writes a sheet before and after each edit, an overview, and blind sheets of fills with their key. Prints the seam
  * at rest and the times.
@@ -40,7 +40,7 @@ export async function photographs(output) {
   await step('Fills', 'cargo', ['run', '--quiet', ...args], 'The fills failed. The reason is above.');
 }
 
-/** The strokes of the brush alone. */
+/** Only the strokes of the brush. */
 export async function brush() {
   await prepareChromium();
   heading('Brush');

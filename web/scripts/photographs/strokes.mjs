@@ -1,4 +1,4 @@
-/** Strokes of the brush at 12 megapixels: the script that a move takes, and the time up to the frame after it. */
+/** Strokes of the brush at 12 megapixels: script time per move, and the time until the next frame. */
 import { join } from 'node:path';
 import { enlarged } from './enlarged.mjs';
 import { Hand } from './hand.mjs';
@@ -30,7 +30,7 @@ export async function strokes(browser, address, pictures) {
   for (const size of BRUSHES) {
     const hand = await Hand.open(browser, address, { name: 'rocket.jpg', mimeType: 'image/jpeg', buffer });
     await hand.points(...HANDLES);
-    await hand.setSwitch('Hold the boundary', true);
+    await hand.setSwitch('Lock the outline', true);
     await hand.setSwitch('Stop at folds', true);
     await hand.key('f');
     await hand.page.getByRole('slider', { name: 'Brush size' }).fill(String(size));

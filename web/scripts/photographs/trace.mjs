@@ -1,4 +1,4 @@
-/** Times of the main thread of a page, from a trace of Chromium. */
+/** Times on a page's main thread, from a trace of Chromium. */
 
 /**
  * @typedef {object} TraceEvent
@@ -40,7 +40,7 @@ export function timesOf(events) {
   const begin = dispatched('pointerdown')[0]?.ts ?? 0;
   const begun = dispatched('pointermove').filter(({ ts }) => ts > begin && ts < end);
   const [first] = begun;
-  if (!first) throw new Error('the trace has no move of the pointer');
+  if (!first) throw new Error('the trace contains no pointer move');
   /** @type {Map<string, TraceEvent[]>} */
   const threads = new Map();
   for (const event of events) {

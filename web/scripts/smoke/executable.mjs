@@ -1,4 +1,4 @@
-/** Programs of the machine. */
+/** Finds programs on this machine. */
 import { existsSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 

@@ -1,4 +1,4 @@
-/** Firefox of the distribution, driven by WebDriver BiDi. */
+/** The distribution's Firefox, driven by WebDriver BiDi. */
 import puppeteer from 'puppeteer-core';
 import { executable } from './executable.mjs';
 

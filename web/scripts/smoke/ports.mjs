@@ -1,4 +1,4 @@
-/** Servers of this machine. */
+/** Ports of servers on this machine. */
 import { createServer } from 'node:net';
 import { StepError } from '../steps.mjs';
 

@@ -1,4 +1,4 @@
-/** A screen for browsers that need one: that of the person, or an invisible one by Xvfb. */
+/** A screen for browsers that need one: the user's screen, or a virtual one by Xvfb. */
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 

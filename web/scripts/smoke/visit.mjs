@@ -1,8 +1,8 @@
 /**
- * The first steps of a person, in any browser: the editor opens, a handle is dragged, the picture is exported, and a
- * reload has the work again.
+ * The first steps of a user, in any browser: opens the editor, drags a handle, exports the picture, and reloads to
+ * restore the work.
  *
- * A private session may refuse to store files, as that of WebKit's driver does. The editor must say so.
+ * A private session may refuse to store files, as WebKit's driver does. The editor must say so.
  */
 import { StepError } from '../steps.mjs';
 
@@ -78,7 +78,7 @@ export async function visit(visitor, origin, tell) {
   if (saved !== SAVED) throw new StepError(`The saved file begins with ${saved}.`);
   tell('exports');
 
-  const lost = `${TEXT}.includes('Your work is not stored in this browser')`;
+  const lost = `${TEXT}.includes('This browser cannot store your work')`;
   await until(visitor, 'the work is stored', `${TEXT}.includes('kept in this browser') || ${lost}`);
   const isLost = await visitor.ask(lost);
   await visitor.open(origin);
@@ -123,7 +123,7 @@ async function until(visitor, title, condition) {
   const end = performance.now() + PATIENCE_MS;
   const script = `Boolean(${EDITOR}?.shadowRoot && ${EDITOR}.project && (${condition}))`;
   while (!(await visitor.ask(script))) {
-    if (performance.now() > end) throw new StepError(`This did not come true: ${title}.`);
+    if (performance.now() > end) throw new StepError(`Timed out while waiting for: ${title}.`);
     await new Promise((done) => setTimeout(done, PAUSE_MS));
   }
 }

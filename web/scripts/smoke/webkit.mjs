@@ -1,4 +1,4 @@
-/** WebKit of the distribution, in the small browser of WebKitGTK, driven by its WebDriver. */
+/** The distribution's WebKit, in WebKitGTK's MiniBrowser, driven by its WebDriver. */
 import { spawn } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';

@@ -53,7 +53,7 @@ export default defineConfig({
     },
   },
   vite: {
-    // Otherwise the one of the editor, in `srcDir`.
+    // Otherwise that of the editor, in `srcDir`.
     configFile: false,
     plugins: LICENCES,
     build: { assetsInlineLimit: 0, chunkSizeWarningLimit: 2000 },

@@ -7,7 +7,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
 const INLINE_SCRIPT = /<script([^>]*)>([^<]+)<\/script>/g;
-/** Scripts set them by the CSSOM again, when the page is there. */
+/** Scripts set them by the CSSOM again, once the page has loaded. */
 const INLINE_STYLE = /(<[a-z][^<>]*?) style="[^"]*"/g;
 
 /**

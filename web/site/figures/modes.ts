@@ -82,7 +82,7 @@ export default figure((figure) => {
     return Promise.all(
       sides.map(({ mode }, index) => {
         const project = projectOf(HANDLES, { ...SETTINGS, pose: { mode, density: DENSITY } });
-        // Handles of the rigid mode turn by themselves, as in the editor. In the paper, people turn them.
+        // Handles of the rigid mode turn automatically, as in the editor. In the paper, people turn them.
         const handles = project.handles?.map((handle) => ({
           ...handle,
           rotation: mode === 'rigid' ? ('auto' as const) : 0,

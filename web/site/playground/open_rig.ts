@@ -9,7 +9,7 @@ import { hashOf, projectIn, SharedRigError } from './shared_rig';
 export interface Shown {
   sample: Sample;
   text: string;
-  /** A sentence on the last action; empty if there is nothing to say. */
+  /** A sentence about the last action, or an empty string. */
   message: string;
 }
 

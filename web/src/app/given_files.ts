@@ -9,16 +9,24 @@ interface LaunchQueue {
 }
 
 type Open = (files: readonly File[]) => void;
-type Inform = (text: string) => void;
+
+interface Editor {
+  readonly open: Open;
+  /** Any page can send the form of a share: the person decides. */
+  readonly offer: Open;
+  readonly inform: (text: string) => void;
+}
+
+/** Whether this start may have shared files. */
+export const isShare = (): boolean => new URLSearchParams(location.search).has(SHARED);
 
 /** Hands over the files of this start, and those that are opened with the running editor later. */
-export function receiveFiles(open: Open, inform: Inform, { notices }: Texts): void {
+export function receiveFiles({ open, offer, inform }: Editor, { notices }: Texts): void {
   const { launchQueue } = globalThis as { launchQueue?: LaunchQueue };
   launchQueue?.setConsumer(({ files = [] }) => {
     openLaunched(files, open, (handle) => inform(notices.notGiven(handle.name)));
   });
-  if (new URLSearchParams(location.search).has(SHARED))
-    receiveShared(open, () => inform(notices.shareFailed));
+  if (isShare()) receiveShared(offer, () => inform(notices.shareFailed));
 }
 
 async function openLaunched(
@@ -37,11 +45,11 @@ async function openLaunched(
   if (files.length > 0) open(files);
 }
 
-async function receiveShared(open: Open, failed: () => void): Promise<void> {
+async function receiveShared(offer: Open, failed: () => void): Promise<void> {
   const { href } = new URL('./', location.href);
   // A reload has nothing to take any more.
   history.replaceState(history.state, '', href);
   const files = await caches.open(sharedCache(href)).then(takeShared, () => []);
-  if (files.length > 0) open(files);
+  if (files.length > 0) offer(files);
   else failed();
 }

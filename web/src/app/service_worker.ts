@@ -2,7 +2,7 @@
  * The service worker of the editor's page: answers with stored files, so that the editor works without a network.
  *
  * A version is stored whole or not at all. A newer version is stored beside the running one and waits, so that all open
- * pages keep their version. It takes over when no page is left, or when the only page starts anew and asks for it.
+ * pages keep their version. It takes over when no page is left, or when the only page reloads and requests it.
  */
 import { filesCache, sharedCache } from './cache_names';
 import { keepShared, SHARED } from './shared_files';
@@ -13,7 +13,7 @@ declare const FILE_HASHES: FileHashes;
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
 const { scope } = worker.registration;
-/** Once, since the build puts the list in place of its name. */
+/** Once, since the build replaces its name with the list. */
 const hashes = FILE_HASHES;
 
 const files = (): Promise<Cache> => caches.open(filesCache(scope));
@@ -54,7 +54,9 @@ async function answer(path: string, request: Request): Promise<Response> {
   return (await storedFile(await files(), scope, path, hashes)) ?? fetch(request);
 }
 
-/** Keeps shared files for the page, which opens next. If they cannot be kept, the page tells that none came. */
+/**
+ * Keeps shared files for the page, which opens next. If they cannot be stored, the page reports that no files arrived.
+ */
 async function received(request: Request): Promise<Response> {
   try {
     await keepShared(await caches.open(sharedCache(scope)), scope, await request.formData());
@@ -64,7 +66,7 @@ async function received(request: Request): Promise<Response> {
   return Response.redirect(`${scope}?${SHARED}`, 303);
 }
 
-/** Whether one page alone shows the editor: those of the running version count too. */
+/** Whether only one page shows the editor: those of the running version count too. */
 async function isOnlyPage(): Promise<boolean> {
   const pages = await worker.clients.matchAll({ type: 'window', includeUncontrolled: true });
   return pages.filter(({ url }) => pathOf(scope, url, hashes) === '').length < 2;

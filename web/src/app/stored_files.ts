@@ -1,8 +1,8 @@
 /**
  * The files of one version, stored by path and content.
  *
- * Versions share the files that they have in common, so that an update loads changed files alone. A download that
- * breaks off goes on where it was.
+ * Versions share the files that they have in common, so that an update loads only changed files. A download that is
+ * interrupted is resumed.
  */
 
 /** The hash of each file's content by its path, in the form of Subresource Integrity. The page has the path "". */
@@ -11,7 +11,7 @@ export type FileHashes = Readonly<Record<string, string>>;
 /** Before the second and the third try of a download. */
 const PAUSES_MS = [1000, 4000];
 
-/** Where a file is stored: the query tells contents apart. */
+/** The storage key of a file: the query distinguishes contents. */
 const addressOf = (scope: string, path: string, hash: string): string =>
   new URL(`./${path}?${encodeURIComponent(hash)}`, scope).href;
 
@@ -46,7 +46,7 @@ async function downloaded(
   for (const pause of [...pausesMs, null]) {
     try {
       const response = await fetch(address, { integrity, cache });
-      if (!response.ok) throw new TypeError(`${address}: the server answers ${response.status}`);
+      if (!response.ok) throw new TypeError(`${address}: the server answered ${response.status}`);
       return response.redirected ? direct(response) : response;
     } catch (error) {
       if (pause === null) throw error;
@@ -66,7 +66,7 @@ export async function removeOthers(cache: Cache, scope: string, hashes: FileHash
   for (const request of await cache.keys()) if (!kept.has(request.url)) await cache.delete(request);
 }
 
-/** The path of an address among the files; null if it is none of them. */
+/** The path of an address among the files; null if no file matches. */
 export function pathOf(scope: string, address: string, hashes: FileHashes): string | null {
   const { origin, pathname } = new URL(address);
   const folder = new URL(scope);
@@ -75,7 +75,7 @@ export function pathOf(scope: string, address: string, hashes: FileHashes): stri
   return Object.hasOwn(hashes, path) ? path : null;
 }
 
-/** A file as it was stored; undefined if the browser has removed it. */
+/** A stored file; undefined if the browser has removed it. */
 export const storedFile = (
   cache: Cache,
   scope: string,

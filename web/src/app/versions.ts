@@ -41,7 +41,7 @@ function takesOver(waiting: ServiceWorker): Promise<boolean> {
 }
 
 /**
- * Stores this version, and then looks for newer ones. A person hears of a new version once.
+ * Stores this version, and then looks for newer ones. A new version is announced once.
  *
  * @param address of the worker.
  * @param waits whether a newer version is stored already.
@@ -91,7 +91,7 @@ function serviceWorkers(): ServiceWorkerContainer | undefined {
 const isInstalled = (): boolean => matchMedia('(display-mode: standalone)').matches;
 
 /** A notice that passes would pass unseen in a hidden tab. */
-function whenSeen(tell: () => void): void {
-  if (!document.hidden) tell();
-  else document.addEventListener('visibilitychange', tell, { once: true });
+function whenSeen(notify: () => void): void {
+  if (!document.hidden) notify();
+  else document.addEventListener('visibilitychange', notify, { once: true });
 }

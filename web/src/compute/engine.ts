@@ -100,8 +100,8 @@ export class Engine {
 
   /**
    * Fits a project that was made for another picture to the present one.
-   * @param own the project's own picture, if its outline is to be lined up with that of the present one.
-   * @throws as {@link cells}; C2WarpError if the project does not fit.
+   * @param own the project's own picture, to align its outline with that of the present one.
+   * @throws the errors of {@link cells}; C2WarpError if the project does not fit.
    */
   async fit(project: Project, own: PixelSource | null): Promise<FittedProject> {
     return JSON.parse(await this.#ask('fit', { project: JSON.stringify(project), own }));
@@ -122,7 +122,7 @@ export class Engine {
   }
 
   /**
-   * Prepares to draw the warped picture in straight alpha. Solves go on between its bands. With a moment the handles
+   * Prepares to draw the warped picture in straight alpha. Solves continue between its bands. With a moment the handles
    * are posed as there.
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; C2WarpError otherwise.
    */
@@ -134,10 +134,10 @@ export class Engine {
   }
 
   /**
-   * Prepares to draw the frames of a clip. Solves go on between their bands.
+   * Prepares to draw the frames of a clip. Solves continue between their bands.
    * @param project with the poses of handles without a track.
    * @param clip names the handles as the project does.
-   * @throws as {@link draw}.
+   * @throws the errors of {@link draw}.
    */
   async film(project: Project, clip: Clip, options: FilmOptions): Promise<Filming> {
     const picture = this.#picture;
@@ -154,12 +154,12 @@ export class Engine {
     return this.#ask('cells', { project: problemText(project) });
   }
 
-  /** A project's solution, explained. @throws as {@link cells}. */
+  /** A project's solution, explained. @throws the errors of {@link cells}. */
   study(project: Project): Promise<Study> {
     return this.#ask('study', { project: problemText(project) });
   }
 
-  /** The weights and paths of a rest point; null outside the domain. @throws as {@link cells}. */
+  /** The weights and paths of a rest point; null outside the domain. @throws the errors of {@link cells}. */
   lens(project: Project, at: Vec): Promise<Lens | null> {
     return this.#ask('lens', { project: problemText(project), at });
   }

@@ -1,4 +1,4 @@
-/** Errors of the solver's worker and module, with the English of these alone. */
+/** Errors of the solver's worker and module, with only their English texts. */
 import { errorsIn } from '../error';
 import { engineErrors, tooMuchErrors } from '../texts/en/solver_errors';
 

@@ -24,7 +24,7 @@ export interface EngineRigOrder {
   readonly vertices: number;
   /** Names the files. */
   readonly stem: string;
-  /** The name of the zip that all files come in; null for files by themselves. */
+  /** The name of the zip with all files; null for separate files. */
   readonly zip: string | null;
 }
 
@@ -44,13 +44,33 @@ export interface MapOrder {
 /** A drawing with bent paths. */
 export interface DrawingOrder {
   readonly kind: 'drawing';
-  /** SVG with shapes as paths, and its size in units of its own. */
-  readonly drawing: { readonly svg: string; readonly width: number; readonly height: number };
+  readonly svg: string;
   /** Whether the frame grows to hold all that is bent beyond it. */
   readonly grow: boolean;
   /** The name of the clip that poses the handles at a time in seconds; null for the pose of the project. */
   readonly clip: string | null;
   readonly time: number;
+}
+
+export interface BentDrawing {
+  readonly svg: string;
+  /** Descriptions of parts that are left out or do not bend. */
+  readonly remarks: readonly string[];
+}
+
+/** A drawing as a picture of a size in pixels. */
+export interface PictureOrder {
+  readonly kind: 'picture';
+  readonly svg: string;
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface DrawnPicture {
+  /** Null if a browser draws it quickly. */
+  readonly png: Bytes | null;
+  /** Whether texts of the drawing are missing. */
+  readonly lacksTexts: boolean;
 }
 
 export interface ExportedFile {
@@ -68,12 +88,12 @@ export interface Exports {
   readonly 'web-rig': { readonly order: WebRigOrder; readonly made: Bytes };
   readonly 'engine-rig': { readonly order: EngineRigOrder; readonly made: EngineRig };
   readonly map: { readonly order: MapOrder; readonly made: Bytes };
-  readonly drawing: { readonly order: DrawingOrder; readonly made: string };
+  readonly drawing: { readonly order: DrawingOrder; readonly made: BentDrawing };
 }
 
 export type ExportOrder = Exports[keyof Exports]['order'];
 
-/** The only message to the worker. */
+/** The only message to the worker, or a `PictureRequest`. */
 export interface ExportRequest {
   /** Compiled by the page. */
   readonly module: WebAssembly.Module;
@@ -86,9 +106,15 @@ export interface ExportRequest {
   readonly order: ExportOrder;
 }
 
+/** A request that needs no solver. */
+export interface PictureRequest {
+  readonly module: WebAssembly.Module;
+  readonly order: PictureOrder;
+}
+
 export type ExportReply =
   /** The part that is done, from 0 to 1. */
   | { readonly part: number }
-  | { readonly made: Exports[keyof Exports]['made'] }
+  | { readonly made: Exports[keyof Exports]['made'] | DrawnPicture }
   /** A sentence for people, or null if the module broke. */
   | { readonly refused: string | null };

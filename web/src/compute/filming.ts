@@ -23,7 +23,7 @@ export class Filming {
 
   /**
    * Grows all frames to hold all that one of them draws. Call it for each frame before any of them is drawn.
-   * @throws as {@link frame}.
+   * @throws the errors of {@link frame}.
    */
   async include(frame: number): Promise<void> {
     this.#size = await this.#answer(this.#link.send('include', { film: this.#size.film, frame }));
@@ -37,7 +37,11 @@ export class Filming {
     return this.#drawing(this.#link.send('frame', { film: this.#size.film, frame }));
   }
 
-  /** All of the picture at the scale of the film: it has the colours of all frames. @throws as {@link frame}. */
+  /**
+   * All of the picture at the scale of the film: it has the colours of all frames.
+   *
+   * @throws the errors of {@link frame}.
+   */
   atRest(): Promise<Drawing> {
     return this.#drawing(this.#link.send('at-rest', { film: this.#size.film }));
   }

@@ -72,7 +72,7 @@ describe('Link', () => {
     await expect(solve).rejects.toBeInstanceOf(C2WarpError);
   });
 
-  it('ends a worker that has solved for long, for a newer request alone', async () => {
+  it('ends a long-running worker only for a newer request', async () => {
     vi.useFakeTimers({ toFake: ['performance'] });
     const { link, worker, workers } = linked();
     void link.send('picture', PICTURE).catch(() => {});
@@ -113,7 +113,7 @@ describe('Link', () => {
     for (const port of ports) port.close();
   });
 
-  it('ignores what comes for an abandoned request', async () => {
+  it('ignores results of an abandoned request', async () => {
     const { link, worker } = linked();
     const solve = link.send('solve', { project: '{}' });
     link.abandon('solve');
@@ -136,7 +136,7 @@ describe('Link', () => {
     expect(await cells).toBe(BORDERS);
   });
 
-  it('tells each request that the picture is gone, if its successor cannot have it', async () => {
+  it('rejects each request for a lost picture, if its successor cannot have it', async () => {
     const { link, worker, workers } = linked();
     void link.send('picture', PICTURE);
     worker(0).reply({ id: 1, kind: 'done', body: null });
@@ -177,7 +177,9 @@ describe('Link', () => {
     worker(1).reply({ kind: 'died', started: true, message: 'unreachable' });
     await expect(solve).rejects.toMatchObject({ code: 'too-much' });
     // No words of the browser reach a person.
-    await expect(solve).rejects.toThrow('This is more than the solver can do with the memory that there is.');
+    await expect(solve).rejects.toThrow(
+      'Not enough memory for this warp. Use fewer handles, or less detail.',
+    );
     expect(workers).toHaveLength(2);
     void link.send('cells', { project: 'good' });
     expect(worker(2).requests()).toHaveLength(1);
@@ -189,7 +191,7 @@ describe('Link', () => {
     worker(0).reply({ kind: 'died', started: false, message: 'CompileError: bad magic' });
     worker(1).reply({ kind: 'died', started: false, message: 'CompileError: bad magic' });
     await expect(solve).rejects.toMatchObject({ code: 'engine', cause: 'CompileError: bad magic' });
-    await expect(solve).rejects.toThrow('started: is https://c2warp.example/worker.js there');
+    await expect(solve).rejects.toThrow('Check that https://c2warp.example/worker.js exists');
   });
 
   it('does not restart for a picture that nobody asks about any more', () => {
@@ -200,7 +202,7 @@ describe('Link', () => {
     expect(workers).toHaveLength(2);
   });
 
-  it('rejects what cannot be sent, and sends it to no successor', async () => {
+  it('rejects a message that cannot be sent, and does not resend it', async () => {
     const { link, worker } = linked();
     const refused = new Error('out of memory');
     worker(0).postMessage = () => {
@@ -229,7 +231,7 @@ describe('Link', () => {
     expect(parts()).toEqual([[{ later: LATER }], [{ later: LATER }]]);
   });
 
-  it('rejects what is under way when disposed of, and starts no other worker', async () => {
+  it('rejects pending requests when disposed of, and starts no other worker', async () => {
     const { link, worker, workers } = linked();
     const solve = link.send('solve', { project: '{}' });
     link.dispose();

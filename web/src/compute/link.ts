@@ -1,5 +1,5 @@
 /**
- * The page's end of the connection to the worker: requests with their promises, and a new worker in place of one that
+ * The page's end of the connection to the worker: requests with their promises, and a new worker to replace one that
  * died.
  *
  * Requests that are pending when a worker dies are sent again to its successor, after the picture; a request that was
@@ -48,7 +48,7 @@ const PATIENCE = 1000;
 /** The id of the picture that a new worker gets first. Nobody waits for its answer. */
 const PICTURE_AGAIN = 0;
 
-/** Why a request broke the solver: nearly always for want of memory. */
+/** Why a request broke the solver: nearly always because memory ran out. */
 const BROKE = {
   picture: 'picture',
   fit: 'pictures',
@@ -98,7 +98,7 @@ export class Link {
     spawn: () => Port,
     module: WebAssembly.Module,
     loadLater: () => Promise<WebAssembly.Module>,
-    address = 'its file',
+    address = 'its script',
   ) {
     this.#spawn = spawn;
     this.#module = module;

@@ -7,22 +7,22 @@ afterEach(() => vi.unstubAllGlobals());
 
 const answering = (answer: () => Promise<Response>) => vi.stubGlobal('fetch', answer);
 
-it('a file that does not come is named by its whole address', async () => {
+it('a file that cannot be loaded is named by its full address', async () => {
   answering(() => Promise.reject(new TypeError('Failed to fetch')));
-  await expect(compiled(ADDRESS)).rejects.toThrow(`${ADDRESS} does not come: is the network there`);
+  await expect(compiled(ADDRESS)).rejects.toThrow(`${ADDRESS} is out of reach`);
 });
 
-it('a refusal by the server is told with the address', async () => {
+it('an error status of the server is reported with the address', async () => {
   answering(async () => new Response(null, { status: 403 }));
-  await expect(compiled(ADDRESS)).rejects.toThrow(`${ADDRESS} answers 403`);
+  await expect(compiled(ADDRESS)).rejects.toThrow(`the server answered 403 for ${ADDRESS}`);
 });
 
-it('a page in place of the file is told with the address', async () => {
+it('a page instead of the file is reported with the address', async () => {
   answering(async () => new Response('', { headers: { 'content-type': 'text/html' } }));
-  await expect(compiled(ADDRESS)).rejects.toThrow(`${ADDRESS} is not there: a page is, in its place`);
+  await expect(compiled(ADDRESS)).rejects.toThrow(`a web page instead of ${ADDRESS}`);
 });
 
-it('a file that is cut off is told with the address', async () => {
+it('a truncated file is reported with the address', async () => {
   answering(async () => new Response(Uint8Array.of(0, 97)));
-  await expect(compiled(ADDRESS)).rejects.toThrow(`${ADDRESS} came incomplete, or cannot run here`);
+  await expect(compiled(ADDRESS)).rejects.toThrow(`${ADDRESS} is incomplete, or cannot run here`);
 });

@@ -51,7 +51,7 @@ async function fetched(url: URL): Promise<WebAssembly.Module> {
 export const notLoaded = (cause: unknown): C2WarpError =>
   engineError(ENGINE, say('errors.engine.notLoaded', whyOf(cause)), { cause });
 
-/** The words of an error, or its message. */
+/** The text of an error, or its message. */
 export const whyOf = (error: unknown): Words => wordingOf(error) ?? asError(error).message;
 
 /** Browsers throw a TypeError where nothing comes, and a CompileError also for a file that is cut off. */

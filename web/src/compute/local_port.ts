@@ -1,4 +1,4 @@
-/** A solver in place of a worker: it runs on the thread of its owner, stage by stage. */
+/** A solver without a worker: it runs on its owner's thread, stage by stage. */
 import type { Port } from './link';
 import type { Boot, Extension, Reply, Request } from './messages';
 import { SolverService } from './solver_service';

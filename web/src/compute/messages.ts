@@ -71,7 +71,7 @@ export interface Messages {
   solve: [request: { readonly project: string }, response: SolutionData];
   /**
    * Fills the picture behind the domain of a project that is solved; null if it has no fill. A newer fill or another
-   * picture ends it. A solve comes first, and the fill goes on after it.
+   * picture ends it. A solve has priority, and the fill continues after it.
    */
   fill: [request: { readonly project: string }, response: FillData | null];
   /** Stops a solve as a newer one would. */
@@ -92,7 +92,7 @@ export interface Messages {
   include: [request: { readonly film: number; readonly frame: number }, response: FilmSize];
   /** Prepares a frame, which is drawn by `rows` as any drawing. */
   frame: [request: { readonly film: number; readonly frame: number }, response: DrawingSize];
-  /** Prepares all of the picture at the scale of a film: it has the colours of all frames. */
+  /** Prepares the whole picture at the scale of a film: it has the colours of all frames. */
   'at-rest': [request: { readonly film: number }, response: DrawingSize];
   'release-film': [request: { readonly film: number }, response: null];
   /** Points × 3: posed x and y, and the growth of areas. NaN outside the domain. */
@@ -107,7 +107,7 @@ export interface Messages {
     request: { readonly project: string; readonly from: readonly [number, number]; readonly points: Points },
     response: Float64Array<ArrayBuffer>,
   ];
-  /** The vertices of the shortest path between two places; none if there is no path. */
+  /** The vertices of the shortest path between two places; empty if there is no path. */
   path: [
     request: {
       readonly project: string;
@@ -129,21 +129,21 @@ export interface Messages {
 
 export type Name = keyof Messages;
 
-/** A picture as it is sent. Its pixels arrive at the port, or null if the picture was released. */
+/** A picture in the form that is sent. Its pixels arrive at the port, or null if the picture was released. */
 export interface SentPicture {
   readonly width: number;
   readonly height: number;
   readonly pixels: MessagePort;
 }
 
-/** The body of a request as it is sent. */
+/** The body of a request in the form that is sent. */
 type Sent<N extends Name> = N extends 'picture'
   ? SentPicture
   : N extends 'fit'
     ? { readonly project: string; readonly own: SentPicture | null }
     : Messages[N][0];
 
-/** A request as it is sent; every reply to it repeats `id`. */
+/** A request in the form that is sent; every reply to it repeats `id`. */
 export type Request = {
   [N in Name]: { readonly id: number; readonly name: N; readonly body: Sent<N> };
 }[Name];

@@ -1,6 +1,6 @@
 /** The solver's module, compiled once for all editors of a page. The only page file that imports the generated code. */
 
-import type { Clip, Handle, Project } from '../document/project';
+import { type Clip, type Handle, type Project, type ProjectFile, posedHandle } from '../document/project';
 import { C2WarpError } from '../error';
 import init, {
   frame_times,
@@ -64,9 +64,12 @@ export const frameTimes = (
 ): Float64Array => frame_times(JSON.stringify(clip), JSON.stringify(handles), rate, range?.[0], range?.[1]);
 
 /**
- * A project file's project, with every key written out. Requires the module to be loaded.
+ * A project file's project, with its keys as they are written, and a pose for each handle. Requires the module to be
+ * loaded.
  * @throws Error with a code and a message that names the offending key.
  */
 export function checkedProject(text: string): Project {
-  return JSON.parse(project_check(text)) as Project;
+  project_check(text);
+  const project = JSON.parse(text) as ProjectFile;
+  return { ...project, handles: project.handles.map(posedHandle) };
 }

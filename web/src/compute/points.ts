@@ -10,7 +10,7 @@ export interface PosedMesh {
   readonly folds: Uint32Array<ArrayBuffer>;
 }
 
-/** Weights above 0 in rows, one row a point. A point outside the domain has none. */
+/** Weights above 0 in rows, one row a point. Points outside the domain have no value. */
 export interface PointWeights {
   /** Points + 1: point p has the entries `offsets[p]` to `offsets[p + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array<ArrayBuffer>;

@@ -1,9 +1,9 @@
 /**
  * A solved picture that answers where its parts go in a pose.
  *
- * The types alone: they import neither the DOM nor the module, so that pure code can name them. A picture belongs to
- * one solution and never changes. Every query depends on its arguments alone; the module caches the pose of the last
- * query. Places are image pixels, angles degrees.
+ * Only types: they import neither the DOM nor the module, so that pure code can name them. A picture belongs to one
+ * solution and never changes. Every query depends only on its arguments; the module caches the pose of the last query.
+ * Places are image pixels, angles degrees.
  */
 import type { HiddenCorners, Turns } from '../document/handle';
 import type { Clip, Project } from '../document/project';
@@ -52,7 +52,7 @@ export interface PosedPicture {
 
   /**
    * Vertices: how far each follows a move of the selected handles. 1 moves as far as they do, 0 stays.
-   * Null if the solution has none of them.
+   * Null if the solution lacks them.
    * @throws C2WarpError if no such pose exists.
    */
   reach(project: Project, selection: readonly string[]): Float32Array<ArrayBuffer> | null;
@@ -80,9 +80,9 @@ export interface PosedPicture {
 }
 
 /**
- * A picture along a clip, without the jumps of the rigid mode between frames. Poses depend on the time alone, so
- * scrubbing shows the frames of playing. Where nothing jumps they are those of the handles. Holds memory of the module
- * until {@link Playback.free}.
+ * A picture along a clip, without the jumps of the rigid mode between frames. Poses depend only on the time, so
+ * scrubbing and playing show the same frames. Where nothing jumps they are those of the handles. Holds memory of the
+ * module until {@link Playback.free}.
  */
 export interface Playback {
   /**

@@ -15,7 +15,7 @@ describe('Queue', () => {
     expect(log).toEqual(['begin a', 'end a', 'begin b', 'end b']);
   });
 
-  it('shows a request in work what came while it paused', async () => {
+  it('shows newer requests to a paused request', async () => {
     const seen: boolean[] = [];
     const queue = new Queue<string>(async () => {
       seen.push(queue.waits((request) => request === 'newer'));

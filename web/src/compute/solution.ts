@@ -4,11 +4,13 @@ import type { Inspection as Report, Stage } from './generated/report';
 export type { Report, Stage };
 
 export interface SolutionData {
-  /** Vertices × 2: rest places, image pixels; first the samples, then the vertices of the skirt. */
+  /** Vertices × 2: rest positions, image pixels; first the samples, then the vertices of the skirt. */
   readonly positions: Float32Array<ArrayBuffer>;
   /** Triangles × 3: vertices, in drawing order while no handle has a depth. */
   readonly triangles: Uint32Array<ArrayBuffer>;
-  /** Vertices × 2 of what lies around a domain that the project draws by rings: it stays, behind the rest. */
+  /**
+   * Vertices × 2 of the picture around a domain that the project draws by rings: it stays in place, behind the rest.
+   */
   readonly backgroundPositions: Float32Array<ArrayBuffer>;
   /** Its triangles × 3; empty for any other domain. */
   readonly backgroundTriangles: Uint32Array<ArrayBuffer>;
@@ -26,7 +28,7 @@ export interface SolutionData {
   readonly sites: Uint32Array<ArrayBuffer>;
   /** Entries: weight of that site. A vertex's weights sum to 1; a vertex without weights stays at rest. */
   readonly weights: Float32Array<ArrayBuffer>;
-  /** Sites × 2: rest places, image pixels. */
+  /** Sites × 2: rest positions, image pixels. */
   readonly siteRest: Float64Array<ArrayBuffer>;
   /** Sites: index of the handle in the project, −1 for a virtual site. */
   readonly siteHandle: Int32Array<ArrayBuffer>;

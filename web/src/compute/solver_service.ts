@@ -105,7 +105,7 @@ export class SolverService {
   }
 
   async #answer(request: Request): Promise<void> {
-    if (!this.#session) throw new Error('a request came before the module');
+    if (!this.#session) throw new Error('the request arrived before the module');
     try {
       await this.#handle(this.#session, request);
     } catch (error) {
@@ -272,7 +272,7 @@ export class SolverService {
         return false;
       }
       if (waits(['solve'])) {
-        // The fill goes on after it.
+        // The fill continues after it.
         this.#queue.push(request);
         return false;
       }

@@ -44,9 +44,9 @@ class WasmPicture implements PosedPicture {
     null;
   #triangles: { readonly version: number; readonly array: Uint32Array };
   #coverage: Float32Array<ArrayBuffer> | undefined;
-  /** How stiff the module has the picture, and the stiffness of its vertices that was asked for last. */
+  /** The stiffness of the picture in the module, and the last requested stiffness of its vertices. */
   #stiff: StiffPlaces;
-  /** How the module has the picture displaced, and the places of its vertices that were asked for last. */
+  /** The displacement of the picture in the module, and the last requested places of its vertices. */
   #displaced: Displacement | undefined;
   #places: { readonly of: Displacement; readonly places: Places } | undefined;
   #restOutline: Float32Array<ArrayBuffer> | undefined;
@@ -140,7 +140,7 @@ class WasmPicture implements PosedPicture {
     return pose;
   }
 
-  /** Gives the module a pose. It keeps one that the brush alone has changed: that takes no solve of the motions. */
+  /** Gives the module a pose. It keeps one that only the brush has changed: the motions need no new solve. */
   #show(pose: WasmPose): Motions {
     const module = this.#prepared(pose.project);
     const { handles, moment } = pose;
@@ -413,7 +413,7 @@ class WasmPose implements Pose {
   }
 }
 
-/** The part of a project that says which places are stiff, as a project of its own. */
+/** The part of a project that defines stiff areas, as a separate project. */
 type StiffPlaces = Pick<Project, 'format' | 'image' | 'handles' | 'stiffness'>;
 
 const stiffPlaces = ({ format, image, handles, stiffness }: Project): StiffPlaces => ({

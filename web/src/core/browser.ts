@@ -29,7 +29,7 @@ export const browser: Environment = {
         ? startWorker(worker, 'c2warp-core')
         : new Worker(new URL(worker, import.meta.url), { type: 'module' });
     } catch (cause) {
-      const message = 'The solver could not be started: this browser or this page does not allow workers.';
+      const message = 'Could not start the solver: this browser or this page does not allow workers.';
       throw new C2WarpError(ENGINE, message, { cause });
     }
   },
@@ -46,7 +46,8 @@ export const browser: Environment = {
     const { width, height } = input;
     const canvas = new OffscreenCanvas(width, height);
     const context = canvas.getContext('2d', { willReadFrequently: true });
-    if (!context) throw new C2WarpError('picture', 'This browser has no 2D canvas here: pass pixels.');
+    if (!context)
+      throw new C2WarpError('picture', 'This browser has no 2D canvas here. Pass pixels instead.');
     context.drawImage(input, 0, 0);
     const { data } = context.getImageData(0, 0, width, height);
     return { width, height, rgba: new Uint8Array(data.buffer) };

@@ -1,9 +1,11 @@
 import { readFileSync } from 'node:fs';
+import { deflateSync } from 'node:zlib';
 import { encode } from 'fast-png';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { Session } from '../compute/generated/c2warp';
 import { createWarper, encodePng, type Warper } from '../core_node';
 import type { C2WarpError } from '../error';
+import { pngChunk } from '../io/png_chunk';
 
 const file = (name: string) => readFileSync(new URL(`../../public/samples/${name}`, import.meta.url));
 
@@ -168,14 +170,14 @@ describe('createWarper in Node', () => {
     expect(() => solution.clip('up', Number.NaN)).toThrow('seconds');
   });
 
-  it('refuses bad input by a code and goes on', async () => {
+  it('rejects bad input with a code and continues', async () => {
     const bytes = file('gingerbread.png');
     expect(await codeOf(createWarper(new Uint8Array(0)))).toBe('picture');
     expect(await codeOf(createWarper(bytes.subarray(0, 5000)))).toBe('picture');
     expect(await codeOf(createWarper({ ...pixels(), width: 63 }))).toBe('picture');
     expect(await codeOf(createWarper({ width: 1, height: 1, data: new Uint8Array(4) }))).toBe('picture');
     await expect(createWarper(Uint8Array.of(0xff, 0xd8, 0xff, 0xe0))).rejects.toThrow(
-      'This is a JPEG picture, and Node reads PNG alone.',
+      'This is a JPEG picture, but in Node only PNG is supported.',
     );
     const damaged = Uint8Array.from(bytes);
     damaged[2000] = 1 - (damaged[2000] ?? 0);
@@ -223,7 +225,7 @@ describe('createWarper in Node', () => {
     expect((await first.pose().warp()).image.width).toBe(SIZE);
   });
 
-  it('goes on with a new instance after a panic', async () => {
+  it('continues with a new instance after a panic', async () => {
     const [own, other] = [await warper(), await warper()];
     const solution = await other.solve(PROJECT);
     const before = await solution.pose().warp();
@@ -252,6 +254,25 @@ describe('pictures in Node', () => {
     const grey = encode({ width: 4, height: 4, data: deep, channels: 1, depth: 16 });
     const drawn = await (await (await warper(grey)).solve({})).pose().warp();
     expect(Array.from(drawn.image.data.subarray(4, 12))).toEqual([17, 17, 17, 255, 34, 34, 34, 255]);
+  });
+
+  it('are unfolded to the size of their pixels, and without their profile', async () => {
+    const plain = encode({ width: 4, height: 4, data: new Uint8Array(64).fill(255), channels: 4 });
+    const many = (bytes: number) => deflateSync(Buffer.alloc(bytes));
+    const file = (pixels: Uint8Array, profile: Uint8Array) =>
+      Buffer.concat([
+        plain.subarray(0, 33),
+        pngChunk('iCCP', [Buffer.from('x\0\0'), profile]),
+        pngChunk('IDAT', [pixels]),
+        pngChunk('IEND', []),
+      ]);
+    const rows = many(4 * 17);
+    // A decoder of the profile would find it damaged.
+    const { width } = await warper(new Uint8Array(file(rows, many(9).subarray(0, 7))));
+    expect(width).toBe(4);
+    await expect(createWarper(new Uint8Array(file(many(1 << 24), rows)))).rejects.toThrow(
+      'The picture is damaged: its pixels unfold to more than its size.',
+    );
   });
 
   it('are decoded by a function of the program', async () => {

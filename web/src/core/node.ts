@@ -1,4 +1,4 @@
-/** Node: PNG files are decoded here, for other kinds the program brings a decoder. */
+/** Node: PNG files are decoded here; programs pass a decoder for other formats. */
 
 import { readFile } from 'node:fs/promises';
 import { LATER, once, SOLVER } from '../compute/loading';
@@ -12,7 +12,7 @@ import type { Environment } from './environment';
 import { pngPixels } from './png_pixels';
 import type { WarpedImage } from './types';
 
-const NO_WORKER = 'In Node the solver runs on the thread of the caller: start a worker thread around it.';
+const NO_WORKER = 'In Node, the solver runs on the calling thread. Call it from a worker thread instead.';
 
 const loaded = (file: URL) => once(async () => WebAssembly.compile(await readFile(file)));
 
@@ -29,7 +29,8 @@ export const node: Environment = {
     const { kind, name, size, end } = readHeader(buffer);
     if (kind !== 'png') throw new C2WarpError('picture', refusal(name));
     if (size) checkSize(size.width, size.height);
-    if (end === 'missing') throw new C2WarpError('picture', 'The picture is incomplete: its end is missing.');
+    if (end === 'missing')
+      throw new C2WarpError('picture', 'The picture is incomplete: the end of the file is missing.');
     try {
       return pngPixels(buffer);
     } catch (cause) {
@@ -45,4 +46,4 @@ export const node: Environment = {
 };
 
 const refusal = (name: KindName | undefined): string =>
-  `This is ${name ? pictureErrors.kinds[name] : 'an unknown kind of file'}, and Node reads PNG alone. Pass pixels as { width, height, data }, or a function as \`decode\`.`;
+  `This is ${name ? pictureErrors.kinds[name] : 'an unknown kind of file'}, but in Node only PNG is supported. Pass pixels as { width, height, data }, or a \`decode\` function.`;

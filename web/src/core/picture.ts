@@ -1,4 +1,4 @@
-/** The pixels of a picture that a program hands over. */
+/** The pixels of a picture from the caller. */
 import type { Pixels } from '../compute/solution';
 import { C2WarpError } from '../error';
 import { checkSize } from '../io/limits';
@@ -6,7 +6,7 @@ import type { Environment } from './environment';
 import type { PictureInput, PixelData, WarperOptions } from './types';
 
 const UNKNOWN =
-  'This is no picture: pass the bytes of a file, or pixels as { width, height, data } with four bytes a pixel.';
+  'This is not a picture. Pass the bytes of a file, or pixels as { width, height, data } with four bytes per pixel.';
 
 /**
  * Returns a copy of the pixels.

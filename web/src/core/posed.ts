@@ -1,4 +1,4 @@
-/** A solution in one pose. It holds no resources of its own. */
+/** A solution in one pose. It holds no resources. */
 import type { Moment, Points } from '../compute/messages';
 import type { PosedMesh } from '../compute/points';
 import type { Environment } from './environment';
@@ -21,10 +21,10 @@ export class PosedSolution {
   }
 
   /**
-   * The posed places of points of the picture: those of `c2warp map`.
+   * The posed positions of points of the picture, as in `c2warp map`.
    *
    * @param points Points × 2, in image pixels.
-   * @throws C2WarpError with the code `pose` for a pose that cannot be made.
+   * @throws C2WarpError with the code `pose` for a pose that cannot be computed.
    * @throws the reason of the signal if that is aborted.
    */
   async map(points: Float64Array, { signal }: Cancellable = {}): Promise<MappedPoints> {
@@ -41,11 +41,11 @@ export class PosedSolution {
   }
 
   /**
-   * The points of the picture that are drawn at places of the warped picture: those of `c2warp map --inverse`. Where
-   * parts of the picture cover others, the one in front.
+   * The points of the picture that are drawn at points of the warped picture, as in `c2warp map --inverse`. Where parts
+   * of the picture cover others, the part in front.
    *
    * @param points Points × 2, in pixels of the warped picture at scale 1.
-   * @throws as {@link map}.
+   * @throws the errors of {@link map}.
    */
   async inverse(points: Float64Array, { signal }: Cancellable = {}): Promise<RestPoints> {
     const rest = new Float64Array(points.length);
@@ -57,16 +57,16 @@ export class PosedSolution {
     return { rest };
   }
 
-  /** The posed mesh, for a renderer of your own. @throws as {@link map}. */
+  /** The posed mesh, for your own renderer. @throws the errors of {@link map}. */
   mesh({ signal }: Cancellable = {}): Promise<PosedMesh> {
     return this.#solver.ask('posed-mesh', { project: this.#project, moment: this.#moment }, signal);
   }
 
   /**
-   * Draws the warped picture at full quality: the pixels of `c2warp warp`.
+   * Draws the warped picture at full quality, as in `c2warp warp`.
    *
    * @throws C2WarpError with the code `scale` or `canvas` for a result without pixels or with too many.
-   * @throws as {@link map}.
+   * @throws the errors of {@link map}.
    */
   async warp(options: WarpOptions = {}): Promise<WarpedPicture> {
     const { scale = 1, area = 'picture', pixelated = false, signal, onProgress } = options;

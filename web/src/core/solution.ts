@@ -1,4 +1,4 @@
-/** A solved project. It holds no resources of its own. */
+/** A solved project. It holds no resources. */
 import type { Moment, Points } from '../compute/messages';
 import type { PointWeights } from '../compute/points';
 import type { SolutionData } from '../compute/solution';
@@ -9,7 +9,7 @@ import { PosedSolution } from './posed';
 import type { Solver } from './solver';
 import type { Cancellable, HandlePose, Mesh, Point, Report, Sites, Study } from './types';
 
-/** How the handles of a project move each point of its picture, wherever they are posed. */
+/** How the handles of a project move each point of its picture, in any pose. */
 export class Solution {
   /** A copy of the project. */
   readonly project: ProjectFile;
@@ -32,8 +32,8 @@ export class Solution {
   }
 
   /**
-   * The weights of sites at any points of the picture, in rows: those of `c2warp weights`. They have a closed form, and
-   * are not interpolated.
+   * The weights of sites at any points of the picture, in rows, as in `c2warp weights`. They are computed in closed
+   * form, without interpolation.
    *
    * @param points Points × 2, in image pixels.
    * @throws the reason of the signal if that is aborted.
@@ -47,10 +47,10 @@ export class Solution {
   }
 
   /**
-   * The lengths of the shortest paths inside the domain from a place to points: those of `c2warp distance`, in pixels.
-   * `Infinity` where no path leads, NaN outside the domain.
+   * The lengths of the shortest paths inside the domain from a point to other points, in pixels, as in `c2warp
+   * distance`. `Infinity` if no path exists, NaN outside the domain.
    *
-   * @param from A place in the domain, in image pixels.
+   * @param from A point in the domain, in image pixels.
    * @param points Points × 2, in image pixels.
    * @throws C2WarpError with the code `point-outside` if `from` is outside the domain.
    * @throws the reason of the signal if that is aborted.
@@ -72,10 +72,10 @@ export class Solution {
   }
 
   /**
-   * The vertices of the shortest path inside the domain, both ends included: points × 2, in image pixels. Empty if no
-   * path leads from one place to the other.
+   * The vertices of the shortest path inside the domain, including both ends: points × 2, in image pixels. Empty if no
+   * path connects the points.
    *
-   * @throws as {@link distances}.
+   * @throws the errors of {@link distances}.
    */
   path(from: Point, to: Point, { signal }: Cancellable = {}): Promise<Float64Array<ArrayBuffer>> {
     return this.#solver.ask('path', { project: problemText(this.project), from, to }, signal);
@@ -92,10 +92,10 @@ export class Solution {
   }
 
   /**
-   * Poses handles, by their ids. Handles that are not named keep their pose in the project. The solution does not
-   * change. The solver refuses invalid poses at the first use of the result.
+   * Poses handles, by their ids. Other handles keep their pose in the project. The solution does not change. The solver
+   * rejects invalid poses at the first use of the result.
    *
-   * @throws C2WarpError with the code `pose` if there is no such handle.
+   * @throws C2WarpError with the code `pose` if a handle does not exist.
    */
   pose(poses: Readonly<Record<string, HandlePose>> = {}): PosedSolution {
     const unknown = Object.keys(poses).find((id) => this.project.handles.every((handle) => handle.id !== id));
@@ -107,16 +107,16 @@ export class Solution {
   }
 
   /**
-   * Poses all handles as a clip of the project does at a time.
+   * Poses all handles by a clip of the project at a time.
    *
    * @param time Seconds.
-   * @throws C2WarpError with the code `clip` if there is no such clip, or the time is no finite number.
+   * @throws C2WarpError with the code `clip` if the clip does not exist, or the time is not a finite number.
    */
   clip(name: string, time: number): PosedSolution {
     const clip = this.project.clips?.find((clip) => clip.name === name);
     if (!clip) throw new C2WarpError('clip', `There is no clip ${JSON.stringify(name)}.`);
     if (!Number.isFinite(time))
-      throw new C2WarpError('clip', `The time of a clip is in seconds, not ${time}.`);
+      throw new C2WarpError('clip', `Expected the time of the clip in seconds, found ${time}.`);
     return this.#posed(this.project, { clip: JSON.stringify(clip), time });
   }
 
@@ -125,10 +125,10 @@ export class Solution {
   }
 }
 
-/** Clips were checked with the solve, and only one of them poses. */
+/** Clips were checked with the solve, and only one of them is used for the pose. */
 const problemText = ({ clips: _, ...problem }: ProjectFile): string => JSON.stringify(problem);
 
-/** All rows of some batches. */
+/** All rows of several batches. */
 function joined(batches: readonly PointWeights[]): PointWeights {
   const [first] = batches;
   if (first && batches.length === 1) return first;

@@ -13,10 +13,10 @@ import type { SolutionData } from '../compute/solution';
 import { C2WarpError, ENGINE } from '../error';
 import type { SolveOptions } from './types';
 
-const DISPOSED = 'The warper is disposed of.';
-const PAIRS = 'Points are a Float64Array of pairs: x and y.';
+const DISPOSED = 'The warper was disposed.';
+const PAIRS = 'Expected the points as a Float64Array of x, y pairs.';
 
-/** Points a request. The solver looks for a cancellation between requests. */
+/** Points per request. The solver checks for cancellation between requests. */
 const BATCH = 2 ** 15;
 
 /** The names of requests about points. */
@@ -32,7 +32,7 @@ export class Solver {
     this.#link = link;
   }
 
-  /** Solves after all solves that were asked for before. */
+  /** Solves after all solves that were requested earlier. */
   solve(project: string, options: SolveOptions): Promise<SolutionData> {
     const before = this.#turn;
     const solved = this.#solveAfter(before, project, options);
@@ -68,7 +68,7 @@ export class Solver {
     return this.#link.send(name, body);
   }
 
-  /** Asks about points in batches. */
+  /** Queries points in batches. */
   async *batches<N extends PointName>(
     name: N,
     points: Float64Array,
@@ -83,7 +83,7 @@ export class Solver {
     } while (from < points.length);
   }
 
-  /** Prepares to draw. The caller takes all bands or releases the drawing. */
+  /** Prepares to draw. The caller must take all bands or release the drawing. */
   async draw(
     project: string,
     moment: Moment | null,
@@ -107,7 +107,7 @@ export class Solver {
   }
 }
 
-/** The answer, unless the signal is aborted before. */
+/** The answer, unless the signal is aborted first. */
 function cancellable<T>(answer: Promise<T>, signal: AbortSignal | undefined, cancel = () => {}): Promise<T> {
   if (!signal) return answer;
   return new Promise((resolve, reject) => {

@@ -1,4 +1,4 @@
-/** The types of `c2warp/core`. They need no library of the browser, so that programs for Node can use them. */
+/** The types of `c2warp/core`. They do not depend on browser types, so programs for Node can use them. */
 import type { Inspection as Report, Stage } from '../compute/generated/report';
 import type { PointWeights, PosedMesh } from '../compute/points';
 import type { Point } from '../document/generated/project';
@@ -6,7 +6,7 @@ import type { Round, RoundPoint, SiteStudy, Study } from '../document/generated/
 import type { ProjectFile, Rotation } from '../document/project';
 import type { Area } from '../geometry/area';
 
-/** Pixels in straight (not premultiplied) alpha: RGBA, a byte each, rows from top to bottom. */
+/** Pixels in straight (not premultiplied) alpha: RGBA, one byte each, rows from top to bottom. */
 export interface PixelData {
   readonly width: number;
   readonly height: number;
@@ -39,7 +39,7 @@ interface FileSource {
  * A picture: pixels such as an `ImageData`, or the bytes of a file. Pages and workers also take an `ImageBitmap` or a
  * canvas.
  *
- * Browsers decode PNG, JPEG, WebP and others. Node decodes PNG alone: see {@link WarperOptions.decode}. A 2D canvas
+ * Browsers decode PNG, JPEG, WebP and others. Node only decodes PNG: see {@link WarperOptions.decode}. A 2D canvas
  * stores premultiplied colours, so translucent pixels of a canvas or bitmap are rounded.
  */
 export type PictureInput =
@@ -67,30 +67,30 @@ export interface Cancellable {
 
 export interface WarperOptions extends Cancellable {
   /**
-   * Whether a worker solves and draws. Left out: true in a page; false in a worker and in Node, where the caller's
+   * Whether a worker solves and draws. Default: true in a page; false in a worker and in Node, where the caller's
    * thread works in steps of some milliseconds.
    */
   readonly worker?: boolean;
-  /** The compiled solver. Left out: `c2warp_bg.wasm` of this package is loaded once. */
+  /** The compiled solver. Default: `c2warp_bg.wasm` of this package, loaded once. */
   readonly module?: SolverModule;
-  /** Its compiled later part. Left out: `c2warp_later_bg.wasm` is loaded when a call first needs it. */
+  /** Its compiled later part. Default: `c2warp_later_bg.wasm`, loaded when a call first needs it. */
   readonly laterModule?: SolverModule;
-  /** Decodes a file in place of the built-in decoder, for example JPEG in Node. */
+  /** Decodes a file instead of the built-in decoder, for example JPEG in Node. */
   readonly decode?: (bytes: Uint8Array<ArrayBuffer>) => PixelData | Promise<PixelData>;
 }
 
 /**
- * A project, or the text of a project file. Left out, `format` is `c2warp/1`, `image` has the picture's size, and there
- * are no handles.
+ * A project, or the text of a project file. By default, `format` is `c2warp/1`, `image` has the picture's size, and
+ * `handles` is empty.
  */
 export type ProjectInput = string | Partial<ProjectFile>;
 
 export interface SolveOptions extends Cancellable {
-  /** Called with each stage once it is done. */
+  /** Called with each finished stage. */
   readonly onProgress?: (stage: Stage) => void;
 }
 
-/** The pose of a handle. What is left out stays as in the project. */
+/** The pose of a handle. Missing values are taken from the project. */
 export interface HandlePose {
   /** The posed point, or one for each corner of a bar or polygon, in image pixels. */
   readonly posed?: Point | readonly Point[];
@@ -103,7 +103,7 @@ export interface HandlePose {
 
 /** The sites of a solution: the origins of its weights. */
 export interface Sites {
-  /** Sites × 2: rest places in image pixels. */
+  /** Sites × 2: rest positions in image pixels. */
   readonly rest: Float64Array<ArrayBuffer>;
   /** Sites: index of the handle in the project, −1 for a virtual site, −2 for a site of a held boundary. */
   readonly handle: Int32Array<ArrayBuffer>;
@@ -123,7 +123,7 @@ export interface Mesh {
 
 /** Posed points. */
 export interface MappedPoints {
-  /** Points × 2: posed places; NaN for a point outside the domain. */
+  /** Points × 2: posed positions; NaN for a point outside the domain. */
   readonly posed: Float64Array<ArrayBuffer>;
   /** Points: determinant of the Jacobian, the growth of areas; NaN outside the domain. */
   readonly det: Float64Array<ArrayBuffer>;
@@ -138,13 +138,13 @@ export interface WarpOptions extends Cancellable {
   /** Pixels of the result per pixel of the picture. Left out: 1. */
   readonly scale?: number;
   /**
-   * The rectangle to draw: that of the picture (left out), `grown` to hold all that is drawn, or `covered`, the
-   * smallest that does.
+   * The rectangle to draw: that of the picture (default), `grown` to contain everything that is drawn, or `covered`,
+   * the smallest such rectangle.
    */
   readonly area?: Area;
-  /** For pixel art: takes the nearest pixel, and mixes no colours. Left out: false. */
+  /** For pixel art: takes the nearest pixel, and mixes no colours. Default: false. */
   readonly pixelated?: boolean;
-  /** Called with the part that is drawn, up to 1. */
+  /** Called with the drawn fraction, up to 1. */
   readonly onProgress?: (part: number) => void;
 }
 

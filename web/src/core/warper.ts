@@ -11,17 +11,17 @@ import { Solution } from './solution';
 import { Solver } from './solver';
 import type { PictureInput, ProjectInput, SolveOptions, WarperOptions } from './types';
 
-/** Older browsers lack the symbol. `using` needs the one of the runtime. */
+/** Older browsers lack the symbol. `using` needs the symbol of the runtime. */
 const DISPOSE: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
 /**
- * A picture with its solver. It holds memory of WebAssembly, and perhaps a worker, until it is disposed of.
+ * A picture with its solver. It holds WebAssembly memory, and possibly a worker, until it is disposed of.
  *
- * A warper keeps the last solution. Poses of an older one solve again, so alternate between two warpers rather than
- * between two solutions of one.
+ * A warper keeps only its last solution. Posing an older solution solves again, so use two warpers rather than
+ * alternate between two solutions of one.
  */
 export class Warper {
-  /** Of the picture, in pixels. */
+  /** Width of the picture, in pixels. */
   readonly width: number;
   readonly height: number;
   readonly #solver: Solver;
@@ -87,12 +87,15 @@ export class Warper {
     this.dispose();
   }
 
-  /** A copy of a project, with the keys that every project has. */
+  /** A copy of a project, with all required keys. */
   #whole(input: ProjectInput): ProjectFile {
     const { width, height } = this;
     const given: unknown = typeof input === 'string' ? parsed(input) : input;
     if (typeof given !== 'object' || given === null) {
-      throw new C2WarpError('project', 'A project is an object with handles, or the text of a project file.');
+      throw new C2WarpError(
+        'project',
+        'Expected the project as an object with handles, or as the text of a project file.',
+      );
     }
     const image = { src: '', width, height };
     return copied({ format: 'c2warp/1', image, handles: [], ...given }) as ProjectFile;
@@ -106,6 +109,6 @@ function asProject(read: () => unknown): unknown {
   try {
     return read();
   } catch (cause) {
-    throw new C2WarpError('project', `The project is not JSON: ${(cause as Error).message}`, { cause });
+    throw new C2WarpError('project', `The project is not valid JSON: ${(cause as Error).message}`, { cause });
   }
 }

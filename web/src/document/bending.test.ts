@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { detailOf, modeOf, withDetail, withMode } from './bending';
+import { detailOf, modeOf, withBlend, withDetail, withMode } from './bending';
 import { newProject } from './document';
-import type { PointHandle, Project } from './project';
+import type { LineHandle, PointHandle, PoseMode, Project } from './project';
 
 const point = (id: string, rotation?: PointHandle['rotation']): PointHandle => ({
   id,
@@ -10,6 +10,16 @@ const point = (id: string, rotation?: PointHandle['rotation']): PointHandle => (
   posed: [9, 9],
   ...(rotation === undefined ? {} : { rotation }),
 });
+
+const corners = [
+  [0, 0],
+  [10, 0],
+  [10, 5],
+] as const;
+const lines: readonly LineHandle[] = [
+  { id: 'arm', kind: 'bar', rest: corners, posed: corners, rotation: 'auto' },
+  { id: 'shell', kind: 'polygon', rest: corners, posed: corners, rotation: 450 },
+];
 
 const rotations = ({ handles }: Project) => handles.map(({ rotation }) => rotation);
 
@@ -22,44 +32,71 @@ describe('the mode of bending', () => {
     expect(withMode(withMode(fresh, 'harmonic'), 'rigid')).toEqual(fresh);
   });
 
-  it('harmonic has the supports of the paper and no virtual sites', () => {
-    const handles = [point('a', 'auto'), point('b', 30)];
+  it('harmonic has the supports of the paper, no virtual sites, and the same rotations', () => {
+    const handles = [point('a', 'auto'), point('b', 30), point('c', 0), point('d'), ...lines];
     const project = withMode({ ...fresh, handles }, 'harmonic');
     expect(project.pose).toEqual({ mode: 'harmonic', blend: 'linear', density: 0 });
     expect(project.weighting).toEqual({ ...fresh.weighting, support: 'paper' });
-    expect(project.handles.map(({ rotation }) => rotation)).toEqual([0, 30]);
+    expect(project.handles).toEqual(handles);
   });
 
   it('rigid makes unturned points automatic and keeps the others', () => {
-    const handed = { ...fresh, handles: [point('a'), point('b', 0), point('c', 30)] };
+    const handed = { ...fresh, handles: [point('a'), point('b', 0), point('c', 30), ...lines] };
     const { handles } = withMode(handed, 'rigid');
-    expect(handles.map(({ rotation, posed }) => [rotation, posed])).toEqual([
-      ['auto', [9, 9]],
-      ['auto', [9, 9]],
-      [30, [9, 9]],
-    ]);
+    expect(handles).toEqual([point('a', 'auto'), point('b', 'auto'), point('c', 30), ...lines]);
   });
 
-  it('harmonic keeps the turns that automatic points show', () => {
-    const handles = [point('a', 'auto'), point('b', 'auto'), point('c', 0)];
-    const turns = new Map([
-      ['a', -63.25],
-      ['c', 5],
-    ]);
-    expect(rotations(withMode({ ...fresh, handles }, 'harmonic', turns))).toEqual([-63.25, 0, 0]);
+  it.each([
+    ['rigid', 'harmonic'],
+    ['harmonic', 'rigid'],
+  ] as const)('leads from %s to %s and back to the same project', (from, to) => {
+    const handles = [point('a', 'auto'), point('b', 0), point('c'), point('d', -30), ...lines];
+    const settings = [
+      withMode(fresh, from),
+      withBlend(withDetail(withMode(fresh, from), 'fine'), 'rigid'),
+      { format: fresh.format, image: fresh.image, pose: { mode: from } },
+    ] as const;
+    for (const setting of settings) {
+      const before: Project = { ...setting, handles };
+      const after = withMode(before, to);
+      expect(modeOf(after)).toBe(to);
+      expect(JSON.stringify(withMode(after, from, { before, after }))).toBe(JSON.stringify(before));
+    }
   });
 
-  it('has its last detail and automatic points when it is chosen again', () => {
+  it('is the same as of a project that was made in it with these handles', () => {
+    const handles = [point('a', 'auto'), point('b', 30), ...lines];
+    for (const [from, to] of [
+      ['rigid', 'harmonic'],
+      ['harmonic', 'rigid'],
+    ] as const) {
+      const made = (mode: PoseMode) => ({
+        ...newProject(fresh.image, null, { pose: { mode } }),
+        handles,
+      });
+      expect(withMode(made(from), to)).toEqual(made(to));
+    }
+  });
+
+  it('has its last detail and rotations when chosen again, and keeps later changes', () => {
     const before = withDetail({ ...fresh, handles: [point('a', 0), point('b', 'auto')] }, 'fine');
-    const after = withMode(before, 'harmonic', new Map([['b', -63]]));
-    expect(rotations(after)).toEqual([0, -63]);
-    const added = { ...after, handles: [...after.handles, point('c', 0)] };
-    const back = withMode(added, 'rigid', undefined, { before, after });
+    const after = withMode(before, 'harmonic');
+    const added = { ...after, handles: [...after.handles, point('c', 0), point('d', 12)] };
+    const back = withMode(added, 'rigid', { before, after });
     expect(detailOf(back)).toBe('fine');
-    expect(rotations(back)).toEqual([0, 'auto', 'auto']);
-    // Points that were turned in the other mode keep their turn.
+    expect(rotations(back)).toEqual([0, 'auto', 'auto', 12]);
     const turned = { ...after, handles: [point('a', 12), point('b', -60)] };
-    expect(rotations(withMode(turned, 'rigid', undefined, { before, after }))).toEqual([12, -60]);
+    expect(rotations(withMode(turned, 'rigid', { before, after }))).toEqual([12, -60]);
+  });
+
+  it('harmonic leaves points automatic that rigid made so, once they were moved', () => {
+    const before = withMode({ ...fresh, handles: [] }, 'harmonic');
+    const unturned = { ...before, handles: [point('a', 0), point('b')] };
+    const after = withMode(unturned, 'rigid');
+    const [a, b] = after.handles;
+    if (!a || !b) throw new Error('two points');
+    const moved = { ...after, handles: [{ ...a, posed: [50, 9] } as PointHandle, b] };
+    expect(rotations(withMode(moved, 'harmonic', { before: unturned, after }))).toEqual(['auto', undefined]);
   });
 
   it('is harmonic by default', () => {

@@ -6,7 +6,7 @@
  */
 import type { Blend } from '../geometry/skin';
 import { EDITOR_SETTINGS, PAPER_SETTINGS } from './generated/settings';
-import { isLine, rotationOf, type Turns, turnedTo, withAutoRotation } from './handle';
+import { isLine, posedAs, withAutoRotation } from './handle';
 import type { Handle, PoseMode, Project, Rotation } from './project';
 import { placeKey } from './solved';
 
@@ -32,6 +32,12 @@ export const withBlend = (project: Project, blend: Blend): Project => ({
 /** The rotation of an unturned point. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
+/** A handle without a rotation gets that of a new one: lines turn with their corners, points as in this mode. */
+export const withNewRotation = (project: Project, handle: Handle): Handle =>
+  handle.rotation === undefined && (isLine(handle) || restingRotation(project) === 'auto')
+    ? withAutoRotation(handle)
+    : handle;
+
 /** A way back to a mode: the last project in it, and the first one after it. */
 export interface ModeReturn {
   readonly before: Project;
@@ -39,40 +45,34 @@ export interface ModeReturn {
 }
 
 /**
- * Returns the project in another mode. No shown turn changes on the way to harmonic: automatic points take the turn
- * that they have. On the way to rigid, unturned points become automatic.
+ * Returns the project in another mode. Turns keep their meaning: numbers stay, and automatic points stay automatic. On
+ * the way to rigid, unturned points become automatic, as those placed in that mode are.
  *
- * @param turns the turns of automatic points.
- * @param back restores the detail of the last project in that mode, and the rotations that the way from it changed.
+ * @param back undoes the changes of the way from that mode. Later changes stay.
  */
-export function withMode(
-  project: Project,
-  mode: PoseMode,
-  turns?: Turns,
-  back: ModeReturn | null = null,
-): Project {
+export function withMode(project: Project, mode: PoseMode, back: ModeReturn | null = null): Project {
+  if (back && JSON.stringify(back.after) === JSON.stringify(project)) return back.before;
   const { support, density } = SETTINGS[mode];
-  const rotated =
-    mode === 'rigid' ? freed(back) : (handle: Handle) => turnedTo(handle, rotationOf(handle, turns));
+  const { pose, weighting } = back?.before ?? {};
   return {
     ...project,
-    weighting: { ...project.weighting, support },
-    pose: { ...project.pose, mode, density: back?.before.pose?.density ?? density },
-    handles: project.handles.map((handle) => (isLine(handle) ? handle : rotated(handle))),
+    weighting: { ...project.weighting, support: weighting?.support ?? support },
+    pose: { ...project.pose, mode, density: pose?.density ?? density },
+    handles: project.handles.map((handle) => (isLine(handle) ? handle : rotatedAs(handle, mode, back))),
   };
 }
 
-/** Makes points automatic as they were, if nobody has turned them since. */
-function freed(back: ModeReturn | null): (handle: Handle) => Handle {
-  const rotations = ({ handles }: Project) =>
-    new Map(handles.map((handle) => [placeKey(handle), handle.rotation ?? 0]));
-  const [before, after] = [back?.before, back?.after].map((project) => project && rotations(project));
-  return (handle) => {
-    const { rotation = 0 } = handle;
-    const key = placeKey(handle);
-    const last = after?.get(key) === rotation ? before?.get(key) : undefined;
-    return last === 'auto' || (last === undefined && rotation === 0) ? withAutoRotation(handle) : handle;
-  };
+/** A point with the rotation that it had in the mode, or with the one that its rotation means there. */
+function rotatedAs(handle: Handle, mode: PoseMode, back: ModeReturn | null): Handle {
+  const [before, after] = [back?.before, back?.after].map((project) =>
+    project?.handles.find((other) => placeKey(other) === placeKey(handle)),
+  );
+  const stayed =
+    after?.rotation === handle.rotation &&
+    // An automatic point that was moved has turned since.
+    (mode === 'rigid' || JSON.stringify(after?.posed) === JSON.stringify(handle.posed));
+  if (before && after && stayed) return posedAs(handle, { ...handle, rotation: before.rotation } as Handle);
+  return mode === 'rigid' && (handle.rotation ?? 0) === 0 ? withAutoRotation(handle) : handle;
 }
 
 /** The detail of a project, or `null` if its density is not in {@link DETAILS}. */

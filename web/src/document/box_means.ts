@@ -11,7 +11,7 @@ export interface Window {
 
 /**
  * Columns × rows × 2: for each control point of a window, the mean over those at most `by` columns and rows away. The
- * edge of the field goes on beyond it. Cost: linear in the window, however large the squares are.
+ * edge of the field is extended. Cost: linear in the window, however large the squares are.
  */
 export function boxMeans({ width, height, values }: Field, window: Window, by: number): Float64Array {
   const { left, top, columns, rows } = window;

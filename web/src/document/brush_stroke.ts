@@ -78,7 +78,7 @@ function coverAt(away: number): number {
   return left * left * (3 - 2 * left);
 }
 
-/** The project with what the stroke has painted or erased. */
+/** The project with the changes of the stroke. */
 export function withStroke({ project, brush, before, cover }: Stroke): Project {
   const { strength, erases } = brush;
   const values = before.values.map((value, at) => {

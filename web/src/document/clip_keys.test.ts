@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { allowedMove, easeKeys, keyOf, keysAt, moveKeys, putKeys, removeKeys } from './clip_keys';
+import type { Vec } from '../geometry/vec';
+import { allowedMove, easeKeys, keyBeside, keyOf, keysAt, moveKeys, putKeys, removeKeys } from './clip_keys';
 import { straightBar } from './fixtures';
 import type { Clip, Key, PointHandle } from './project';
 
@@ -49,6 +50,29 @@ describe('keys', () => {
     expect(moveKeys(clip, [], 1).clip).toBe(clip);
   });
 
+  it('keep the order of their choice when they move', () => {
+    const refs = [
+      { handle: 'b', time: 0.5 },
+      { handle: 'a', time: 1 },
+    ];
+    expect(moveKeys(clip, refs, 0.1).refs).toEqual([
+      { handle: 'b', time: 0.6 },
+      { handle: 'a', time: 1.1 },
+    ]);
+  });
+
+  it('lie beside one another in time, and in the rows above and below that have keys', () => {
+    const rows = ['a', 'empty', 'b'];
+    const from = (handle: string, time: number, by: Vec) => keyBeside(clip, rows, { handle, time }, by);
+    expect(from('a', 1, [1, 0])).toEqual({ handle: 'a', time: 1.5 });
+    expect(from('a', 1, [-1, 0])).toEqual({ handle: 'a', time: 0 });
+    expect(from('a', 1.5, [1, 0])).toBeNull();
+    expect(from('a', 1.5, [0, 1])).toEqual({ handle: 'b', time: 0.5 });
+    expect(from('b', 0.5, [0, 1])).toBeNull();
+    expect(from('b', 0.7, [0, -1])).toEqual({ handle: 'a', time: 1 });
+    expect(from('a', 0, [0, -1])).toBeNull();
+  });
+
   it('take an ease for the stretch that follows', () => {
     const eased = easeKeys(clip, [{ handle: 'a', time: 1 }], 'hold');
     expect(keysAt(eased, [{ handle: 'a', time: 1 }])).toEqual([
@@ -56,7 +80,7 @@ describe('keys', () => {
     ]);
   });
 
-  it('hold the corners of a handle, and the values that are asked for', () => {
+  it('hold the corners of a handle, and the requested values', () => {
     const point: PointHandle = { id: 'a', kind: 'point', rest: [1, 2], posed: [3, 4], scale: 2 };
     expect(keyOf(point, 1 / 3, [])).toEqual({ time: 0.33333, posed: [3, 4], ease: 'smooth' });
     expect(keyOf(point, 0, ['rotation', 'scale', 'depth'])).toEqual({

@@ -28,12 +28,12 @@ describe('a preset', () => {
   const tracks = (preset: (typeof CLIP_PRESETS)[number], selection: readonly string[] = []) =>
     presetClip(project, preset, selection).tracks.map(({ handle }) => handle);
 
-  it('moves what stands free, and leaves what it stands on', () => {
+  it('moves the free part, and keeps its base in place', () => {
     expect(tracks('sway')).toEqual(['head', 'left-hand', 'right-hand']);
     expect(tracks('breathe')).toEqual(['head', 'left-hand', 'right-hand']);
   });
 
-  it('waves what is selected, or else what is up and far out', () => {
+  it('waves the selected handles, or else the highest and outermost one', () => {
     expect(tracks('wave', ['right-hand'])).toEqual(['right-hand']);
     expect(tracks('wave')).toEqual(['left-hand']);
   });

@@ -22,7 +22,7 @@ describe('clips', () => {
     expect(clipsOf(removeClip(one, 'clip'))).toEqual([]);
   });
 
-  it('leave the project as it was without them', () => {
+  it('restore the project without them', () => {
     const one = addClip(project, newClip('clip'));
     expect(removeClip(one, 'clip')).toEqual(project);
     expect(Object.keys(removeClip(one, 'clip'))).not.toContain('clips');

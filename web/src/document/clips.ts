@@ -1,4 +1,5 @@
 /** The clips of a project: pure edits, and their names. */
+import { MAX_NAME } from './generated/settings';
 import type { Clip, Project } from './project';
 
 /** Seconds of a new clip. */
@@ -14,11 +15,11 @@ const NONE: readonly Clip[] = [];
 export const clipNamed = (project: Project, name: string): Clip | undefined =>
   clipsOf(project).find((clip) => clip.name === name);
 
-/** Without clips there is no list either, as in a file that was opened. */
+/** Without clips there is no list either, as in opened files. */
 const withClips = ({ clips: _, ...project }: Project, clips: readonly Clip[]): Project =>
   clips.length > 0 ? { ...project, clips } : project;
 
-/** Adds a clip after those that are there. */
+/** Adds a clip after the existing ones. */
 export const addClip = (project: Project, clip: Clip): Project =>
   withClips(project, [...clipsOf(project), clip]);
 
@@ -41,8 +42,12 @@ export const removeClip = (project: Project, name: string): Project =>
     clipsOf(project).filter((clip) => clip.name !== name),
   );
 
-/** A name that no clip has: the word itself, or the word with a number. */
-export function freeClipName(project: Project, word: string): string {
+/** Characters that a number takes behind a name. */
+const NUMBER = 6;
+
+/** A name that no clip has: the word itself, or the word with a number. It is cut where names end. */
+export function freeClipName(project: Project, long: string): string {
+  const word = [...long].slice(0, MAX_NAME - NUMBER).join('');
   if (!clipNamed(project, word)) return word;
   let number = 2;
   while (clipNamed(project, `${word} ${number}`)) number++;

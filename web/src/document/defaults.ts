@@ -12,6 +12,6 @@ export function checkDefaults(given: unknown): asserts given is ProjectDefaults 
     throw new TypeError('defaults: expected an object of settings');
   for (const key of Object.keys(given)) {
     if (!(KEYS as readonly string[]).includes(key))
-      throw new RangeError(`defaults: expected keys of ${KEYS.join(', ')}, found "${key}"`);
+      throw new RangeError(`defaults: unknown key "${key}"; expected one of ${KEYS.join(', ')}`);
   }
 }

@@ -44,7 +44,7 @@ describe('a displacement', () => {
     }
   });
 
-  it('of another grid goes on in the grid of strokes', () => {
+  it('of another grid is continued in the grid of strokes', () => {
     const project = waved(40, 22);
     const { displacement } = project;
     const coarse = { ...fieldForStrokes(project) };

@@ -43,7 +43,7 @@ const fieldOf = (image: ImageRef, width: number, height: number): Field => ({
   values: new Float64Array(2 * width * height),
 });
 
-/** The displacement read last. Strokes go on from it. */
+/** The displacement read last. Strokes continue from it. */
 let read: { readonly of: Displacement; readonly numbers: Int16Array } | null = null;
 /** The numbers of displacements that have no text yet. */
 const unwritten = new WeakMap<Displacement, Int16Array>();

@@ -111,7 +111,7 @@ describe('a stroke that displaces', () => {
     expect(height(again)).toBeLessThan(height(smoothed));
   });
 
-  it('turns no field over while it is guarded, however hard one pushes', { timeout: 60_000 }, () => {
+  it('flips no part while guarded, even with strong pushes', { timeout: 60_000 }, () => {
     let [free, guarded] = [resting, resting];
     for (let k = 0; k < 6; k++)
       for (const [from, to] of [

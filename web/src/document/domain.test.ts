@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { areaOf } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import { newProject } from './document';
 import { isFilled, ringsOf, withFill, withLasso } from './domain';
@@ -64,6 +65,24 @@ describe('a lasso', () => {
     const [ring] = ringsOf(drawn(project(), [[50, 50], [50, 50.02], ...square(50, 50, 90), [50, 50.04]]));
     expect(ring).toHaveLength(4);
   });
+  it('has a ring for each part of a line that crosses itself', () => {
+    const eight: readonly Vec[] = [...square(50, 50, 100), [50, 50], [20, 50], [20, 20], [50, 20]];
+    const after = drawn(project(point('a', 60, 70), point('b', 30, 40), point('c', 10, 10)), eight);
+    expect(ringsOf(after).map(areaOf).map(Math.round)).toEqual([9990, 897]);
+    expect(ids(after)).toEqual(['a', 'b']);
+    // Parts that the frame of the picture cuts apart.
+    const legs: readonly Vec[] = [
+      [100, 200],
+      [140, 200],
+      [140, 320],
+      [200, 320],
+      [200, 200],
+      [240, 200],
+      [240, 380],
+      [100, 380],
+    ];
+    expect(ringsOf(drawn(project(), legs)).map(areaOf)).toEqual([4000, 4000]);
+  });
   it('keeps bars that cross it', () => {
     const line = [
       [20, 100],
@@ -101,6 +120,9 @@ describe('a second lasso', () => {
     // A hole replaces the holes inside it. A ring that crosses the boundary cuts no hole.
     expect(ringsOf(drawn(holed, square(60, 60, 80), true))).toHaveLength(2);
     expect(ringsOf(drawn(holed, square(60, 60, 200), true))).toHaveLength(1);
+    // A line that crosses itself cuts a hole for each of its parts.
+    const eight: readonly Vec[] = [...square(100, 100, 30), [100, 100], [80, 100], [80, 80], [100, 80]];
+    expect(ringsOf(drawn(first, eight, true))).toHaveLength(3);
     const cut = (side: number) => withLasso(holed, square(60, 60, side), true)?.cut;
     expect([cut(80), cut(200)]).toEqual([true, false]);
     // A replaced ring is removed with its holes.

@@ -1,12 +1,14 @@
 /** The domain, the part of the picture that bends: all of it, its opaque part, or the inside of drawn rings. */
+import { enclosedBy } from '../geometry/enclosed';
 import {
   areaOf,
   clipped,
   isInsideOf,
+  islandsOf,
+  isSimple,
   isWithin,
   type Ring,
   ringsMeet,
-  simpleRing,
   touches,
 } from '../geometry/ring';
 import { corners, isClosed, isLine, roundedVec } from './handle';
@@ -66,11 +68,11 @@ export const isSameDomain = (a: Project, b: Project): boolean =>
   a.domain === b.domain || JSON.stringify(unfeathered(a)) === JSON.stringify(unfeathered(b));
 
 /**
- * Adds the inside of a drawn ring to the domain, or cuts it out as a hole. Returns `null` if the ring contains nothing
- * of the picture.
+ * Adds the inside of a drawn line to the domain, or cuts it out as a hole. Returns `null` if the line goes around
+ * nothing of the picture. A line that crosses itself has several parts.
  *
- * A hole must lie inside the domain. Otherwise the ring is added, and `cut` is false. The new ring replaces the rings
- * that it meets; the others stay. Handles outside the domain are removed.
+ * A hole must lie inside the domain. Otherwise the parts are added, and `cut` is false. They replace the rings that
+ * they meet; the others stay. Handles outside the domain are removed.
  */
 export function withLasso(
   project: Project,
@@ -78,11 +80,14 @@ export function withLasso(
   hole: boolean,
 ): { readonly project: Project; readonly cut: boolean } | null {
   const { width, height } = project.image;
-  const ring = simpleRing(clipped(drawn, { min: [0, 0], max: [width, height] })).map(roundedVec);
-  if (areaOf(ring) < LEAST_AREA) return null;
+  const within = clipped(drawn, { min: [0, 0], max: [width, height] });
+  const parts = (isSimple(within) ? [within] : enclosedBy([within], LEAST_AREA)).map((ring) =>
+    ring.map(roundedVec),
+  );
+  if (!parts.some((ring) => areaOf(ring) >= LEAST_AREA)) return null;
   const before = ringsOf(project);
-  const holed = hole ? withHole(before, ring) : null;
-  const rings = holed ?? [...elsewhere(before, ring), ring];
+  const holed = hole ? withHoles(before, parts) : null;
+  const rings = holed ?? [...elsewhere(before, parts), ...parts];
   return { project: withRings(project, rings), cut: holed !== null };
 }
 
@@ -96,17 +101,17 @@ export function withRings(project: Project, rings: readonly Ring[]): Project {
 export const ringDomain = ({ domain }: Project, rings: readonly Ring[]): Domain =>
   domain?.kind === 'polygon' ? { ...domain, rings } : { kind: 'polygon', rings };
 
-/** Returns the rings with the hole, or `null` if it is not inside the domain. */
-function withHole(rings: readonly Ring[], hole: Ring): readonly Ring[] | null {
-  const left = rings.filter((ring) => !isWithin(ring, hole));
-  const fits = hole.every((p) => isInsideOf(left, p)) && !left.some((ring) => touches(hole, true, ring));
-  return fits ? [...left, hole] : null;
+/** Returns the rings with the holes, or `null` if these are not inside the domain. */
+function withHoles(rings: readonly Ring[], holes: readonly Ring[]): readonly Ring[] | null {
+  const left = rings.filter((ring) => !holes.some((hole) => isWithin(ring, hole)));
+  const fits = (hole: Ring) =>
+    hole.every((p) => isInsideOf(left, p)) && !left.some((ring) => touches(hole, true, ring));
+  return holes.every(fits) ? [...left, ...holes] : null;
 }
 
-/** The islands that a ring does not meet, with their holes. */
-function elsewhere(rings: readonly Ring[], ring: Ring): readonly Ring[] {
-  const outer = rings.filter((one) => !rings.some((other) => other !== one && isWithin(one, other)));
-  const kept = outer.filter((one) => !ringsMeet(one, ring));
+/** The islands that none of some parts meets, with their holes. */
+function elsewhere(rings: readonly Ring[], parts: readonly Ring[]): readonly Ring[] {
+  const kept = islandsOf(rings).filter((one) => !parts.some((part) => ringsMeet(one, part)));
   return rings.filter((one) => kept.some((other) => other === one || isWithin(one, other)));
 }
 

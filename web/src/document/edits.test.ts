@@ -34,6 +34,17 @@ describe('edits', () => {
     expect(put.selection).toEqual(two.selection);
   });
 
+  it('write no defaults that the file leaves out', () => {
+    const raised = raiseHandles(two, ['b'], 2);
+    expect(raised.project.handles[1]).toEqual({ ...handle('b', 5), depth: 2 });
+    expect(raiseHandles(raised, ['b'], -2).project.handles[1]).toHaveProperty('depth', 0);
+    const same = putHandles(two, [
+      { ...handle('b', 5), depth: 0, rotation: 0, scale: 1, stiffness: 0 } as PointHandle,
+    ]);
+    expect(JSON.stringify(same)).toBe(JSON.stringify(two));
+    expect(resetHandles(two, ['b']).project.handles[1]).toEqual({ ...handle('b', 5), rotation: 'auto' });
+  });
+
   it('moves, turns and resets handles', () => {
     const moved = moveHandles(two, ['b'], [1.004, 2]);
     expect(moved.project.handles[1]?.posed).toEqual([6, 2]);
@@ -133,7 +144,7 @@ describe('bars and polygons', () => {
       [5, 5],
     ]);
     expect(rotationOf(arm(turnHandles(turned, ['arm'], () => 460)))).toBeCloseTo(460, 0);
-    expect(arm(resetHandles(turned, ['arm']))).toEqual({ ...bar, scale: 1 });
+    expect(arm(resetHandles(turned, ['arm']))).toEqual(bar);
   });
 
   it('turn with their corners, past half a turn', () => {

@@ -15,6 +15,7 @@ import {
   moved,
   posedLike,
   turnedTo,
+  withoutNewDefaults,
 } from './handle';
 import { nameFault } from './names';
 import type { Handle, LineHandle, Project } from './project';
@@ -33,7 +34,9 @@ export const changeHandles = (
 ): Document =>
   withHandles(
     document,
-    document.project.handles.map((handle) => (ids.includes(handle.id) ? change(handle) : handle)),
+    document.project.handles.map((handle) =>
+      ids.includes(handle.id) ? withoutNewDefaults(change(handle), handle) : handle,
+    ),
   );
 
 /** Replaces the handles with the same ids. Other ids are ignored. */
@@ -41,7 +44,7 @@ export function putHandles(document: Document, handles: readonly Handle[]): Docu
   const put = new Map(handles.map((handle) => [handle.id, handle]));
   return withHandles(
     document,
-    document.project.handles.map((handle) => put.get(handle.id) ?? handle),
+    document.project.handles.map((handle) => withoutNewDefaults(put.get(handle.id) ?? handle, handle)),
   );
 }
 
@@ -78,7 +81,7 @@ export function pastePose(document: Document, copied: readonly Handle[]): Pasted
 const changeLine = (document: Document, id: string, change: (handle: LineHandle) => LineHandle): Document =>
   changeHandles(document, [id], (handle) => (isLine(handle) ? change(handle) : handle));
 
-/** Adds a handle at the end and selects it alone. */
+/** Adds a handle at the end and selects only it. */
 export const addHandle = (document: Document, handle: Handle): Document => ({
   ...withHandles(document, [...document.project.handles, handle]),
   selection: [handle.id],

@@ -1,8 +1,8 @@
-/** A rig for game engines: the numbers that tell its size, and how far it is off. */
+/** A rig for game engines: the figures for its size and its errors. */
 
 export type EngineFormat = 'spine' | 'dragonbones' | 'gltf' | 'godot';
 
-/** Distances from exact places, in pixels: the largest, and that of 99 of 100 places. */
+/** Distances from exact positions, in pixels: the largest, and that of 99 of 100 places. */
 export type Errors = readonly [largest: number, percentile99: number];
 
 /** The size of a rig, and its loss. */

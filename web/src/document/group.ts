@@ -21,7 +21,7 @@ export interface GroupTransform {
 export interface PosedDocument {
   readonly document: Document;
   readonly transform?: GroupTransform;
-  /** Of a stroke, which has a guard of its own: whether that has stopped it at a fold. */
+  /** For a stroke: whether its own guard has stopped it at a fold. */
   readonly stopped?: boolean;
 }
 

@@ -16,6 +16,7 @@ describe('checkedHandle', () => {
   it.each([
     [{ id: 5 }, 'handle "5", id: expected a name'],
     [{ id: '' }, 'id: expected a name'],
+    [{ id: 'é'.repeat(201) }, 'id: expected a name of at most 200 characters'],
     [{ kind: 'circle' }, 'kind: expected "point", "bar" or "polygon"'],
     [{ kind: 'bar' }, 'rest: expected 2 points or more [x, y]'],
     [{ posed: undefined }, 'posed: expected a point [x, y]'],

@@ -9,6 +9,8 @@ import {
   nearestTurn,
 } from '../geometry/polyline';
 import { add, lerp, rotated, scaled, subtract, type Vec } from '../geometry/vec';
+import { shownName } from '../texts/shown_name';
+import { MAX_NAME } from './generated/settings';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** The current turn of each automatic handle: degrees by id. */
@@ -156,10 +158,11 @@ const KINDS: readonly string[] = ['point', 'bar', 'polygon'];
 export function checkedHandle(handle: Handle): Handle {
   const { id, rotation = 0, scale = 1, depth = 0 } = handle;
   const refuse = (what: string) => {
-    throw new RangeError(`handle "${id}", ${what}`);
+    throw new RangeError(`handle "${shownName(String(id).slice(0, MAX_NAME))}", ${what}`);
   };
   const isNumber = (value: unknown) => typeof value === 'number' && Math.abs(value) < BEYOND;
   if (typeof id !== 'string' || id === '') refuse('id: expected a name');
+  if ([...id].length > MAX_NAME) refuse(`id: expected a name of at most ${MAX_NAME} characters`);
   if (!KINDS.includes(handle.kind)) refuse('kind: expected "point", "bar" or "polygon"');
   const unknown = Object.keys(handle).find((key) => !KEYS.includes(key));
   if (unknown !== undefined) refuse(`${unknown}: unknown key; expected one of ${KEYS.join(', ')}`);
@@ -175,8 +178,21 @@ export function checkedHandle(handle: Handle): Handle {
     refuse('posed: expected as many points as in rest');
   if (rotation !== 'auto' && !isNumber(rotation)) refuse('rotation: expected degrees or "auto"');
   if (!(isNumber(scale) && scale > 0)) refuse(`scale: expected a number above 0 and below ${BEYOND}`);
-  if (!isNumber(depth)) refuse(`depth: expected a number, at most ${BEYOND} from 0`);
+  if (!isNumber(depth)) refuse(`depth: expected a number above -${BEYOND} and below ${BEYOND}`);
   return handle;
+}
+
+/** The values of keys that a file leaves out. */
+const DEFAULTS = { rotation: 0, scale: 1, depth: 0, stiffness: 0 } as const;
+
+/** A changed handle without defaults that it left out before: they would change the file, and nothing else. */
+export function withoutNewDefaults<H extends Handle>(handle: H, before: Handle): H {
+  const isNew = (key: string): boolean =>
+    Reflect.get(handle, key) === Reflect.get(DEFAULTS, key) && Reflect.get(before, key) === undefined;
+  const added = Object.keys(DEFAULTS).filter(isNew);
+  if (added.length === 0) return handle;
+  const others = Object.entries(handle).filter(([key]) => !added.includes(key));
+  return Object.fromEntries(others) as unknown as H;
 }
 
 /** Makes the rotation automatic. */

@@ -5,7 +5,7 @@ import type { Field } from './displacement';
 /** Pieces × 2 ends × 2, at rest, image pixels. */
 export type Outline = ArrayLike<number>;
 
-/** Spacings of control points. A place has none of those that are farther than this from it. */
+/** Spacings of control points. Farther ones do not belong to a place. */
 const HELD = 3;
 /** From this distance on, the brush counts fully. */
 const FREE = 8;

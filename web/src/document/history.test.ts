@@ -64,7 +64,7 @@ describe('the history', () => {
     expect([history.undoLabel, history.redoLabel]).toEqual([null, 'Move']);
   });
 
-  it('leaves an open step alone when a step changes nothing', () => {
+  it('keeps an open step when a step changes nothing', () => {
     const history = new TestHistory(0);
     history.begin('Move');
     history.update(1);

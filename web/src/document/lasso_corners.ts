@@ -1,6 +1,6 @@
 /** The corners of a drawn domain: moving, adding and removing them. A ring never crosses itself or another one. */
 import type { LinePlace } from '../geometry/polyline';
-import { areaOf, isWithin, type Ring, simpleRing, touches } from '../geometry/ring';
+import { areaOf, isSimple, isWithin, type Ring, touches } from '../geometry/ring';
 import { lerp, type Vec } from '../geometry/vec';
 import { LEAST_AREA, ringsOf, withRings } from './domain';
 import { CORNERS_NEEDED, roundedVec } from './handle';
@@ -46,13 +46,12 @@ function changed(project: Project, index: number, change: (ring: Ring) => Ring):
   const before = rings[index];
   if (!before) return null;
   const after = change(before);
-  const isSimple = simpleRing(after).length === after.length && areaOf(after) >= LEAST_AREA;
   const keeps = (other: Ring) =>
     !touches(after, true, other) &&
     isWithin(other, after) === isWithin(other, before) &&
     isWithin(after, other) === isWithin(before, other);
   const others = rings.filter((other) => other !== before);
-  if (!isSimple || !others.every(keeps)) return null;
+  if (!isSimple(after) || areaOf(after) < LEAST_AREA || !others.every(keeps)) return null;
   return withRings(
     project,
     rings.map((ring) => (ring === before ? after : ring)),

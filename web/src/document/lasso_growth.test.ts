@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { areaOf, isInsideOf, type Ring, simpleRing } from '../geometry/ring';
+import { simpleRing } from '../geometry/enclosed';
+import { areaOf, isInsideOf, type Ring } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import { newProject } from './document';
 import { ringsOf } from './domain';

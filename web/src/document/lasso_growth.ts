@@ -1,7 +1,8 @@
 /** Growing a drawn domain, so that a place beside it bends too. */
+import { capsule } from '../geometry/capsule';
+import { simpleRing, unionOf } from '../geometry/enclosed';
 import { isInside, nearestPlace } from '../geometry/polyline';
-import { clipped, isInsideOf, isWithin, type Ring, ringsMeet, simpleRing } from '../geometry/ring';
-import { capsule, unionOf } from '../geometry/ring_union';
+import { clipped, isInsideOf, islandsOf, isWithin, type Ring, ringsMeet } from '../geometry/ring';
 import { distance, lerp, type Vec } from '../geometry/vec';
 import { ringDomain, ringsOf } from './domain';
 import { roundedVec } from './handle';
@@ -37,7 +38,7 @@ const filled = (rings: readonly Ring[], hole: Ring): readonly Ring[] =>
   rings.filter((ring) => ring !== hole && !isWithin(ring, hole));
 
 function grown({ image }: Project, rings: readonly Ring[], at: Vec): readonly Ring[] {
-  const islands = rings.filter((ring) => !rings.some((other) => other !== ring && isWithin(ring, other)));
+  const islands = islandsOf(rings);
   const away = (ring: Ring) => nearestPlace(ring, true, at).distance;
   const nearest = islands.reduce((best, ring) => (away(ring) < away(best) ? ring : best));
   const { edge, fraction } = nearestPlace(nearest, true, at);
@@ -53,7 +54,7 @@ function grown({ image }: Project, rings: readonly Ring[], at: Vec): readonly Ri
   for (const island of islands) {
     if (met.has(island) || !ringsMeet(island, ring)) continue;
     met.add(island);
-    ring = simpleRing(unionOf(ring, island));
+    ring = unionOf(ring, island);
   }
   return [...rings.filter((one) => !met.has(one)), ring.map(roundedVec)];
 }

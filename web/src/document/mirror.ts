@@ -4,6 +4,7 @@ import { distanceToLine } from '../geometry/polyline';
 import { midpoint, type Vec } from '../geometry/vec';
 import { type Document, selectedHandles } from './document';
 import { addHandle, freeId, putHandles, selectHandles } from './edits';
+import { MAX_NAME } from './generated/settings';
 import { corners, edges, isClosed, isLine, posedLike, rounded, roundedVec } from './handle';
 import { nameFault, ofOtherSide } from './names';
 import type { Handle, Project } from './project';
@@ -86,5 +87,6 @@ function apart(a: Handle, b: Handle): number {
 /** Returns "right-hand" for "left-hand" if that id is free, or else another free id. */
 function idOpposite(project: Project, { id, kind }: Handle): string {
   const opposite = ofOtherSide(id);
-  return nameFault(project, '', opposite) ? freeId(project, kind === 'point' ? undefined : kind) : opposite;
+  const isRefused = nameFault(project, '', opposite) !== null || [...opposite].length > MAX_NAME;
+  return isRefused ? freeId(project, kind === 'point' ? undefined : kind) : opposite;
 }

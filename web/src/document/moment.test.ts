@@ -44,7 +44,7 @@ describe('a document at a moment', () => {
   const begun = at(withClip, 0.5);
   const dragged = drag(begun, 'a', 3);
 
-  it('makes a key of a pose, and one of the start where the handle had none', () => {
+  it('creates a key of a pose, and one at the start if the handle had none', () => {
     expect(keysOf(dragged, 'a')).toEqual([
       { time: 0, posed: [1, 0], ease: 'smooth' },
       { time: 0.5, posed: [4, 0], ease: 'smooth' },
@@ -77,6 +77,36 @@ describe('a document at a moment', () => {
     ]);
   });
 
+  it('writes no depth that a drag has not changed, and keeps one that a key has', () => {
+    const between: PosesAt = (clip, handles, time) =>
+      lastKey(clip, handles, time).map((pose, k) => (k === 0 ? { ...pose, depth: 0.74 } : pose));
+    const shown = atMoment(dragged, 'wave', 0.25, between);
+    expect(keysOf(drag(shown, 'a', 1), 'a')?.map(({ depth }) => depth)).toEqual([
+      undefined,
+      undefined,
+      undefined,
+    ]);
+    const raised = absorbed(
+      dragged,
+      changeHandles(dragged, ['a'], (handle) => ({ ...handle, depth: 2 })),
+    );
+    expect(keysOf(drag(at(raised, 0.5), 'a', 1), 'a')?.map(({ depth }) => depth)).toEqual([0, 2]);
+  });
+
+  it('gives the key before a risen depth where the handle is free, at any frame', () => {
+    const third = drag(at(dragged, 2 / 3), 'a', 1);
+    const raise = (depth: number, free: number) =>
+      absorbed(
+        third,
+        changeHandles(third, ['a'], (handle) => ({ ...handle, depth })),
+        (_, time) => time === free,
+      );
+    const depths = (document: Document) => keysOf(document, 'a')?.map(({ depth }) => depth);
+    expect(depths(raise(1, 0.5))).toEqual([0, 1, 1]);
+    expect(depths(raise(1, 0))).toEqual([0, undefined, 1]);
+    expect(depths(raise(-1, 0.5))).toEqual([0, undefined, -1]);
+  });
+
   it('adds, renames and removes handles in the file too', () => {
     const added = absorbed(dragged, addHandle(dragged, point('c', 5)));
     expect(fileProject(added).handles.map(({ id }) => id)).toEqual(['a', 'b', 'c']);
@@ -88,7 +118,7 @@ describe('a document at a moment', () => {
     expect(fileProject(removed).handles.map(({ id }) => id)).toEqual(['b', 'c']);
   });
 
-  it('lets a held handle keep its pose while time goes on', () => {
+  it('keeps the pose of a held handle while time passes', () => {
     const held = changeHandles(begun, ['a'], (handle) => moved(handle, [2, 0]));
     expect(x(atMoment(held, 'wave', 0.6, lastKey, ['a']), 'a')).toBe(3);
     expect(x(atMoment(held, 'wave', 0.6, lastKey), 'a')).toBe(1);

@@ -3,7 +3,7 @@ import { newProject, openDocument } from './document';
 import { addHandle } from './edits';
 import { nameOf } from './handle';
 import { mirrorHandles } from './mirror';
-import { nameFault, numberOf, ofOtherSide, renameHandle, tidyName } from './names';
+import { nameFault, nameWords, numberOf, ofOtherSide, renameHandle, tidyName } from './names';
 import type { PointHandle } from './project';
 import { followedHandles, solveKey, withIdsOf } from './solved';
 
@@ -47,6 +47,17 @@ describe('a name', () => {
   it('has a number until somebody gives one', () => {
     const ids = ['handle-12', 'bar-2', 'head', 'left-hand-2', 'Handle 3'];
     expect(ids.map((id) => numberOf(handle(id)))).toEqual(['12', '2', null, null, null]);
+  });
+
+  it('shows signs that are not drawn', () => {
+    expect(nameWords({ id: 'left\u202e-hand\u0007' })).toBe(String.raw`left\u{202e} hand\u{7}`);
+  });
+
+  it('is not mirrored beyond its greatest length', () => {
+    const box = { min: [0, 0], max: [100, 100] } as const;
+    const long = `left ${'x'.repeat(195)}`;
+    const { document } = mirrorHandles(documentOf(handle(long, 10)), box, () => true);
+    expect(document.project.handles.at(-1)?.id).toBe('handle-1');
   });
 
   it('says the side of a handle', () => {

@@ -2,6 +2,7 @@
  * Names of handles. The name of a handle is its id, by which programs and project files refer to it, so a new name is a
  * new id.
  */
+import { shownName } from '../texts/shown_name';
 import { say, type Words } from '../texts/wording';
 import type { Document } from './document';
 import { nameOf } from './handle';
@@ -42,7 +43,7 @@ export const numberOf = ({ id }: Handle): string | null => NUMBERED.exec(id)?.[2
 /** The name of a handle for people: its own, or the kind and the number of one that nobody has named. */
 export function nameWords({ id }: Pick<Handle, 'id'>): Words {
   const [, word, number] = NUMBERED.exec(id) ?? [];
-  if (number === undefined) return nameOf({ id });
+  if (number === undefined) return shownName(nameOf({ id }));
   return say(word === 'bar' ? 'names.bar' : word === 'polygon' ? 'names.polygon' : 'names.point', number);
 }
 

@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import type { Vec } from '../geometry/vec';
 import { newProject, openDocument } from './document';
 import { ringsOf, withFill, withLasso } from './domain';
-import { corners } from './handle';
-import { withPartPolygon } from './part_polygon';
+import { anchor, corners } from './handle';
+import { withPartPolygons } from './part_polygon';
 
 const IMAGE = { src: 'a.png', width: 400, height: 300 };
 
@@ -13,13 +13,13 @@ const circle = (centre: Vec, radius: number, count = 90): readonly Vec[] =>
     return [centre[0] + radius * Math.cos(turn), centre[1] + radius * Math.sin(turn)];
   });
 
-/** The polygon in place of these lassos. */
+/** The polygon that replaces these lassos. */
 const polygonOf = (...rings: readonly (readonly Vec[])[]) => {
   const project = rings.reduce(
     (before, ring) => withLasso(before, ring, false)?.project ?? before,
     withFill({ ...newProject(IMAGE, null), fix_boundary: false }, true),
   );
-  const made = withPartPolygon(openDocument(project));
+  const made = withPartPolygons(openDocument(project));
   if (!made) throw new Error('There is no polygon.');
   const [polygon] = made.project.handles;
   if (!polygon) throw new Error('There is no handle.');
@@ -49,9 +49,11 @@ describe('a polygon in place of a lasso', () => {
     }
   });
 
-  it('takes the largest of several rings', () => {
-    const { outline } = polygonOf(circle([60, 150], 20), circle([250, 150], 80));
-    for (const [x] of outline) expect(x).toBeGreaterThan(160);
+  it('has one for each part of the lasso', () => {
+    const { made } = polygonOf(circle([60, 150], 20), circle([250, 150], 80));
+    expect(made.selection).toEqual(['polygon-1', 'polygon-2']);
+    const middles = made.project.handles.map((handle) => Math.round(anchor(handle)[0] / 10));
+    expect(middles).toEqual([6, 25]);
   });
 
   it('cannot lie along the frame', () => {
@@ -62,12 +64,12 @@ describe('a polygon in place of a lasso', () => {
       [0, 6],
     ];
     const found = withLasso(newProject(IMAGE, null), along, false);
-    expect(found && withPartPolygon(openDocument(found.project))).toBeNull();
+    expect(found && withPartPolygons(openDocument(found.project))).toBeNull();
   });
 
   it('needs a lasso', () => {
     const document = openDocument(newProject(IMAGE, null));
     expect(ringsOf(document.project)).toEqual([]);
-    expect(withPartPolygon(document)).toBeNull();
+    expect(withPartPolygons(document)).toBeNull();
   });
 });

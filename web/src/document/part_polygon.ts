@@ -1,6 +1,7 @@
-/** A part of a picture that turns while the rest bends along: a polygon around it takes the place of a lasso. */
+/** Parts of a picture that turn while the rest bends along: polygons around them take the place of a lasso. */
+import { simpleRing } from '../geometry/enclosed';
 import { simplified } from '../geometry/polyline_simplified';
-import { areaOf, clipped, type Ring, simpleRing } from '../geometry/ring';
+import { areaOf, clipped, islandsOf, type Ring } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import type { Document } from './document';
 import { LEAST_AREA, ringsOf, withoutLasso } from './domain';
@@ -16,21 +17,21 @@ const TOLERANCE = 0.004;
 const FROM_FRAME = 0.02;
 
 /**
- * Replaces the lasso by a selected polygon along its largest ring. All of the picture bends, and its frame is held.
- * Handles stay. Returns null without a lasso, or if it lies along the frame.
+ * Replaces the lasso by selected polygons, one along the outline of each part. All of the picture bends, and its frame
+ * is held. Handles stay. Returns null without a lasso, or if a part lies along the frame.
  */
-export function withPartPolygon(document: Document): Document | null {
+export function withPartPolygons(document: Document): Document | null {
   const { project } = document;
-  const [largest] = [...ringsOf(project)].sort((a, b) => areaOf(b) - areaOf(a));
-  const outline = largest && cornersOf(largest, project);
-  if (!outline) return null;
-  const polygon: Handle = {
-    id: freeId(project, 'polygon'),
-    kind: 'polygon',
-    rest: outline,
-    posed: outline,
-  };
-  return addHandle({ ...document, project: withoutLasso(project, null) }, polygon);
+  const outlines = islandsOf(ringsOf(project)).map((ring) => cornersOf(ring, project));
+  if (outlines.length === 0) return null;
+  let made: Document = { ...document, project: withoutLasso(project, null), selection: [] };
+  for (const outline of outlines) {
+    if (!outline) return null;
+    const id = freeId(made.project, 'polygon');
+    const polygon: Handle = { id, kind: 'polygon', rest: outline, posed: outline };
+    made = { ...addHandle(made, polygon), selection: [...made.selection, id] };
+  }
+  return made;
 }
 
 /** Few corners within the picture. What lies on the held frame could not turn: null if all of the ring does. */

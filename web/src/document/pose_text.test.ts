@@ -42,7 +42,7 @@ describe('the text of a pose', () => {
   });
 
   it.each([
-    [poseText([head]).slice(0, -9), 'its text is not whole'],
+    [poseText([head]).slice(0, -9), 'its text is incomplete'],
     ['{"format": "c2warp-pose/2", "handles": []}', 'format: expected "c2warp-pose/1"'],
     ['{"format": "c2warp-pose/1"}', 'handles: expected a list'],
     ['{"format": "c2warp-pose/1", "handles": []}', 'handles: expected a list'],

@@ -38,7 +38,7 @@ export interface Project extends Omit<ProjectFile, 'handles'> {
   readonly handles: readonly Handle[];
 }
 
-/** Returns the handle with a pose: the rest pose if the file has none. */
+/** Returns the handle with a pose: the rest pose if the file omits it. */
 export const posedHandle = (handle: HandleFile): Handle =>
   ({ ...handle, posed: handle.posed ?? handle.rest }) as Handle;
 

@@ -1,19 +1,24 @@
-/** Writes a project or a pose as text, with one line per key, per handle and per key of a clip: diffs are readable. */
-import type { Handle, Project } from './project';
+/** Writes a project, a pose or keys as text, with one line per key, handle and key of a clip: diffs are readable. */
+import type { Handle, Key, Project } from './project';
 
 export interface Pose {
   readonly format: string;
   readonly handles: readonly Handle[];
 }
 
-export function projectText(project: Project | Pose): string {
+export interface Keys {
+  readonly format: string;
+  readonly keys: readonly (Key & { readonly handle: string })[];
+}
+
+export function projectText(project: Project | Pose | Keys): string {
   const lines = Object.entries(project).map(
     ([key, value]) => `  ${JSON.stringify(key)}: ${valueText(value)}`,
   );
   return `{\n${lines.join(',\n')}\n}\n`;
 }
 
-/** Returns a value with each item of a list in a line of its own. */
+/** Returns a value with each item of a list on its own line. */
 function valueText(value: unknown, indent = 2): string {
   if (!Array.isArray(value) || value.length === 0) return lineText(value, indent);
   const [inside, outside] = [indent + 2, indent].map((spaces) => `\n${' '.repeat(spaces)}`);

@@ -13,7 +13,7 @@ import { withoutLostTracks, withTracksOf } from './tracks';
 /**
  * Returns the handle to revert: among those named and not solved before, the last one to change.
  *
- * Returns `null` if no step changed such a handle alone. A step that replaced the project is undone as a whole.
+ * Returns `null` if no step changed only such a handle. A step that replaced the project is undone as a whole.
  *
  * @param accepted the last solved project. Without it, handles older than the present settings are not reverted: the
  *   settings can be the cause.

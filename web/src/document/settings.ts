@@ -16,7 +16,7 @@ export interface Settings {
   readonly continuity: Continuity;
   readonly density: number;
   readonly blend: Blend;
-  /** Least opacity of what bends; null where the domain does not depend on it. */
+  /** Minimum opacity of the domain; null where the domain does not depend on it. */
   readonly threshold: number | null;
   readonly loose_parts: LooseParts;
 }

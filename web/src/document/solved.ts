@@ -1,7 +1,7 @@
 /**
  * The inputs of a solution, and the application of a newer pose to an older solution.
  *
- * Names of handles change no solution: handles of a kind at the same rest place are the same handle.
+ * Names of handles change no solution: handles of a kind at the same rest position are the same handle.
  *
  * Changes of the pose, the clips, the blend, the edges, the stiffness or the displacement need no new solve. Other
  * settings do, and so do handles that are placed or removed. While a newer solve runs, the picture follows the handles
@@ -36,10 +36,10 @@ export const solvesAlike = (a: Handle, b: Handle): boolean => handleKey(a) === h
 
 const handleKey = (handle: Handle): string => JSON.stringify([handle.id, placeKey(handle)]);
 
-/** The keys of rest places, which poses share: every frame of a drag asks for them. */
+/** The keys of rest positions, which poses share: every frame of a drag asks for them. */
 const placeKeys = new WeakMap<Handle['rest'], string>();
 
-/** Two handles have the same key if and only if they have the same kind and rest place. */
+/** Two handles have the same key if and only if they have the same kind and rest position. */
 export function placeKey({ kind, rest }: Handle): string {
   const key = placeKeys.get(rest) ?? JSON.stringify(rest);
   placeKeys.set(rest, key);
@@ -47,7 +47,7 @@ export function placeKey({ kind, rest }: Handle): string {
 }
 
 /**
- * Replaces the handles of `solved` by those of `current` at the same rest place, or else with the same id, kind and
+ * Replaces the handles of `solved` by those of `current` at the same rest position, or else with the same id, kind and
  * number of corners.
  */
 export function followedHandles(solved: Project, current: Project): readonly Handle[] {

@@ -76,7 +76,7 @@ export function withoutStiffness(project: Project): Project {
 export const stiffnessOf = (handle: Handle): number =>
   handle.kind === 'polygon' ? (handle.stiffness ?? 0) : 0;
 
-/** A polygon with its inside as stiff as a number from 0 to 1 says. Other handles stay as they are. */
+/** A polygon with its inside as stiff as a number from 0 to 1 says. Other handles do not change. */
 export function stiffened(handle: Handle, stiffness: number): Handle {
   if (handle.kind !== 'polygon') return handle;
   const { stiffness: _, ...soft } = handle;

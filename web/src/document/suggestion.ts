@@ -8,7 +8,7 @@ import type { PointHandle, Project } from './project';
 
 /** Point handles beside those of a project. */
 export interface Suggestion {
-  /** From top to bottom. Their ids tell where they lie. */
+  /** From top to bottom. Their ids contain their position. */
   readonly handles: readonly { readonly id: string; readonly rest: Vec }[];
   /** Whether they follow an outline. Otherwise they are in even rows. */
   readonly outlined: boolean;
@@ -26,7 +26,7 @@ export function withSuggested(
 ): Document {
   let { project } = document;
   for (const { id, rest } of handles) {
-    // A handle may have been renamed since the suggestion was asked for.
+    // A handle may have been renamed since the suggestion was requested.
     const free = nameFault(project, '', id) === null ? id : freeId(project);
     project = { ...project, handles: [...project.handles, { ...handleAt(project, rest), id: free }] };
   }

@@ -13,7 +13,7 @@ import type { Clip, Handle, Key } from './project';
 /** The allowed error: image pixels, degrees, and parts of the size. */
 const ALLOWED = { pixels: 1, degrees: 1, scale: 0.01 } as const;
 
-/** A handle as it was posed at a time. */
+/** A handle with its pose at a time. */
 export interface PosedSample {
   readonly time: number;
   readonly handle: Handle;
@@ -66,7 +66,7 @@ function dropped(motion: Motion, indices: readonly number[]): readonly number[] 
   return chosen;
 }
 
-/** How far the samples between two of the chosen keys are off. A way depends on the keys next to it alone. */
+/** How far the samples between two of the chosen keys are off. A way depends only on its adjacent keys. */
 function errorsBetween(
   { samples, keys, posesAt }: Motion,
   chosen: readonly number[],

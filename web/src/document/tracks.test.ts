@@ -47,7 +47,7 @@ describe('a track', () => {
     expect(tracks(removeCorner(longer, 'arm', 1) as typeof document)).toEqual(clip.tracks);
   });
 
-  it('is the one of before where its handle is reverted', () => {
+  it('is the previous one if its handle is reverted', () => {
     const longer = addCorner(document, 'arm', { edge: 0, fraction: 0.5 });
     const [handle] = longer.project.handles;
     if (!handle) throw new Error('no handle');

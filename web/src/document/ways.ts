@@ -18,7 +18,7 @@ export interface FollowedPoses {
   apply(poses: Float64Array): Project;
 }
 
-/** A path on which each handle moves by itself. */
+/** A path on which each handle moves independently. */
 export interface HandleWay {
   readonly from: Float64Array;
   readonly to: Float64Array;
@@ -58,7 +58,7 @@ export function handleWay(solved: Project, from: Project, to: Project, turns: Tu
   const starts = ends.map(counterparts(from));
   const turning = (end: Handle, k: number) => {
     const start = starts[k] ?? end;
-    return [rotationOf(start, turns), rotationOf(end, turns), typeof end.rotation === 'number' ? 1 : 0];
+    return [rotationOf(start, turns), rotationOf(end, turns), end.rotation === 'auto' ? 0 : 1];
   };
   return {
     from: handlePoses(starts.map((start, k) => start ?? (ends[k] as Handle))),

@@ -60,7 +60,7 @@ describe('the name in an address', () => {
     expect(nameIn('data:image/png;base64,AAAA')).toBe('picture');
   });
 
-  it('tells projects', () => {
+  it('recognises projects', () => {
     expect(namesProject('https://a.org/cat.c2warp.json?v=2')).toBe(true);
     expect(namesProject('https://a.org/cat.png?pose.json')).toBe(false);
   });

@@ -3,7 +3,7 @@
 /** Addresses in attributes are escaped. */
 const ENTITIES: Readonly<Record<string, string>> = { amp: '&', lt: '<', gt: '>', quot: '"', '#39': "'" };
 
-/** The one address that a text consists of; null if it is none that leads to a file. */
+/** The one address that a text consists of; null if it cannot lead to a file. */
 export function addressIn(text: string): string | null {
   const address = text.trim();
   return /^(https?:\/\/[^\s/]\S*|data:image\/\S+)$/i.test(address) ? address : null;

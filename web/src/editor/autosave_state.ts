@@ -9,7 +9,7 @@ export interface AutosaveState {
   /** Identifies the last stored step. */
   readonly step: string;
   /** Other tabs have not heard of the last step yet. */
-  readonly untold: boolean;
+  readonly unannounced: boolean;
   /** Another tab was the last to store a step, and the person knows. */
   readonly overwritten: boolean;
   /** The newest state is being stored. */

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { canRun, reasonAgainst } from './can_run';
 import type { CommandName } from './commands';
+import { inEnglish } from './english';
 import { FakeRuntime, PAGE } from './fake_runtime';
-import { inEnglish } from './told';
 
 describe('why a command cannot run', () => {
   const runtime = new FakeRuntime();
@@ -11,13 +11,13 @@ describe('why a command cannot run', () => {
   it('is a picture, a handle or a selection that is missing', () => {
     expect([reason('save'), reason('undo')]).toEqual(['Open a picture first', 'Open a picture first']);
     runtime.open();
-    expect(reason('copy')).toBe('There is no handle yet');
-    expect(reason('undo')).toBe('There is nothing to undo');
+    expect(reason('copy')).toBe('Add a handle first');
+    expect(reason('undo')).toBe('Nothing to undo');
     runtime.dispatch({
       type: 'handle-added',
       handle: { id: 'a', kind: 'point', rest: [9, 9], posed: [9, 9] },
     });
-    expect(reason('reset')).toBe('At rest already');
+    expect(reason('reset')).toBe('Already in the rest position');
     runtime.dispatch({ type: 'selection-set', ids: [] });
     expect([reason('reset'), reason('remove')]).toEqual(['Select a handle first', 'Select a handle first']);
     expect([reason('add-corner'), reason('add-point')]).toEqual([
@@ -29,7 +29,7 @@ describe('why a command cannot run', () => {
   it('is null for a command that can run, and the page for all others', () => {
     expect([reason('fit'), reason('copy'), canRun(runtime.state, 'copy')]).toEqual([null, null, true]);
     runtime.dispatch({ type: 'page-changed', page: { ...PAGE, readonly: true } });
-    expect(reason('copy')).toBe('This picture is for viewing only');
+    expect(reason('copy')).toBe('This picture is view-only');
     runtime.dispatch({ type: 'page-changed', page: { ...PAGE, disabled: true } });
     expect(reason('fit')).toBe('The editor is disabled');
   });

@@ -9,6 +9,7 @@ import { say, type Wording } from '../texts/wording';
 import { draftOf, hasTakenCorners } from '../tools/machine';
 import type { CommandName } from './commands';
 import { type Feature, hasFeature } from './features';
+import { holdsKeys } from './keys_in_hand';
 import { openClip } from './open_clip';
 import { isOpaque } from './picture';
 import { ringCornerInHand } from './ring_corner';
@@ -79,6 +80,11 @@ const unlessSelected = (differs: (handle: Handle) => boolean, otherwise: Wording
 
 const unlessAnySelected = unlessSelected(() => true, say('reasons.noneSelected'));
 
+const unlessClipOpen: Reason = (state) => (openClip(state) ? null : say('reasons.noClipOpen'));
+const unlessKeysSelected = either(unlessChangeable, (state) =>
+  holdsKeys(state) ? null : say('notices.noKeysSelected'),
+);
+
 /** The bar or polygon whose corners the menu, the focus or the selection means. */
 function lineInHand(state: EditorState) {
   const document = documentOf(state);
@@ -106,7 +112,15 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   brush: unlessChangeable,
   lens: unlessOpen,
   timeline: either(unlessOpen, unlessChangeable),
-  play: (state) => (openClip(state) ? null : say('reasons.noClipOpen')),
+  play: unlessClipOpen,
+  'copy-keys': unlessKeysSelected,
+  'cut-keys': unlessKeysSelected,
+  'mirror-keys': unlessKeysSelected,
+  'remove-keys': unlessKeysSelected,
+  'select-all-keys': unlessClipOpen,
+  'paste-keys': either(unlessChangeable, unlessClipOpen, ({ timeline }) =>
+    timeline.copied.length > 0 ? null : say('notices.noCopiedKeys'),
+  ),
   'set-key': either(
     (state) => (state.timeline.open ? null : say('reasons.noClipOpen')),
     unlessSelected(() => true, say('reasons.noneSelected')),

@@ -18,6 +18,12 @@ export const COMMANDS = {
   timeline: ['T'],
   play: ['K'],
   'set-key': ['S'],
+  'copy-keys': ['Mod+C'],
+  'cut-keys': ['Mod+X'],
+  'paste-keys': ['Mod+V'],
+  'mirror-keys': ['M'],
+  'remove-keys': ['Delete', 'Backspace'],
+  'select-all-keys': ['Mod+A'],
   open: ['Mod+O'],
   save: ['Mod+S'],
   'save-whole': ['Mod+Shift+S'],
@@ -82,13 +88,39 @@ const WHILE_POSABLE: readonly CommandName[] = [
 const OF_BRUSH: readonly CommandName[] = ['brush-erase', 'brush-smaller', 'brush-larger'];
 const OF_DEPTH: readonly CommandName[] = ['forward', 'backward'];
 
-const WHILE_BRUSHING = NAMES.filter((name) => !OF_DEPTH.includes(name));
-const OTHERWISE = NAMES.filter((name) => !OF_BRUSH.includes(name));
+/** The commands of the selected keys of a clip. They share the keys of the keyboard with those of handles. */
+const OF_KEYS: readonly CommandName[] = [
+  'copy-keys',
+  'cut-keys',
+  'paste-keys',
+  'mirror-keys',
+  'remove-keys',
+  'select-all-keys',
+];
+const OF_HANDLES: readonly CommandName[] = ['copy', 'paste', 'mirror', 'remove', 'select-all'];
 
-/** The available commands: none for a picture that plays and is readonly, because it acts as a plain image. */
-export function commandsFor(posable: boolean, readonly: boolean, tool: ToolName): readonly CommandName[] {
+const commandsWithout = (...others: readonly (readonly CommandName[])[]): readonly CommandName[] =>
+  NAMES.filter((name) => !others.flat().includes(name));
+
+const USUAL = commandsWithout(OF_BRUSH, OF_KEYS);
+const WITH_KEYS = commandsWithout(OF_BRUSH, OF_HANDLES);
+const WHILE_BRUSHING = commandsWithout(OF_DEPTH, OF_KEYS);
+const WHILE_BRUSHING_WITH_KEYS = commandsWithout(OF_DEPTH, OF_HANDLES);
+
+/**
+ * The available commands: none for a picture that plays and is readonly, because it acts as a plain image.
+ *
+ * @param keys whether keyboard commands apply to keys of a clip.
+ */
+export function commandsFor(
+  posable: boolean,
+  readonly: boolean,
+  tool: ToolName,
+  keys: boolean,
+): readonly CommandName[] {
   if (posable) return readonly ? [] : WHILE_POSABLE;
-  return tool === 'brush' ? WHILE_BRUSHING : OTHERWISE;
+  if (tool === 'brush') return keys ? WHILE_BRUSHING_WITH_KEYS : WHILE_BRUSHING;
+  return keys ? WITH_KEYS : USUAL;
 }
 
 /** Characters that some keyboards type only with Alt, or with Ctrl and Alt. */
@@ -99,10 +131,7 @@ const LETTER_PLACE = /^Key([A-Z])$/;
  * The one of these commands that a key runs, or null. Shift counts only together with Mod, since "+" may need Shift to
  * be typed. A letter of another script counts as the Latin letter of the same key.
  */
-export function commandOfKey(
-  event: KeyPress,
-  commands: readonly CommandName[] = OTHERWISE,
-): CommandName | null {
+export function commandOfKey(event: KeyPress, commands: readonly CommandName[] = USUAL): CommandName | null {
   const types = event.altKey && SIGNS.includes(event.key);
   if (event.altKey && !types) return null;
   const mod = (event.ctrlKey || event.metaKey) && !types;

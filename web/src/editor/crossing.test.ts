@@ -81,6 +81,13 @@ describe('depths in front', () => {
     expect(depths(project, 'c')).toEqual({ c: 4 });
   });
 
+  it('are whole where others have fractions', () => {
+    const project = projectOf(point('a', 0, 0.74), point('b', 0, 0.296), point('c', 0, 2.22));
+    expect(depths(project, 'a')).toEqual({ a: 3 });
+    expect(depths(project, 'a', 'b')).toEqual({ a: 4, b: 3 });
+    expect(depths(project, 'c')).toEqual({ c: 2.22 });
+  });
+
   it('move the others back where the front is taken', () => {
     const project = projectOf(point('a', 0, -3), point('b', 0, 10), point('c', 0, 4), point('d', 0, 10));
     expect(depths(project, 'a')).toEqual({ a: 10, b: 9, c: 8, d: 9 });

@@ -2,7 +2,7 @@
  * Limbs that cross: what is dragged comes to the front of the parts that it crosses.
  *
  * That is decided once per drag, and dropped where the drag ends without a crossing. A drag that starts behind another
- * part stays there, since a person or a file has put it there.
+ * part stays there, since a person or a file placed it there.
  */
 import type { Document } from '../document/document';
 import { changeHandles } from '../document/edits';
@@ -63,20 +63,28 @@ export function withNeededDepths(
 }
 
 /**
- * The depths that bring the selected handles in front of all others, and keep the order of both. Others change only
- * where no depth is left in front of them.
+ * The whole depths that bring the selected handles in front of all others, and keep the order of both. Others change
+ * only where no depth is left in front of them.
  */
 export function frontDepths({ handles }: Project, selection: readonly string[]): ReadonlyMap<string, number> {
   const selected = handles.filter(({ id }) => selection.includes(id));
   const others = handles.filter(({ id }) => !selection.includes(id));
   const most = Math.max(...others.map(depthOf));
-  const least = Math.min(...selected.map(depthOf));
-  const by = Math.max(0, most + 1 - least);
-  const raised = new Map(selected.map((handle) => [handle.id, depthOf(handle) + by]));
+  const steps = stepsOf(selected.map(depthOf));
+  const isFront = (steps[0] ?? 0) > most;
+  const raised = new Map(
+    selected.map((handle) => {
+      const depth = depthOf(handle);
+      return [handle.id, isFront ? depth : Math.floor(most) + 1 + steps.indexOf(depth)] as const;
+    }),
+  );
   if (others.length === 0 || Math.max(...raised.values()) <= DEPTHS.most) return raised;
   const all = new Map([...others.map((handle) => [handle.id, depthOf(handle)] as const), ...raised]);
-  const steps = [...new Set(all.values())].sort((a, b) => a - b);
+  const packed = stepsOf([...all.values()]);
   return new Map(
-    [...all].map(([id, depth]) => [id, DEPTHS.most - (steps.length - 1 - steps.indexOf(depth))]),
+    [...all].map(([id, depth]) => [id, DEPTHS.most - (packed.length - 1 - packed.indexOf(depth))]),
   );
 }
+
+/** Different depths in ascending order. */
+const stepsOf = (depths: readonly number[]): readonly number[] => [...new Set(depths)].sort((a, b) => a - b);

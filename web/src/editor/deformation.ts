@@ -22,7 +22,7 @@ export interface SiteGraph {
   readonly handles: Int32Array;
   /** Edges × 2: sites whose cells touch. */
   readonly edges: Uint32Array;
-  /** Sites × 2: posed places. */
+  /** Sites × 2: posed positions. */
   readonly places: Float32Array;
 }
 
@@ -126,6 +126,6 @@ export interface Deformation {
   restOutline(): Float32Array;
   /** The axes of symmetry of the bending part at rest. */
   symmetry(): Symmetry;
-  /** Whether a point of the original is part of what bends. */
+  /** Whether a point of the original is in the domain. */
   bends(rest: Vec): boolean;
 }

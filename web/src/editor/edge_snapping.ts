@@ -23,9 +23,10 @@ export function traceOf(state: EditorState): ToolContext['trace'] {
     onEnd(y, picture.height, values.step),
   ];
   const reach = (pointer.coarse ? REACH.coarse : REACH.fine) / view.camera.scale;
-  return (from, to, precise = false) => {
-    const end = edgeNear(values, to, reach);
-    const way = from ? (precise ? finePath : edgePath)(values, from, end) : [end];
+  return (outline, to, precise = false) => {
+    const closes = to === outline[0];
+    const end = closes ? to : edgeNear(values, to, reach, outline);
+    const way = outline.length > 0 ? (precise ? finePath : edgePath)(values, outline, end) : [end];
     return way.map(onFrame);
   };
 }

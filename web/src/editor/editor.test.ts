@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { isSameWork } from '../document/document';
 import { timeline, undoLabel } from '../document/history';
 import { en } from '../texts/en';
+import { inEnglish } from './english';
 import { editedAtRandom, settle } from './random_edits';
 import { documentOf } from './state';
-import { inEnglish } from './told';
 import { viewModel } from './view_model';
 
 describe('10,000 random sequences of events', () => {

@@ -1,5 +1,6 @@
 /** What the runtime does for the editor: everything that takes time or touches the page. */
 
+import type { KeyRef } from '../document/clip_keys';
 import type { RingCorner } from '../document/lasso_corners';
 import type { MapFile } from '../document/map_file';
 import type { Clip, Project, ProjectFile } from '../document/project';
@@ -18,15 +19,17 @@ import type { FigureName } from './study_state';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
 
-/** An element to focus: a handle, one of its corners, a corner of the selection's outline, or the stage. */
+/** An element to focus: a handle, one of its corners, a corner of the selection's outline, a key, or the stage. */
 export interface FocusTarget {
   readonly handle: string | null;
   readonly corner: number | null;
   /** A corner of the selection's outline. */
   readonly ring?: RingCorner;
+  /** A key of the timeline. */
+  readonly key?: KeyRef;
 }
 
-/** Controls that the editor focuses by itself. */
+/** Controls that the editor focuses automatically. */
 export type ControlName = 'name' | 'clip-name' | 'timeline' | 'overlays' | 'overlay-button' | 'code';
 
 /** Who had a picture opened: the page, a person, or the editor itself, which brings earlier work back. */
@@ -85,7 +88,7 @@ export type EditorEffect =
   /** Another event that follows at once. `update` reduces it; the runtime never sees it. */
   | { readonly type: 'follow-up'; readonly event: EditorEvent }
   | { readonly type: 'notify-page'; readonly notification: PageNotification }
-  /** Sets the solver's picture; null when none is open. */
+  /** Sets the solver's picture; null if no picture is open. */
   | { readonly type: 'use-picture'; readonly picture: Picture | null }
   /** Answered by `luminance-read`. */
   | { readonly type: 'read-luminance'; readonly picture: Picture }
@@ -107,13 +110,15 @@ export type EditorEffect =
   | {
       readonly type: 'read';
       readonly id: number;
-      /** An address, which tells the name too, or files: the first that is a picture is read. Empty for no picture. */
+      /** An address, which includes the name, or files: the first picture is read. Empty for no picture. */
       readonly pictures: readonly (string | NamedFile)[];
       readonly project: ProjectSource | null;
       /** Whether a project in the picture is read too. */
       readonly inside: boolean;
     }
   | { readonly type: 'abandon-read'; readonly id: number }
+  /** The picture of the attributes cannot be opened, or a person has opened another one first. */
+  | { readonly type: 'source-failed'; readonly error: Error | 'superseded' }
   /** Settles the promise of a `load()`; `error` null resolves it, 'superseded' rejects it with an AbortError. */
   | { readonly type: 'settle-load'; readonly reply: number; readonly error: Error | 'superseded' | null }
   /** Checks a project of the page and adopts it, then selects handles. */
@@ -195,7 +200,8 @@ export type EditorEffect =
   | { readonly type: 'cancel-export' }
   /** Loads the encoder and the part of the solver that draws, while the person looks at the picture. */
   | { readonly type: 'prepare-export' }
-  | { readonly type: 'copy-pose' | 'paste-pose' }
+  | { readonly type: 'copy'; readonly text: string }
+  | { readonly type: 'paste' }
   | { readonly type: 'use-storage'; readonly key: string | null }
   | { readonly type: 'read-storage' }
   | {
@@ -206,7 +212,7 @@ export type EditorEffect =
       /** Whether the work has changed by more than a selection. Otherwise another tab's newer work stays. */
       readonly changed: boolean;
     }
-  | { readonly type: 'tell-tabs' }
+  | { readonly type: 'notify-tabs' }
   | { readonly type: 'focus'; readonly target: FocusTarget }
   /** Focuses a control by its `data-control`, once it is rendered. Selects the text of a field. */
   | { readonly type: 'focus-control'; readonly control: ControlName }
@@ -219,7 +225,7 @@ export type EditorEffect =
   | { readonly type: 'set-theme'; readonly theme: 'light' | 'dark' }
   /** Answered by `input-released`, once the page shows the state. */
   | { readonly type: 'release-input' }
-  /** Frames of the screen pass, each told by `clock-ticked`; or no more. */
+  /** Frames of the screen pass, each reported by `clock-ticked`; or no more. */
   | { readonly type: 'run-clock'; readonly on: boolean }
   | { readonly type: 'start-timer'; readonly timer: Timer; readonly ms: number }
   | { readonly type: 'stop-timer'; readonly timer: Timer };

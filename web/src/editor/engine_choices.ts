@@ -1,6 +1,7 @@
 /** How a person exports rigs for game engines: kept for the next one, and stored with the work. */
 
 import type { EngineFormat } from '../document/engine_rig';
+import type { Project } from '../document/project';
 import { stem } from './picture';
 
 export interface EngineChoices {
@@ -41,6 +42,14 @@ export const engineFile = (picture: string, format: EngineFormat): string => {
   const { extension } = ENGINE_FORMATS[format];
   return extension ? `${stem(picture)}.${extension}` : `${stem(picture)}-${format}.zip`;
 };
+
+/** The fewest bones of a project: each handle has one. */
+export const leastBones = ({ handles }: Project): number =>
+  Math.min(Math.max(BONES.least, handles.length), BONES.most);
+
+/** The most bones besides the root, in a project. */
+export const bonesOf = ({ bones }: EngineChoices, project: Project): number =>
+  Math.max(bones, leastBones(project));
 
 /** The most bones that move a vertex, in a format. */
 export const influencesOf = ({ format, influences }: EngineChoices): number =>

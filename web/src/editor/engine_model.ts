@@ -3,12 +3,22 @@
 import { clipsOf } from '../document/clips';
 import type { EngineLoss } from '../document/engine_rig';
 import { say, type Wording } from '../texts/wording';
-import { ENGINE_FORMATS, type EngineChoices, engineFile, INFLUENCES, influencesOf } from './engine_choices';
+import {
+  bonesOf,
+  ENGINE_FORMATS,
+  type EngineChoices,
+  engineFile,
+  INFLUENCES,
+  influencesOf,
+  leastBones,
+} from './engine_choices';
 import { type EngineLossRow, lossRows } from './engine_words';
 import { type EditorState, filedProject } from './state';
 
 export interface EngineModel {
   readonly choices: EngineChoices;
+  /** As the project takes them. */
+  readonly bones: { readonly now: number; readonly least: number };
   /** As the format takes them. */
   readonly influences: { readonly now: number; readonly most: number };
   /** Clips that become animations. */
@@ -34,6 +44,7 @@ export function engineModel(state: EditorState): EngineModel {
   const isCurrent = measured?.project === project && measured.choices === choices;
   return {
     choices,
+    bones: { now: bonesOf(choices, project), least: leastBones(project) },
     influences: {
       now: influencesOf(choices),
       most: choices.format === 'godot' ? INFLUENCES.mostOfGodot : INFLUENCES.most,

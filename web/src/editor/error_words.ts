@@ -1,6 +1,6 @@
 /**
  * Errors for people. An error of the editor has its wording. A refusal of the solver has one by its code, since the
- * solver's own words name keys of project files. Anything else is told in its own words, which are English.
+ * solver's own words name keys of project files. Other errors are shown with their own English message.
  */
 import { nameWords } from '../document/names';
 import { C2WarpError, codeOf, handlesOf, type SolverErrorCode, TOO_MUCH, wordingOf } from '../error';

@@ -22,6 +22,7 @@ import type { Blend } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { Wording, Words } from '../texts/wording';
 import type { ToolName } from '../tools/machine';
+import type { Draft } from '../tools/state';
 import type { BrushState } from './brush_state';
 import type { CommandName, PreviewCommand } from './commands';
 import type { Corner } from './corner';
@@ -114,7 +115,7 @@ type ControlEvent =
   | { readonly type: 'edges-switched'; readonly on: boolean }
   | { readonly type: 'fill-switched'; readonly on: boolean }
   | { readonly type: 'feather-set'; readonly change: NumberChange }
-  /** The control of the least opacity has the focus, or has lost it. */
+  /** The control of the minimum opacity has the focus, or has lost it. */
   | { readonly type: 'outline-shown'; readonly on: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }
   | { readonly type: 'crease-zoomed' }
@@ -183,7 +184,8 @@ type ClipEvent =
   | { readonly type: 'keys-drag-cancelled' }
   | { readonly type: 'keys-stepped'; readonly frames: number }
   | { readonly type: 'keys-eased'; readonly ease: Ease }
-  | { readonly type: 'keys-removed' | 'keys-copied' | 'keys-pasted' | 'keys-mirrored' };
+  /** From the last of the selected keys to the one beside it. `extends`: the others stay selected. */
+  | { readonly type: 'keys-walked'; readonly by: Vec; readonly extends: boolean };
 
 /** Null if it cannot be read. */
 type LuminanceEvent = {
@@ -194,13 +196,15 @@ type LuminanceEvent = {
 
 /** What a tool did with a press, when more than the document is concerned. */
 type ToolEvent =
+  /** A drawing that has ended without a result. */
+  | { readonly type: 'drawing-continued'; readonly draft: Draft }
   | { readonly type: 'placement-missed'; readonly at: Vec }
   /** The selection is to include a place of the original. */
   | { readonly type: 'selection-extended'; readonly at: Vec }
   | { readonly type: 'lasso-drawn'; readonly ring: readonly Vec[]; readonly hole: boolean };
 
 type FocusEvent =
-  | { readonly type: 'stage-focused' | 'field-focused' | 'control-focused' | 'focus-lost' }
+  | { readonly type: 'stage-focused' | 'field-focused' | 'control-focused' | 'key-focused' | 'focus-lost' }
   | { readonly type: 'handle-focused'; readonly id: string }
   | { readonly type: 'corner-focused'; readonly corner: Corner }
   /** A corner of the selection's outline. */
@@ -218,20 +222,29 @@ type NoticeEvent =
   | { readonly type: 'timer-elapsed'; readonly timer: Timer };
 
 type ClipboardEvent =
-  | { readonly type: 'pose-copied' }
-  | { readonly type: 'text-pasted'; readonly text: string };
+  /** The browser copied the selection. */
+  { readonly type: 'selection-copied' } | { readonly type: 'text-pasted'; readonly text: string };
 
 type FileEvent =
   | { readonly type: 'files-received'; readonly files: readonly NamedFile[] }
   /** A person gives an address of a picture or a project, by typing, pasting or dropping it. */
   | { readonly type: 'address-given'; readonly text: string }
   | { readonly type: 'sample-chosen'; readonly sample: Sample }
+  /**
+   * A link or another program brings something, which anybody can send: it opens at once only if no picture is open.
+   * `names`: of the files.
+   */
+  | {
+      readonly type: 'offered';
+      readonly names: readonly string[];
+      readonly opening: Extract<EditorEvent, { type: 'files-received' | 'sample-chosen' }>;
+    }
   | {
       readonly type: 'load-asked';
       readonly reply: number;
       readonly source: string | NamedFile;
       readonly project: string | ProjectFile | null;
-      /** The person is told of a failure. */
+      /** A failure is shown to the user. */
       readonly notice: boolean;
     }
   /** The page no longer wants the picture of this request. */
@@ -294,7 +307,7 @@ type FileEvent =
   /** The browser's codecs for films of the last asked size. */
   | { readonly type: 'codecs-found'; readonly codecs: VideoCodecs }
   | { readonly type: 'engine-choice-made'; readonly choice: Partial<EngineChoices> }
-  /** A rig for an engine was made of these, with a loss. It is still to be saved. */
+  /** A rig for an engine was made from these, with a loss. It is still to be saved. */
   | {
       readonly type: 'engine-rig-measured';
       readonly project: Project;
@@ -304,7 +317,7 @@ type FileEvent =
   | { readonly type: 'map-choice-made'; readonly choice: Partial<MapChoices> }
   /** Whether readers of the exported rig may pose the handles. */
   | { readonly type: 'posable-chosen'; readonly posable: boolean }
-  /** The code that shows the exported rig is asked for. */
+  /** The code that shows the exported rig is requested. */
   | { readonly type: 'code-asked' }
   /** `copied`: whether the browser took it to the clipboard. */
   | { readonly type: 'code-copied'; readonly copied: boolean };
@@ -315,8 +328,8 @@ type StorageEvent =
       readonly type: 'storage-read';
       readonly stored: { readonly work: WorkSnapshot; readonly recent: readonly WorkSnapshot[] } | null;
     }
-  /** `newest`: no newer state waits to be stored. */
-  | { readonly type: 'work-stored'; readonly stored: boolean; readonly newest: boolean }
+  /** `stored`: `newer` if the storage holds work of a newer version. `newest`: no newer state waits to be stored. */
+  | { readonly type: 'work-stored'; readonly stored: boolean | 'newer'; readonly newest: boolean }
   | { readonly type: 'other-tab-stored' };
 
 type SolverEvent =

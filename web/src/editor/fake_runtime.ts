@@ -21,7 +21,7 @@ import type { Clip, Handle, Project } from '../document/project';
 import type { Crease } from '../geometry/crease';
 import { distanceToLine } from '../geometry/polyline';
 import { isInsideOf } from '../geometry/ring';
-import { add, lerp, subtract, type Vec } from '../geometry/vec';
+import { add, distance, lerp, subtract, type Vec } from '../geometry/vec';
 import type { Deformation, GroupWay, LimitedPose } from './deformation';
 import type { EditorEffect } from './effects';
 import type { EditorEvent } from './events';
@@ -98,11 +98,12 @@ class PlaneDeformation implements Deformation {
         lerp(from?.[k] ?? corner, to?.[k] ?? corner, fraction),
       );
       const rotation = before?.rotation ?? handle.rotation ?? 0;
+      const deep = keys.filter((key) => key.depth !== undefined);
       return {
         posed,
         rotation: rotation === 'auto' ? Number.NaN : rotation,
         scale: before?.scale ?? scaleOf(handle),
-        depth: before?.depth ?? depthOf(handle),
+        depth: (deep.findLast((key) => key.time <= time) ?? deep[0])?.depth ?? depthOf(handle),
       };
     });
   }
@@ -140,8 +141,15 @@ class PlaneDeformation implements Deformation {
     return new Map();
   }
 
-  lead(): number {
-    return 1;
+  /** Handles at nearly the same place cross. */
+  lead({ handles }: Project, ids: readonly string[]): number {
+    const pairs = handles.flatMap((one) =>
+      handles
+        .filter(({ id }) => ids.includes(one.id) && !ids.includes(id))
+        .filter((other) => distance(anchor(one), anchor(other)) < 10)
+        .map((other) => depthOf(one) - depthOf(other)),
+    );
+    return Math.min(1, ...pairs);
   }
 
   creases({ handles }: Project): readonly Crease[] {

@@ -6,7 +6,7 @@ export type Feature = (typeof FEATURES)[number];
 export const featuresOf = (attribute: string | null): readonly Feature[] | null =>
   attribute === null ? null : FEATURES.filter((feature) => wordsOf(attribute).includes(feature));
 
-/** The words of an attribute that are no features. */
+/** The words of an attribute that do not name a feature. */
 export const unknownFeatures = (attribute: string | null): readonly string[] =>
   wordsOf(attribute ?? '').filter((word) => !(FEATURES as readonly string[]).includes(word));
 

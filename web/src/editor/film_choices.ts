@@ -9,7 +9,7 @@ export type FilmFormat = 'webm' | 'mp4' | 'gif' | 'apng' | 'webp' | 'frames' | '
 export type Range = readonly [from: number, to: number];
 
 export interface FilmChoices {
-  /** The name of the clip; null for the one of the timeline, or else the first. */
+  /** The name of the clip; null for that of the timeline, or else the first. */
   readonly clip: string | null;
   /** Null for the best one that the browser can encode. */
   readonly format: FilmFormat | null;

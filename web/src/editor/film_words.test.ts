@@ -1,8 +1,8 @@
 import { expect, it } from 'vitest';
+import { inEnglish } from './english';
 import { roughSize, roughTime, timeLeft } from './film_words';
-import { inEnglish } from './told';
 
-it('sizes and times are told roughly', () => {
+it('sizes and times are approximate', () => {
   expect([300, 4_400, 999_000, 3_400_000, 74_000_000].map(roughSize)).toEqual([
     '1 kB',
     '4 kB',

@@ -3,7 +3,7 @@ import type { Corner } from './corner';
 
 /** The focus inside the editor. */
 export interface Focus {
-  readonly on: 'nothing' | 'stage' | 'handle' | 'corner' | 'ring' | 'field' | 'control';
+  readonly on: 'nothing' | 'stage' | 'handle' | 'corner' | 'ring' | 'key' | 'field' | 'control';
   /** The handle of a focused handle or corner. */
   readonly handle: string | null;
   /** The last focused corner, until a handle or the stage has the focus. The panel's corner fields edit it. */

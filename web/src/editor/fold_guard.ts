@@ -15,7 +15,7 @@ export interface FoldGuard {
   readonly allowed: number | null;
   /** Whether the last change was limited. */
   readonly holding: boolean;
-  /** The project that was asked for when a change was last limited. Stays after a drag, so that its mark fades. */
+  /** The project that was requested when a change was last limited. Stays after a drag, so that its mark fades. */
   readonly asked: Project | null;
   /** How far a group transform of this drag has gone. */
   readonly reached: GroupTransform | null;
@@ -54,7 +54,7 @@ export function guarded(
 ): Guarded {
   const { document, transform = null, stopped = false } = wanted;
   if (!guard.on) return { document, guard };
-  // The brush leaves handles as they are, and has a guard of its own.
+  // The brush does not move handles, and has its own guard.
   const { handles } = document.project;
   const stays = handles.every((handle, k) => handle === present.project.handles[k]);
   if (stays && handles.length === present.project.handles.length)

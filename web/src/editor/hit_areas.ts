@@ -73,13 +73,13 @@ export function contextWithoutHandles(state: EditorState): ToolContext {
   return { ...context, grips: { ...context.grips, handle: -1, line: -1, band: -1 } };
 }
 
-/** The turns of automatic handles; none before the first solution. */
+/** The turns of automatic handles; empty before the first solution. */
 export const turnsOf = (state: EditorState): Turns =>
   state.solution.shown?.deformation.turns(projectOf(state)) ?? NO_TURNS;
 
 const NO_TURNS: Turns = new Map();
 
-/** The corners of handles that lie behind another part; none before the first solution. */
+/** The corners of handles that lie behind another part; empty before the first solution. */
 export const hiddenOf = (state: EditorState): HiddenCorners =>
   state.solution.shown?.deformation.hidden(projectOf(state)) ?? NOTHING_HIDDEN;
 

@@ -13,7 +13,7 @@ const free = (width: number, height: number, cards: Pick<Cards, 'coarse' | 'shee
   return { width: width - left - right, height: height - bars - top - bottom };
 };
 
-describe('what the cards leave free', () => {
+describe('the space between the cards', () => {
   it('is most of the stage, however small the element', () => {
     for (const coarse of [false, true])
       for (const sheet of ['none', 'line'] as const)
@@ -38,7 +38,7 @@ describe('what the cards leave free', () => {
     // 800 px high, with 226 px of timeline: the tools have one column.
     expect(beside(800 - 82 - 226, true)).toBe(beside(800 - 82, false));
     expect(beside(600 - 82 - 226, true)).toBe(134);
-    expect(beside(480 - 82 - 201, true)).toBe(182);
+    expect(beside(480 - 82 - 201, true)).toBe(198);
     const phone = (height: number, timeline: boolean) =>
       insetsOf({ stage: { width: 320, height }, coarse: true, sheet: 'none', timeline, bare: null }).bottom;
     expect(phone(640 - 98 - 268, true)).toBe(phone(640 - 98, false));

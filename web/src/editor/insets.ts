@@ -27,7 +27,7 @@ export interface Cards {
   readonly coarse: boolean;
   /** The panel, if the layout shows it as a sheet. */
   readonly sheet: Sheet;
-  /** The study card is open, in place of the panel. */
+  /** The study card is open instead of the panel. */
   readonly study?: StudyPage | null;
   /** The timeline is open, below the stage. */
   readonly timeline?: boolean;
@@ -78,10 +78,12 @@ export function insetsOf({
     const [line, tall] = [FROM_BOTTOM.sheet + SHEET.line, FROM_BOTTOM.sheet + settings];
     return { ...even(16), bottom: { none: FROM_BOTTOM.aboveTools, line, tall }[sheet] };
   }
-  if (whole < LOW.wide && !timeline) return { ...even(16), left: TOOLS[tools], right: right(PANEL.narrow) };
+  if (whole < LOW.wide && !timeline)
+    return { ...even(16), left: TOOLS[tools][kind], right: right(PANEL.narrow) };
   if (timeline && whole < OVER_TIMELINE.low) {
     const columns = whole < OVER_TIMELINE.lowest ? 'lowest' : 'low';
-    return { ...even(16), left: TOOLS[columns], right: right(width < NARROW ? PANEL.narrow : PANEL.wide) };
+    const left = TOOLS[columns][kind];
+    return { ...even(16), left, right: right(width < NARROW ? PANEL.narrow : PANEL.wide) };
   }
   if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: right(PANEL.narrow) };
   return { ...even(28), left: TOOLS.wide, right: right(PANEL.wide) };

@@ -3,12 +3,12 @@ import { newProject } from '../document/document';
 import type { Lens } from '../document/generated/lens';
 import type { Round, SiteStudy, Study } from '../document/generated/study';
 import type { PointHandle } from '../document/project';
+import { inEnglish } from './english';
 import { FakeRuntime, solutionOf } from './fake_runtime';
 import { lensModel } from './lens_model';
 import { lensWords, percent } from './lens_words';
 import { roundModel } from './rounds_model';
 import { NO_STUDY } from './study_state';
-import { inEnglish } from './told';
 
 const hand: PointHandle = { id: 'left hand', kind: 'point', rest: [2, 2], posed: [2, 2], rotation: 0 };
 const project = { ...newProject({ src: 'a.png', width: 8, height: 8 }, null), handles: [hand] };
@@ -68,8 +68,8 @@ describe('the lens', () => {
     expect(lensModel(NO_STUDY)).toBeNull();
   });
 
-  it('is told in words', () => {
-    expect(inEnglish(lensWords(lens, project))).toBe('x 3, y 2: left hand 25 %, virtual handles 75 %');
+  it('is described in words', () => {
+    expect(inEnglish(lensWords(lens, project))).toBe('x 3, y 2: left hand 25 %, helper points 75 %');
     expect([0, 0.004, 0.099, 0.5].map(percent)).toEqual(['0 %', '0.4 %', '9.9 %', '50 %']);
   });
 
@@ -96,16 +96,16 @@ describe('a round', () => {
 
   it('is at first the last one, with nothing left to do', () => {
     expect(at(null)).toMatchObject({ index: 2, sites: study.sites });
-    expect(inEnglish(at(null)?.words ?? null)).toMatch(/^Round 3: the end\./);
+    expect(inEnglish(at(null)?.words ?? null)).toMatch(/^Round 3: done\./);
   });
 
   it('says which cell is divided and why', () => {
     expect(at(0)?.sites).toHaveLength(1);
     expect(inEnglish(at(0)?.words ?? null)).toMatch(
-      /reaches 6 px far, and 3 px are allowed\. .* in the cell of left hand, 6 px away/,
+      /reaches 6 px, beyond the limit of 3 px\. .* the cell of left hand, 6 px away/,
     );
     expect(inEnglish(at(1)?.words ?? null)).toMatch(
-      /asks for more virtual handles\. .* the cell of virtual handle 2/,
+      /asks for more helper points\. .* the cell of helper point 2/,
     );
   });
 });

@@ -1,4 +1,4 @@
-/** The lens in words. */
+/** A description of the lens. */
 import type { Lens } from '../document/generated/lens';
 import { nameWords } from '../document/names';
 import type { Project } from '../document/project';

@@ -30,7 +30,7 @@ export const DEFAULT_MAPS: MapChoices = {
 export const EVERY = { least: 1, most: 1000 } as const;
 
 /**
- * The file that the choices ask for; null if they need a handle.
+ * The file that the choices ask for; null if they need a handle first.
  *
  * @param handle the name of the only selected handle.
  */

@@ -1,16 +1,16 @@
-/** What the editor tells people: notices, texts for screen readers, and the tasks under way. */
+/** Messages to people: notices, texts for screen readers, and the current tasks. */
 import type { Wording, Words } from '../texts/wording';
 import type { EditorEvent } from './events';
 import type { Task } from './task';
 
 export interface Notice {
   readonly kind: 'error' | 'info';
-  /** A string is the words of the page. */
+  /** A string is a text of the page. */
   readonly text: Words;
   readonly action?: NoticeAction;
   /** A second action. */
   readonly other?: NoticeAction;
-  /** The notice disappears by itself although it has an action. */
+  /** The notice disappears automatically although it has an action. */
   readonly passes?: true;
   /** The notice is about the last step. Others about that step join it, and the next step ends it. */
   readonly ofStep?: true;
@@ -24,13 +24,13 @@ export interface NoticeAction {
 }
 
 export interface NoticesState {
-  /** A notice with an action, an error, and a notice that disappears by itself: the last one present is shown. */
+  /** A notice with an action, an error, and a notice that disappears automatically: the last one present is shown. */
   readonly offer: Notice | null;
   readonly error: Notice | null;
   readonly passing: Notice | null;
   /** The picture cannot be drawn. Shown after an error and before an offer, until the graphics card is back. */
   readonly graphics: Notice | null;
-  /** The last words for screen readers, and whether they were said just before too. */
+  /** The last text for screen readers, and whether they were said just before too. */
   readonly announcement: { readonly words: Wording; readonly again: boolean } | null;
   /** The newest last. */
   readonly tasks: readonly Task[];

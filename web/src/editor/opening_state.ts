@@ -5,8 +5,8 @@
  * while its first solve runs. It ends as opened, refused, or superseded by a newer request. The previous picture waits
  * in the trial and comes back after a refusal.
  *
- * Bringing earlier work back is a request of its own lane. A newer request *suspends* it. It is superseded only
- * once the newer picture is open, so that work is never lost to a file that cannot be opened.
+ * Restoring earlier work is a separate kind of request. A newer request *suspends* it. It is superseded only once the
+ * newer picture is open, so that work is never lost to a file that cannot be opened.
  */
 
 import type { Document } from '../document/document';
@@ -16,15 +16,15 @@ import type { ToolName } from '../tools/machine';
 import type { NamedFile, Picture } from './picture';
 import type { Work, WorkSnapshot } from './work';
 
-/** Who asked for a picture, and so who is told of the result. */
+/** The requester of a picture, who receives the result. */
 export type Purpose =
   /** A person, by picker, drop or paste. `received` are all files but the project. Those that do not open are named. */
   | { readonly by: 'person'; readonly received: readonly NamedFile[] }
   /** A person goes back to recent work. */
   | { readonly by: 'back'; readonly work: WorkSnapshot }
   /**
-   * The page, by `load()`. `usesPageProject`: with the project that the page set before. `notice`: the person is told
-   * of a failure.
+   * The page, by `load()`. `usesPageProject`: with the project that the page set before. `notice`: a failure is shown
+   * to the user.
    */
   | {
       readonly by: 'load';
@@ -32,7 +32,7 @@ export type Purpose =
       readonly usesPageProject: ProjectFile | null;
       readonly notice: boolean;
     }
-  /** The attributes. `revision` tells a change from a newer one. */
+  /** The attributes. `revision` distinguishes a change from a newer one. */
   | { readonly by: 'attributes'; readonly revision: number }
   /** A person retries after a failure of the solver. */
   | { readonly by: 'retry' };
@@ -46,7 +46,7 @@ export interface OpenRequest {
   readonly work: WorkSnapshot | null;
 }
 
-/** Work that is brought back by itself. */
+/** Work that is restored automatically. */
 export interface Restoring {
   readonly id: number;
   readonly work: WorkSnapshot;
@@ -150,7 +150,7 @@ export const initialOpening = ({ work: _, ...carried }: Carried): OpeningState =
   overtaken: false,
 });
 
-/** The name of what is being read in place of the open picture; null if nothing is. */
+/** The name of what is being read to replace the open picture; null if nothing is. */
 export const readingName = ({ reading, readingProjects, restoring }: OpeningState): string | null =>
   reading?.name ??
   readingProjects.at(-1)?.name ??

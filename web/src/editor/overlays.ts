@@ -15,5 +15,5 @@ export type OverlayFlags = Readonly<Record<OverlayName, boolean>>;
 
 export const NO_OVERLAYS = Object.fromEntries(OVERLAYS.map((name) => [name, false])) as OverlayFlags;
 
-/** At first only the selection is shown: what a lasso lets bend. */
+/** At first only the selection is shown: the part that a lasso lets bend. */
 export const FIRST_OVERLAYS: OverlayFlags = { ...NO_OVERLAYS, selection: true };

@@ -22,12 +22,12 @@ export interface PageAttributes {
   /** A description of the picture, in the words of the page. */
   readonly alt: string | null;
   readonly hint: PageHint | null;
-  /** The addresses of the picture and its project; null where the page names none. */
+  /** The addresses of the picture and its project; null if the page does not set them. */
   readonly src: string | null;
   readonly projectSource: string | null;
   /** Whether requests for pictures and projects of other origins carry cookies. */
   readonly credentials: 'same-origin' | 'include';
-  /** Settings of new projects, in place of the editor's. */
+  /** Settings of new projects, instead of the editor's. */
   readonly defaults: ProjectDefaults;
   /** The parts of the editor that people get; null for all. */
   readonly features: readonly Feature[] | null;
@@ -59,6 +59,6 @@ export interface Media {
   readonly platform: string;
   /** The layout goes from the right to the left. */
   readonly rtl: boolean;
-  /** The browser can ask for a folder to write into. */
+  /** The browser can let a person choose a folder to write into. */
   readonly folders: boolean;
 }

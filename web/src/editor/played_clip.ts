@@ -1,5 +1,6 @@
 /** The clip that the page plays. */
 import { clipNamed, clipsOf } from '../document/clips';
+import { hasEnded, type MediaTime, standsStill } from '../document/media_time';
 import type { Clip } from '../document/project';
 import { type EditorState, filedProject } from './state';
 
@@ -14,9 +15,23 @@ export function playedClip(state: EditorState): Clip | null {
 export const playedDuration = ({ duration, loop }: Clip): number =>
   loop === 'alternate' ? 2 * duration : duration;
 
+/** The time of a clip by the rules of media elements. */
+export const mediaTime = ({ playback, page }: EditorState, clip: Clip): MediaTime => ({
+  time: playback.time,
+  rate: playback.rate,
+  length: playedDuration(clip),
+  loops: page.loop,
+});
+
 /** Whether playing has come to the end. */
-export function hasEnded(state: EditorState): boolean {
+export function hasPlayed(state: EditorState): boolean {
   const clip = playedClip(state);
-  const { playing, time, active } = state.playback;
-  return active && !playing && clip !== null && !state.page.loop && time >= playedDuration(clip);
+  return state.playback.active && clip !== null && hasEnded(mediaTime(state, clip));
+}
+
+/** Whether the pose changes with the time. */
+export function isPlaying(state: EditorState): boolean {
+  const { playing, easing } = state.playback;
+  const clip = playing ? playedClip(state) : null;
+  return easing !== null || (clip !== null && !standsStill(mediaTime(state, clip)));
 }

@@ -81,11 +81,18 @@ const STEPS: readonly Step[] = [
     runtime.dispatch({ type: 'keys-selected', keys: keys.filter(() => random() < 0.5) });
   },
   event((random) => ({
-    type: among(
-      ['keys-copied', 'keys-pasted', 'keys-mirrored', 'keys-removed', 'clip-duplicated', 'clip-removed'],
+    type: 'keys-walked',
+    by: among(
+      [
+        [1, 0],
+        [-1, 0],
+        [0, 1],
+      ] as const,
       random,
     ),
+    extends: random() < 0.5,
   })),
+  event((random) => ({ type: among(['selection-copied', 'clip-duplicated', 'clip-removed'], random) })),
   event(() => ({ type: 'drawing-finished' })),
   event(() => ({ type: 'lasso-removed' })),
   event(() => ({ type: 'notice-answered' })),
@@ -127,7 +134,7 @@ const STEPS: readonly Step[] = [
   (runtime) => runtime.refuse(new C2WarpError('engine', 'failed'), true),
 ];
 
-/** Ends what is in progress, so that undo takes back a whole step. */
+/** Ends the open step, so that undo takes back a whole step. */
 export function settle(runtime: FakeRuntime): void {
   runtime.dispatch({ type: 'page-changed', page: PAGE });
   runtime.dispatch({ type: 'press-cancelled' });

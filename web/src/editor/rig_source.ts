@@ -9,6 +9,6 @@ export interface RigSource {
   /** The picture or the project file, for people. */
   readonly name: Words;
   readonly project: Project;
-  /** The picture that it was made for, if its outline is to be lined up with that of the other picture. */
+  /** The picture that it was made for, to align its outline with that of the other picture. */
   readonly own: NamedFile | null;
 }

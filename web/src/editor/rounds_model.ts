@@ -15,7 +15,7 @@ export interface RoundModel {
   readonly words: Wording;
 }
 
-/** The rounds of the explained solution; none until they are known. */
+/** The rounds of the explained solution; empty until they are known. */
 export const roundsOf = ({ explained }: StudyState): readonly Round[] => explained?.study?.rounds ?? [];
 
 /** The round on show, at first the last one; null until it is known. */
@@ -29,7 +29,7 @@ export function roundModel(state: StudyState): RoundModel | null {
   return { study, index, round, sites: study.sites.slice(0, round.sites), words };
 }
 
-/** The effect of the round, in words. */
+/** A description of the round's effect. */
 function roundWords({ sites, allowed_score }: Study, index: number, round: Round, project: Project): Wording {
   const [point, ...more] = round.points;
   const owner = point && sites[point.owner];

@@ -4,9 +4,9 @@ import { addHandle, changeHandles, selectHandles } from '../document/edits';
 import { transformGroup } from '../document/group';
 import { DEPTHS, scaledTo } from '../document/handle';
 import { C2WarpError } from '../error';
+import { inEnglish } from './english';
 import { errorWords } from './error_words';
 import { cornerWords, depthWords, draftWords, placeWords, selectionName } from './selection_words';
-import { inEnglish } from './told';
 
 const empty = openDocument(newProject({ src: '', width: 8, height: 8 }, null));
 const withPoint = (id: string, document: Document, depth = 0): Document =>
@@ -59,13 +59,13 @@ describe('words', () => {
     expect(inEnglish(cornerWords(bar, 1))).toBe('Corner 2 of left leg: x 8, y 2');
   });
 
-  it('put what the solver refuses in words of the editor, by its code', () => {
+  it('translate rejections of the solver by their code', () => {
     const message = 'handle “left-hand” at (1, 2) lies outside the domain';
     const error = new C2WarpError('handle-outside', message, { handles: ['left-hand'] });
     expect(inEnglish(errorWords(error))).toMatch(/^“left hand” lies outside the shape/);
-    expect(inEnglish(errorWords(new C2WarpError('bar-too-short', 'short', { handles: ['a'] })))).toBe(
-      'short',
-    );
+    const short = new C2WarpError('bar-too-short', 'handle “bar-1”', { handles: ['bar-1'] });
+    expect(inEnglish(errorWords(short))).toMatch(/^Two corners of “bar 1” are in the same place/);
+    expect(inEnglish(errorWords(new C2WarpError('domain', 'crossed')))).toBe('crossed');
     const along = (...handles: string[]) =>
       inEnglish(errorWords(new C2WarpError('bars-overlap', 'along', { handles })));
     expect(along('bar-1', 'left-leg')).toMatch(/^“Bar 1” and “left leg” run along each other/i);
@@ -85,6 +85,6 @@ describe('words', () => {
       finishing: false,
     } as const;
     expect(inEnglish(draftWords(draft))).toBe('bar, corner 2: x 2, y 2');
-    expect(inEnglish(draftWords(null))).toBe('Drawing given up');
+    expect(inEnglish(draftWords(null))).toBe('Drawing cancelled');
   });
 });

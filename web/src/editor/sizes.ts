@@ -5,11 +5,13 @@ export const NARROW = 900;
 export const PHONE = 640;
 export const LOW = { wide: 416, phone: 372 } as const;
 export const LOWEST = 316;
+/** Hints are short if the element is lower than this. On phones, an on-screen keyboard leaves no more. */
+export const LOW_HINTS = 460;
 
 /** The element is no lower than this, unless the page says so. */
 export const LEAST_HEIGHT = 240;
 
-/** Height of the editor if the page sets none: a picture has room between the bars. */
+/** Default height of the editor: enough for a picture between the bars. */
 export const OWN_HEIGHT = 480;
 
 /** Width of the element if the page sizes it by content, as in a flex row. */
@@ -25,8 +27,8 @@ export const BARS = {
 export const TOOLS = {
   wide: 84,
   narrow: 72,
-  low: 134,
-  lowest: 182,
+  low: { fine: 134, coarse: 134 },
+  lowest: { fine: 198, coarse: 230 },
   lowPhone: { fine: 108, coarse: 124 },
   lowestPhone: { fine: 108, coarse: 174 },
 } as const;
@@ -43,7 +45,7 @@ export const STUDY = { wide: 360, share: 0.52 } as const;
  */
 export const SHEET = { line: 62, numbers: 160, ofCorner: 250, tall: 236, share: 46, top: 12 } as const;
 
-/** Above an open timeline, tools have two columns if the element is lower than this, or three. */
+/** Above an open timeline, tools have two columns if the element is lower than this, or four. */
 export const OVER_TIMELINE = { low: 640, lowest: 490 } as const;
 
 /** The height of the timeline for mouse and touch, and its greatest share of the editor's height in percent. */

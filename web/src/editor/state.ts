@@ -1,8 +1,8 @@
 /**
  * The whole state of an editor, as one immutable value.
  *
- * `update` turns a state and an event into the next state and effects; `viewModel` turns a state into what people see.
- * The runtime holds what cannot be a value: workers, pixels, the WebGL context, listeners.
+ * `update` turns a state and an event into the next state and effects; `viewModel` turns a state into the content of
+ * the interface. The runtime holds what cannot be a value: workers, pixels, the WebGL context, listeners.
  */
 
 import { type Document, fileProject, selectedHandles } from '../document/document';
@@ -95,9 +95,11 @@ export interface DocumentState {
   readonly posedByPage: readonly string[];
   /** Whether the current drag brings its handles to the front. */
   readonly crossing: Crossing;
+  /** The depths by id that crossings have decided. A person may have given a handle another one since. */
+  readonly automaticDepths: ReadonlyMap<string, number>;
   /** Whether the document was ever changed: the page's hint ends then. */
   readonly touched: boolean;
-  /** What the page was last told of the selection, the history, the title and the tool. */
+  /** The last reports to the page: the selection, the history, the title and the tool. */
   readonly reported: Reported;
 }
 
@@ -137,7 +139,7 @@ export interface DisplayState {
   readonly snapping: boolean;
   /** The lasso snaps to edges of the picture; null before a choice, when it does in opaque pictures. */
   readonly edgeSnapping: boolean | null;
-  /** The guides that what is being moved lies on. */
+  /** The guides through the moved item. */
   readonly guides: readonly Guide[];
   /** The selection box being drawn, image pixels. */
   readonly box: Box | null;
@@ -157,7 +159,7 @@ export interface ExportState {
   readonly codecs: VideoCodecs | null;
   /** A film begins once they are known. */
   readonly awaitsCodecs: boolean;
-  /** Whether the browser took the code of a web page to the clipboard; null before it was asked for. */
+  /** Whether the browser took the code of a web page to the clipboard; null before the attempt. */
   readonly code: 'copied' | 'blocked' | null;
   /** Whether readers of a web page may pose the handles. */
   readonly posable: boolean;
@@ -212,7 +214,7 @@ export const projectOf = (state: EditorState): Project => documentOf(state).proj
 export const isUnsaved = (state: EditorState): boolean =>
   state.picture !== null && filedProject(state) !== state.document.saved;
 export const selectionOf = (state: EditorState): readonly string[] => documentOf(state).selection;
-/** The only selected handle; null if there are none or several. */
+/** The selected handle; null unless exactly one is selected. */
 export function onlySelected(state: EditorState): Handle | null {
   const [only = null, ...others] = selectedHandles(documentOf(state));
   return others.length === 0 ? only : null;

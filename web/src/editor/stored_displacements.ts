@@ -1,5 +1,5 @@
 /**
- * The displacements of a history, as they are stored: each as its differences from the one before it.
+ * The displacements of a history, in the stored form: each as its differences from the one before it.
  *
  * A displacement is a long text, and a stroke changes little of it. Five hundred strokes would be stored as 35 MB with
  * every change of the work.
@@ -74,7 +74,7 @@ export function patched(before: string, runs: Runs): string {
 /**
  * Changes each displacement of a work once. The same objects stay the same: a saved project may be one of the history.
  *
- * @param change takes a displacement, and the last one before it as it is in memory.
+ * @param change takes a displacement, and the last one before it, as an object in memory.
  */
 function changed<W extends Work>(
   work: W,

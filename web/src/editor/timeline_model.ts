@@ -1,9 +1,10 @@
 /** The timeline as people see it. */
-import { isSameTime, refersTo, trackOf } from '../document/clip_keys';
+import { isSameTime, type KeyRef, refersTo, trackOf } from '../document/clip_keys';
 import { clipsOf } from '../document/clips';
 import { nameWords } from '../document/names';
 import type { Clip, Ease, Handle } from '../document/project';
 import type { Words } from '../texts/wording';
+import { keysInHand } from './keys_in_hand';
 import { openClip } from './open_clip';
 import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from './state';
 import type { Rate } from './timeline_state';
@@ -24,10 +25,10 @@ export interface TimelineModel {
   readonly zoom: number | null;
   readonly onion: boolean;
   readonly rows: readonly TimelineRow[];
-  readonly selectedKeys: number;
+  /** The selected key that arrow keys start from; null if keyboard commands apply to handles. */
+  readonly lead: KeyRef | null;
   /** The ease of the selected keys, if they have the same. */
   readonly ease: Ease | null;
-  readonly canPaste: boolean;
 }
 
 /** The keys of a handle. */
@@ -67,9 +68,8 @@ export function timelineModel(state: EditorState): TimelineModel | null {
     zoom: timeline.zoom,
     onion: timeline.onion,
     rows,
-    selectedKeys: selected.length,
+    lead: keysInHand(state).at(-1) ?? null,
     ease: first && selected.every(({ ease }) => ease === first.ease) ? first.ease : null,
-    canPaste: timeline.copied.length > 0,
   };
 }
 

@@ -21,7 +21,7 @@ import { PHONE } from './sizes';
 import { type EditorState, projectOf, selectionOf } from './state';
 import type { Sheet, ViewState } from './view_state';
 
-/** Image pixels beyond the frame that rounding alone may cause. */
+/** Image pixels beyond the frame that may be due to rounding. */
 const SLACK = 0.5;
 
 /** Half of the least side of a box that the view zooms to, image pixels. */
@@ -85,7 +85,7 @@ const withCamera = (state: EditorState, camera: Camera): EditorState => ({
   view: { ...state.view, camera, fitted: false },
 });
 
-/** Bounding box of what is drawn: the posed picture and, unless its outline bounds it, the picture around it. */
+/** Bounding box of everything drawn: the posed picture and, unless its outline bounds it, the picture around it. */
 function drawnBounds(state: EditorState): Box {
   const posed = posedBounds(state);
   if (posed && projectOf(state).domain?.kind === 'alpha') return posed;
@@ -149,18 +149,21 @@ export function contain(state: EditorState, places: readonly Vec[]): EditorState
   return { ...next, widened: reachesBeyondFrame(next) };
 }
 
-/** Whether no card covers a point of the picture, nor `room` to its right, CSS pixels. */
-export const isInView = (state: EditorState, at: Vec, room = 0): boolean =>
-  outsideBy(state, at, room).every((by) => Math.abs(by) < 1);
+/** Whether no card covers a point of the picture. */
+export const isInView = (state: EditorState, at: Vec): boolean =>
+  outsideBy(state, at).every((by) => Math.abs(by) < 1);
+
+/** The area free of cards, CSS pixels of the stage. */
+export function freeStage(state: EditorState): Box {
+  const { top, right, bottom, left } = insets(state);
+  const { width, height } = state.stage;
+  return { min: [left, top], max: [width - right, height - bottom] };
+}
 
 /** The area free of cards, image pixels. */
 export function freeArea(state: EditorState): Box {
-  const { top, right, bottom, left } = insets(state);
-  const { width, height } = state.stage;
-  return {
-    min: toImage(state.view.camera, [left, top]),
-    max: toImage(state.view.camera, [width - right, height - bottom]),
-  };
+  const { min, max } = freeStage(state);
+  return { min: toImage(state.view.camera, min), max: toImage(state.view.camera, max) };
 }
 
 /** The middle of the area free of cards, CSS pixels. */
@@ -170,11 +173,10 @@ export function viewMiddle(state: EditorState): Vec {
 }
 
 /** How far a point lies outside the area free of cards, CSS pixels. */
-function outsideBy(state: EditorState, at: Vec, room = 0): Vec {
-  const { top, right, bottom, left } = insets(state);
-  const { width, height } = state.stage;
+function outsideBy(state: EditorState, at: Vec): Vec {
+  const { min, max } = freeStage(state);
   const [x, y] = toStage(state.view.camera, at);
-  return [beyond(x, left, width - right - room), beyond(y, top, height - bottom)];
+  return [beyond(x, min[0], max[0]), beyond(y, min[1], max[1])];
 }
 
 const beyond = (at: number, least: number, most: number): number => at - Math.max(least, Math.min(at, most));

@@ -10,7 +10,7 @@ import { atMoment } from '../document/moment';
 import { nameWords } from '../document/names';
 import type { Handle } from '../document/project';
 import type { Box } from '../geometry/box';
-import type { Camera, Size } from '../geometry/camera';
+import { type Camera, type Size, toStage } from '../geometry/camera';
 import type { Crease } from '../geometry/crease';
 import type { Guide } from '../geometry/guides';
 import { distance, type Vec } from '../geometry/vec';
@@ -18,7 +18,7 @@ import type { Texts } from '../texts/texts';
 import { say, type Wording, type Words, worded } from '../texts/wording';
 import { type BrushKind, oppositeBrush } from '../tools/brush_kinds';
 import { ringedHandle } from '../tools/hit';
-import { draftOf, hasTakenCorners, isPressing, places, type ToolName, waitingDrafts } from '../tools/machine';
+import { draftOf, hasTakenCorners, isPressing, places, type ToolName } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
 import { type BrushState, brushSizes, sizeOf } from './brush_state';
 import { canRun, offers, reasonAgainst } from './can_run';
@@ -29,6 +29,7 @@ import { snapsToEdges } from './edge_snapping';
 import { type EngineModel, engineModel } from './engine_model';
 import { choicesFor, type ExportChoices, type ExportKind } from './export_choices';
 import { type FilmModel, filmModel } from './film_model';
+import { type HintPlace, hintPlace } from './hint_place';
 import { brushOf, gripsOf, hiddenOf, hitAt, isBrushing, isLassoing, turnsOf } from './hit_areas';
 import { type MapModel, mapModel } from './map_model';
 import type { MenuState } from './menu_state';
@@ -57,7 +58,7 @@ import type { Task } from './task';
 import { neighbouringTimes, type TimelineModel, timelineModel } from './timeline_model';
 import { isKept } from './update/autosave';
 import { currentTask, shownNotice } from './update/notices';
-import { exportSize, isInView } from './view';
+import { exportSize, freeStage, isInView } from './view';
 import { awaitsPicture, toolToCome, waitingPlaces } from './waiting_input';
 import { type WebPageModel, webPageModel } from './web_page_model';
 import type { WorkSnapshot } from './work';
@@ -67,6 +68,8 @@ export interface EditorModel {
   readonly texts: Texts;
   readonly document: Document;
   readonly turns: Turns;
+  /** Depths by id that are automatic, as long as handles have them. */
+  readonly automaticDepths: ReadonlyMap<string, number>;
   /** The corners of handles that lie behind another part of the picture. */
   readonly hidden: HiddenCorners;
   readonly picture: Picture | null;
@@ -94,7 +97,7 @@ export interface EditorModel {
   readonly grips: Grips;
   /** A press on the stage is in progress. */
   readonly pressing: boolean;
-  /** The word for a short press: fingers tap. */
+  /** The verb for a short press: fingers tap. */
   readonly press: 'click' | 'tap';
   /** Labels of the next undo and redo steps, or null. */
   readonly undo: string | null;
@@ -154,12 +157,10 @@ export interface EditorModel {
   readonly draft: Draft | null;
   /** Null with another tool. */
   readonly brush: BrushModel | null;
-  /** Unfinished lines of the other tools. */
-  readonly waiting: readonly Draft[];
   readonly box: Box | null;
   /** Where the keyboard would place a handle, image pixels. */
   readonly crosshair: Vec | null;
-  /** Whether handles snap to guides, and the guides that what is moved or placed lies on. */
+  /** Whether handles snap to guides, and the guides through the item that is moved or placed. */
   readonly snapping: boolean;
   readonly guides: readonly Guide[];
   /** Whether the lasso snaps to edges of the picture. */
@@ -241,8 +242,7 @@ export interface ExportModel {
 export interface Hint {
   readonly text: string;
   readonly at: Vec;
-  /** Shown above the place, since there is no room to the right of it. */
-  readonly above: boolean;
+  readonly place: HintPlace;
 }
 
 export function viewModel(state: EditorState, texts: Texts): EditorModel {
@@ -253,7 +253,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
   const draft = draftOf(tools);
   const overlays = overlaysOf(state);
   const notice = shownNotice(state);
-  const told = (words: Wording | null) => words && worded(texts, words);
+  const inWords = (words: Wording | null) => words && worded(texts, words);
   return {
     texts,
     document: documentOf(state),
@@ -264,6 +264,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     get hidden() {
       return hiddenOf(state);
     },
+    automaticDepths: state.document.automaticDepths,
     picture,
     unsaved: isUnsaved(state),
     kept: state.autosave.key === null ? null : isKept(state),
@@ -281,8 +282,8 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     grips: gripsOf(state),
     pressing: isPressing(tools),
     press: state.pointer.coarse ? 'tap' : 'click',
-    undo: told(draft ? SET_CORNER : undoLabel(history)),
-    redo: told(hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history)),
+    undo: inWords(draft ? SET_CORNER : undoLabel(history)),
+    redo: inWords(hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history)),
     solved: shown?.report ?? null,
     task: shownTask(currentTask(state) ?? openingTask(state), texts),
     notice: notice && { ...notice, text: worded(texts, notice.text) },
@@ -324,7 +325,6 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     menu: state.menu,
     draft,
     brush: brushModel(state),
-    waiting: waitingDrafts(tools),
     box: display.box,
     crosshair: display.crosshair,
     snapping: display.snapping,
@@ -363,7 +363,7 @@ export function viewModel(state: EditorState, texts: Texts): EditorModel {
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),
     offers: (command) => offers(state, command),
-    reasonAgainst: (command) => told(reasonAgainst(state, command)),
+    reasonAgainst: (command) => inWords(reasonAgainst(state, command)),
     worded: (words) => worded(texts, words),
   };
 }
@@ -453,7 +453,7 @@ function ringedOf(state: EditorState): string | null {
   return ringedHandle({ document: documentOf(state), grips: gripsOf(state) }, hovered)?.id ?? null;
 }
 
-/** The index of the focused corner, if its bar or polygon alone is selected. */
+/** The index of the focused corner, if only its bar or polygon is selected. */
 function cornerInHand(state: EditorState): number | null {
   const { corner } = state.focus;
   const [only, ...others] = selectedHandles(documentOf(state));
@@ -477,9 +477,6 @@ const NONE: readonly Handle[] = [];
 const isSamePlace = (a: Handle, b: Handle | undefined): boolean =>
   b !== undefined && distance(anchor(a), anchor(b)) < 0.5;
 
-/** Room for the hint beside a handle, CSS pixels. */
-const HINT_CSS_PX = 170;
-
 /** A picture that is being read while another is open. */
 function openingTask({ picture, opening }: EditorState): Task | null {
   const name = picture && readingName(opening);
@@ -495,5 +492,8 @@ function hintOf(state: EditorState): Hint | null {
   if (!state.solution.shown || draftOf(state.tools)) return null;
   const at = anchor(handle);
   if (!isInView(state, at)) return null;
-  return { text: hint.text, at, above: !isInView(state, at, HINT_CSS_PX) };
+  const { camera } = state.view;
+  const middle = toStage(camera, [document.project.image.width / 2, document.project.image.height / 2]);
+  const place = hintPlace(hint.text, toStage(camera, at), freeStage(state), middle);
+  return place && { text: hint.text, at, place };
 }

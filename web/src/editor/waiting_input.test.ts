@@ -6,14 +6,14 @@ import { C2WarpError } from '../error';
 import { toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { en } from '../texts/en';
-import { drawingsOf } from '../tools/machine';
+import { drawingOf } from '../tools/machine';
 import type { CommandName } from './commands';
+import { englishNotice } from './english';
 import type { EditorEvent } from './events';
 import { FakeRuntime, PAGE, testPicture } from './fake_runtime';
 import { among, randomOf } from './random';
 import { pendingKey } from './solution';
 import { documentOf, projectOf, selectionOf } from './state';
-import { toldNotice } from './told';
 import { snapshotOf } from './update/autosave';
 import { viewModel } from './view_model';
 
@@ -85,7 +85,7 @@ interface Opening {
   readonly project: Project | null;
 }
 
-/** An editor whose picture was just asked for, and the answers that open it. */
+/** An editor whose picture was just requested, and the replies that open it. */
 function asked({ before, project }: Opening): [FakeRuntime, readonly (() => void)[]] {
   const runtime = new FakeRuntime();
   runtime.dispatch({ type: 'stage-resized', size: { width: 400, height: 300 }, typing: false });
@@ -106,7 +106,7 @@ function asked({ before, project }: Opening): [FakeRuntime, readonly (() => void
   return [runtime, [read, () => runtime.solve()]];
 }
 
-/** What a person has made of the picture. */
+/** A person's work on the picture. */
 function made(runtime: FakeRuntime) {
   while (pendingKey(runtime.state.solution) !== null) runtime.solve();
   const { state } = runtime;
@@ -119,7 +119,7 @@ function made(runtime: FakeRuntime) {
     documents: timeline(history).values.length,
     selection: selectionOf(state),
     tool: state.tools.tool,
-    drawings: drawingsOf(state.tools),
+    drawing: drawingOf(state.tools),
   };
 }
 
@@ -166,11 +166,11 @@ describe('input while a picture is being opened', () => {
     expect(viewModel(runtime.state, en)).toMatchObject({ tool: 'lasso', awaiting: true, waitingPlaces });
   });
 
-  it('is dropped with a picture that cannot be read, and leaves the previous one alone', () => {
+  it('is dropped with an unreadable picture, and does not change the previous one', () => {
     const [runtime] = asked({ before: 'picture', project: null });
     for (const event of [run('point'), ...press([50, 50])]) send(runtime, event);
     runtime.failRead(new C2WarpError('picture', 'no picture'));
-    expect(toldNotice(runtime.state)?.text).toBe('no picture');
+    expect(englishNotice(runtime.state)?.text).toBe('no picture');
     expect(runtime.state.waiting).toEqual([]);
     expect(documentOf(runtime.state).project).toMatchObject({ image: { src: 'old.png' }, handles: [] });
   });

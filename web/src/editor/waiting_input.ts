@@ -1,9 +1,9 @@
 /**
  * Input that comes before its picture.
  *
- * A person who has asked for a picture goes on at once: that input is for the new picture. It waits until the picture
- * is on the stage. Then it is carried out in its order, event by event, as if it came then. If the picture is refused,
- * its input is dropped with it.
+ * A person who has requested a picture may continue immediately: that input is for the new picture. It waits until the
+ * picture is on the stage. Then it is carried out in its order, event by event, as if it came then. If the picture is
+ * refused, its input is dropped with it.
  */
 import { isAtRest } from '../document/handle';
 import type { Vec } from '../geometry/vec';
@@ -39,6 +39,7 @@ const AT_ONCE: ReadonlySet<CommandName> = new Set([
   'export-all',
   'export-whole',
   'copy',
+  'copy-keys',
   'paste',
   'compare',
   'preview',
@@ -65,7 +66,7 @@ export const toolToCome = ({ waiting, tools }: EditorState): ToolName =>
 export const waitingPlaces = ({ waiting }: EditorState): readonly Vec[] =>
   waiting.flatMap((event) => (event.type === 'press-began' ? [event.pointer.stage] : []));
 
-/** Input that is not about what the previous picture shows. */
+/** Input that does not refer to the previous picture. */
 const isNew = (event: EditorEvent): boolean =>
   event.type === 'press-began' ||
   event.type === 'place-pressed' ||
@@ -79,13 +80,13 @@ const needsSolution = (event: EditorEvent): boolean =>
 /** Whether the picture that a person works on next is still to come. `input` is to be carried out on it. */
 export function awaitsPicture(state: EditorState, input = state.waiting): boolean {
   const { picture, opening, solution, tools } = state;
-  // A press that began before goes on, and belongs to what it began on.
+  // An earlier press continues, and belongs to the picture on which it began.
   if (!mayChange(state) || isPressing(tools)) return false;
   if (!picture) return isOpening(opening);
   const { reading, trial } = opening;
-  // The page replaces the picture without the person, who goes on with the previous one until then.
+  // The page replaces the picture, and the person continues with the previous one until then.
   if (reading) return reading.purpose.by !== 'load' && reading.purpose.by !== 'attributes';
-  // Only a solution tells where the places of a bent picture are.
+  // Only a solution determines the positions in a bent picture.
   const isBent = () => !projectOf(state).handles.every(isAtRest);
   return trial !== null && solution.shown === null && (input.some(needsSolution) || isBent());
 }

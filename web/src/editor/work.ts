@@ -2,7 +2,7 @@
 import type { Document } from '../document/document';
 import type { HistoryRecord } from '../document/history';
 import type { Project } from '../document/project';
-import type { Drawings } from '../tools/machine';
+import type { Draft } from '../tools/state';
 import type { EngineChoices } from './engine_choices';
 import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices } from './film_choices';
@@ -12,8 +12,8 @@ import type { ViewState } from './view_state';
 
 export interface Work {
   readonly record: HistoryRecord<Document>;
-  /** Unfinished bars, polygons and lassos. */
-  readonly drawings?: Drawings;
+  /** The unfinished bar, polygon or lasso. Works stored by earlier versions have up to one of each. */
+  readonly drawings?: readonly Draft[];
   readonly view?: ViewState;
   /** Whether the picture is drawn as pixel art. Without it, the picture decides. */
   readonly pixelated?: boolean;
@@ -31,7 +31,7 @@ export interface WorkSnapshot extends Work {
   readonly thumbnail: string;
   /** Whether the guard against folds was on. */
   readonly guarded: boolean;
-  /** Whether handles snap to guides. Without it, the switch stays as it is. */
+  /** Whether handles snap to guides. Without it, the switch does not change. */
   readonly snapping?: boolean;
   /** Whether the lasso snaps to edges. Without it, the picture decides. */
   readonly edgeSnapping?: boolean;

@@ -8,14 +8,14 @@ export type NewHandle<H = HandleFile> = H extends HandleFile
   : never;
 
 /**
- * The pose of the handle with this id. Keys that are left out stay; `kind` and `rest` cannot change.
+ * The pose of the handle with this id. Missing keys do not change; `kind` and `rest` cannot be changed.
  */
 export type HandlePose = Pick<Handle, 'id'> & Partial<Handle>;
 
 export interface LoadOptions {
-  /** A notice of the editor names a failure. By default only the page hears of it. */
+  /** The editor shows failures in a notice. By default, only the page receives them. */
   readonly notice?: boolean;
-  /** Gives the picture up: the promise rejects with the reason of the signal, and the picture before stays open. */
+  /** Cancels loading: the promise rejects with the reason of the signal, and the previous picture remains open. */
   readonly signal?: AbortSignal | undefined;
 }
 
@@ -32,26 +32,26 @@ export type PictureSource =
 
 /** How a warped picture is drawn. */
 export interface WarpOptions {
-  /** Pixels per pixel of the original. By default 1. */
+  /** Pixels of the result per pixel of the original. By default 1. */
   readonly scale?: number | undefined;
-  /** Enlarges the result to hold the parts that are bent beyond the picture. */
+  /** Enlarges the result to contain parts that are bent beyond the picture. */
   readonly grow?: boolean;
-  /** Crops the result to all that is drawn, parts bent beyond the picture included. Replaces `grow`. */
+  /** Crops the result to everything that is drawn, including parts bent beyond the picture. Replaces `grow`. */
   readonly crop?: boolean;
-  /** For pixel art: no colours are mixed. By default as the picture is shown. */
+  /** For pixel art: mixes no colours. By default, as the picture is shown. */
   readonly pixelated?: boolean | undefined;
-  /** Stops the work: the promise rejects with the reason of the signal. */
+  /** Cancels the work: the promise rejects with the reason of the signal. */
   readonly signal?: AbortSignal | undefined;
 }
 
 /** How a warped picture is written to a file. */
 export interface BlobOptions extends WarpOptions {
-  /** By default `image/png`. */
+  /** Default: `image/png`. */
   readonly type?: PictureType;
-  /** Of a JPEG or WebP, from 0 to 1. By default 0.9. */
+  /** Quality of a JPEG or WebP, from 0 to 1. By default 0.9. */
   readonly quality?: number;
-  /** The colour below translucent pixels of a JPEG, as `#rrggbb`. By default white. */
+  /** The colour below translucent pixels of a JPEG, as `#rrggbb`. Default: white. */
   readonly background?: string;
-  /** Called with the fraction that is done, from 0 to 1. */
+  /** Called with the completed fraction, from 0 to 1. */
   readonly onProgress?: ((fraction: number) => void) | undefined;
 }

@@ -1,9 +1,9 @@
-/** Handles that a page names, and its changes of them. */
+/** Finds the handles that a page names, and applies its changes. */
 import { type Document, handleById } from '../document/document';
 import { checkedHandle } from '../document/handle';
 import { deepCopy, type Handle } from '../document/project';
 
-/** @throws RangeError if there is no such handle. */
+/** @throws RangeError if the handle does not exist. */
 export function namedHandle(document: Document, id: string): Handle {
   const handle = handleById(document, id);
   if (!handle) throw new RangeError(`there is no handle "${id}"`);

@@ -1,4 +1,4 @@
-/** Checks lists of points that a page hands over. */
+/** Checks lists of points from a page. */
 
 /** @throws TypeError unless `points` is a Float64Array of pairs. */
 export function checkedPairs(method: string, points: unknown): Float64Array {

@@ -1,10 +1,9 @@
-/** Rejections of methods of the element. */
+/** Error handling for methods of the element. */
 import { asC2WarpError, isAbort } from '../error';
 
 /**
- * The same work, whose failures are of the class C2WarpError.
- *
- * An AbortError stays as it is, and so does the reason of the page's own signal.
+ * Turns failures of the work into errors of the class C2WarpError, except an AbortError and the reason of the page's
+ * signal.
  */
 export async function coded<T>(work: Promise<T>, signal?: AbortSignal): Promise<T> {
   try {

@@ -30,7 +30,7 @@ export function drawingSettings({
   return { scale, area: crop ? 'covered' : grow ? 'grown' : 'picture' };
 }
 
-/** @throws as {@link drawingSettings}. */
+/** @throws the errors of {@link drawingSettings}. */
 export function fileSettings({
   type = 'image/png',
   quality = 0.9,
@@ -45,7 +45,7 @@ export function fileSettings({
 /** Unlike a canvas, both methods take one object. @throws TypeError that names the fault. */
 export const checkWritten = (options: unknown): void => checkKeys('toBlob', options, WRITTEN);
 
-/** @throws as {@link checkWritten}. */
+/** @throws the errors of {@link checkWritten}. */
 export const checkDrawn = (options: unknown): void => checkKeys('toCanvas', options, DRAWN);
 
 function checkKeys(method: string, options: unknown, keys: readonly string[]): void {
@@ -55,5 +55,5 @@ function checkKeys(method: string, options: unknown, keys: readonly string[]): v
     );
   const unknown = Object.keys(options).find((key) => !keys.includes(key));
   if (unknown !== undefined)
-    throw new TypeError(`${method}: there is no option "${unknown}", only ${keys.join(', ')}`);
+    throw new TypeError(`${method}: unknown option "${unknown}"; expected one of ${keys.join(', ')}`);
 }

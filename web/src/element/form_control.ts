@@ -4,14 +4,10 @@ import { type FormPicture, FormPictures } from './form_pictures';
 
 /** What a form may submit. */
 export const SUBMITTED = ['project', 'picture'] as const;
-type Submitted = (typeof SUBMITTED)[number];
 
-export const isSubmitted = (word: string | null): word is Submitted =>
-  (SUBMITTED as readonly (string | null)[]).includes(word);
-
-/** The element, as its form sees it. */
+/** The interface of the element to its form. */
 export interface Submitting {
-  readonly node: HTMLElement;
+  readonly node: HTMLElement & { readonly submits: (typeof SUBMITTED)[number] };
   /** Null without a picture. */
   project(): Project | null;
   /** The warped picture, drawn now. */
@@ -49,7 +45,7 @@ export class FormControl implements FormPicture {
     return this.#internals.reportValidity();
   }
 
-  /** Called when the element gets another form. The value is made when it is submitted, not at each step. */
+  /** Called when the element gets another form. The value is computed on submission, not at each step. */
   associate(form: HTMLFormElement | null): void {
     this.#listening.abort();
     this.#listening = new AbortController();
@@ -58,7 +54,7 @@ export class FormControl implements FormPicture {
     if (form) FormPictures.of(form).add(this, signal);
   }
 
-  /** @param missing tells people that a picture is required and missing; null if none is. */
+  /** @param missing the message that a required picture is missing; null if it is not. */
   validate(missing: string | null): void {
     if (missing !== null) this.#internals.setValidity({ valueMissing: true }, missing);
     else this.#internals.setValidity({});
@@ -82,7 +78,7 @@ export class FormControl implements FormPicture {
   }
 
   get #submitsPicture(): boolean {
-    return this.#element.node.getAttribute('submits') === 'picture';
+    return this.#element.node.submits === 'picture';
   }
 
   #append(data: FormData): void {

@@ -2,7 +2,7 @@
 
 /** An element that may submit a picture. */
 export interface FormPicture {
-  /** Whether the form is to submit its picture now. */
+  /** Whether the form submits its picture now. */
   isAsked(): boolean;
   draw(): Promise<File>;
   failed(error: unknown): void;
@@ -11,13 +11,13 @@ export interface FormPicture {
 const known = new WeakMap<HTMLFormElement, FormPictures>();
 
 /**
- * The pictures of one form. A submission is held back, and starts again with all pictures. So every listener of a page
- * hears of it once, and finds them in its data.
+ * The pictures of one form. A submission is held back, and restarted with all pictures. So every listener of a page
+ * receives it once, with the pictures in its data.
  */
 export class FormPictures {
   readonly #form: HTMLFormElement;
   readonly #members = new Set<FormPicture>();
-  /** The pictures of the submission that goes on. */
+  /** The pictures of the current submission. */
   #drawn: ReadonlyMap<FormPicture, File> | null = null;
   #isDrawing = false;
 
@@ -38,7 +38,7 @@ export class FormPictures {
     signal.addEventListener('abort', () => this.#members.delete(member));
   }
 
-  /** The picture in the submission that goes on; null if there is none. */
+  /** The picture in the current submission; null without one. */
   drawnBy(member: FormPicture): File | null {
     return this.#drawn?.get(member) ?? null;
   }
@@ -62,7 +62,7 @@ export class FormPictures {
       // The form makes its data before this returns.
       if (this.#form.isConnected) this.#form.requestSubmit(submitter);
     } catch {
-      // Told already. Nothing is submitted.
+      // Already reported. Nothing is submitted.
     } finally {
       this.#drawn = null;
       this.#isDrawing = false;

@@ -1,4 +1,4 @@
-/** The language and the direction of an element as HTML has them: those of the nearest ancestor that sets them. */
+/** The language and the direction of an element, as in HTML: those of the nearest ancestor that sets them. */
 
 /** The tag of the language; empty without one. */
 export const inheritedLanguage = (node: Element): string => inherited(node, 'lang') ?? '';
@@ -8,7 +8,7 @@ export function isFromRight(node: Element): boolean {
   return direction === 'auto' ? getComputedStyle(node).direction === 'rtl' : direction === 'rtl';
 }
 
-/** The attribute of the nearest element that has it, through shadow roots. */
+/** The attribute of the nearest element that has it, across shadow roots. */
 function inherited(node: Element, attribute: 'lang' | 'dir'): string | null {
   for (let at: Element | null = node; at; at = parentOf(at)) {
     const value = at.getAttribute(attribute);

@@ -1,4 +1,4 @@
-/** The languages of a page: those of the package, loaded when they are first asked for, and those of the page. */
+/** The languages of a page: those of the package, loaded on first use, and those of the page. */
 import { en } from '../texts/en';
 import { changedBy, parentsOf } from '../texts/lookup';
 import type { PartialTexts, Texts } from '../texts/texts';
@@ -33,7 +33,7 @@ export function followLanguages(changed: () => void, signal: AbortSignal): void 
   signal.addEventListener('abort', () => followers.delete(changed));
 }
 
-/** The texts of a language, and the tag that they are marked with. */
+/** The texts of a language, and the tag that marks them. */
 export interface Language {
   readonly tag: string;
   readonly texts: Texts;
@@ -42,9 +42,9 @@ export interface Language {
 export const ENGLISH: Language = { tag: 'en', texts: en };
 
 /**
- * The texts for a tag: of `de-AT`, then of `de`, then English. A language that does not load is left out.
+ * The texts for a tag: of `de-AT`, then of `de`, then English. Languages that do not load are skipped.
  *
- * @param failed gets the reason.
+ * @param failed receives the reason.
  */
 export async function languageFor(wanted: string, failed: (cause: unknown) => void): Promise<Language> {
   const tags = parentsOf(wanted);

@@ -1,20 +1,20 @@
-/** The device and its settings, as an element sees them. */
+/** The settings of the device that affect an element. */
 import type { Media } from '../editor/page';
 import { isFromRight } from './inherited_language';
 
 /**
- * Tells them of an element, each time they are asked for.
+ * Returns the current settings for an element.
  *
- * The queries are kept: every frame of an animation asks them.
+ * The queries are cached, because every frame of an animation uses them.
  */
-export function mediaOf(node: Element & { readonly theme: string | null }): () => Media {
+export function mediaOf(node: Element & { readonly theme: string }): () => Media {
   const darkScheme = matchMedia('(prefers-color-scheme: dark)');
   const coarsePointer = matchMedia('(pointer: coarse)');
   const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
   return () => {
     const { theme } = node;
     return {
-      dark: theme === 'dark' || theme === 'light' ? theme === 'dark' : darkScheme.matches,
+      dark: theme === 'auto' ? darkScheme.matches : theme === 'dark',
       coarse: coarsePointer.matches,
       still: reducedMotion.matches,
       platform: navigator.platform,

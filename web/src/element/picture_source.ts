@@ -1,4 +1,4 @@
-/** Pictures that a page has at hand, as the editor opens them: an address, or a file with its name. */
+/** Converts pictures of a page to the form that the editor opens: an address, or a file with its name. */
 
 import type { NamedFile } from '../editor/picture';
 import { C2WarpError } from '../error';
@@ -7,7 +7,11 @@ import type { PictureSource } from './api';
 /** The name of a picture without a file. */
 const NAME = 'picture.png';
 
-/** Pixels take time to become a file. @throws as {@link pngOf}; TypeError for anything that is no picture. */
+/**
+ * Encoding pixels as a file takes time.
+ *
+ * @throws the errors of {@link pngOf}; TypeError for anything that is not a picture.
+ */
 export function namedSource(source: PictureSource): string | NamedFile | Promise<NamedFile> {
   if (typeof source === 'string') return source;
   if (source instanceof URL) return source.href;
@@ -20,7 +24,7 @@ export function namedSource(source: PictureSource): string | NamedFile | Promise
   );
 }
 
-/** By name: an image or a canvas of a frame is of another realm. */
+/** Compares names, because an image or a canvas of a frame belongs to another realm. */
 const isOf = (value: unknown, ...names: readonly string[]): boolean =>
   names.includes(Object.prototype.toString.call(value).slice('[object '.length, -1));
 
@@ -44,7 +48,10 @@ async function pngOf(source: Drawable): Promise<Blob> {
   const canvas = new OffscreenCanvas(width, height);
   const pen = canvas.getContext('2d');
   if (!pen)
-    throw new C2WarpError('picture', `load: the browser has no canvas of ${width} × ${height} pixels`);
+    throw new C2WarpError(
+      'picture',
+      `load: the browser cannot create a canvas of ${width} × ${height} pixels`,
+    );
   if ('data' in source) pen.putImageData(source, 0, 0);
   else pen.drawImage(source, 0, 0);
   try {
@@ -52,7 +59,7 @@ async function pngOf(source: Drawable): Promise<Blob> {
   } catch (cause) {
     throw new C2WarpError(
       'picture',
-      'load: the canvas has pixels of another origin, which no script may read',
+      'load: the canvas has pixels from another origin, so scripts cannot read it',
       {
         cause,
       },

@@ -1,26 +1,68 @@
 import { describe, expect, it } from 'vitest';
-import { attributeOf, propertiesByAttribute, textOf, valueFrom } from './properties';
+import { attributeOf, isUnknown, propertiesByAttribute, textOf, valueFrom } from './properties';
 
 const PROPERTIES = {
   hintFor: { attribute: 'hint-for' },
-  autoPlay: { type: Boolean, reflect: true },
-  samples: { attribute: false },
+  autoPlay: { kind: 'flag' },
+  src: { kind: 'address' },
+  features: { kind: 'optional' },
+  theme: { words: ['light', 'dark', 'auto'], initial: 'auto' },
+  crossOrigin: { words: ['anonymous', 'use-credentials'], invalid: 'anonymous' },
+  samples: { attribute: false, initial: [] },
 } as const;
+
+const BASE = 'https://example.org/a/page.html';
 
 describe('properties', () => {
   it('have an attribute of their own name unless they say otherwise', () => {
-    expect([...propertiesByAttribute(PROPERTIES)]).toEqual([
-      ['hint-for', 'hintFor'],
-      ['autoplay', 'autoPlay'],
+    const names = propertiesByAttribute(PROPERTIES);
+    expect([names.get('hint-for'), names.get('autoplay'), names.has('samples')]).toEqual([
+      'hintFor',
+      'autoPlay',
+      false,
     ]);
     expect(attributeOf(PROPERTIES, 'samples')).toBeNull();
   });
 
-  it('of a boolean are true while the attribute is present', () => {
-    const { autoPlay, hintFor } = PROPERTIES;
-    expect([valueFrom(autoPlay, ''), valueFrom(autoPlay, null)]).toEqual([true, false]);
+  it.each([
+    ['hintFor', [null, ''], ['', ''], ['head', 'head']],
+    ['autoPlay', [null, false], ['', true], ['false', true]],
+    ['features', [null, null], ['', ''], ['open', 'open']],
+    ['src', [null, ''], ['', ''], ['b.png', 'https://example.org/a/b.png'], ['http://[', 'http://[']],
+    ['theme', [null, 'auto'], ['', 'auto'], ['DARK', 'dark'], ['blue', 'auto']],
+    [
+      'crossOrigin',
+      [null, null],
+      ['', 'anonymous'],
+      ['use-credentials', 'use-credentials'],
+      ['x', 'anonymous'],
+    ],
+  ] as const)('of an attribute such as that of %s reflect as in HTML', (name, ...values) => {
+    for (const [text, value] of values as readonly (readonly [string | null, unknown])[])
+      expect(valueFrom(PROPERTIES[name], text, BASE)).toBe(value);
+  });
+
+  it('without a value have no attribute', () => {
+    const { autoPlay, hintFor, theme } = PROPERTIES;
     expect([textOf(autoPlay, true), textOf(autoPlay, undefined)]).toEqual(['', null]);
-    expect([valueFrom(hintFor, 'head'), valueFrom(hintFor, null)]).toEqual(['head', null]);
-    expect([textOf(hintFor, 'head'), textOf(hintFor, undefined)]).toEqual(['head', null]);
+    expect([textOf(hintFor, 'head'), textOf(hintFor, undefined), textOf(theme, null)]).toEqual([
+      'head',
+      null,
+      null,
+    ]);
+  });
+
+  it('have words, and no others', () => {
+    const { crossOrigin, hintFor, theme } = PROPERTIES;
+    expect([isUnknown(theme, 'Dark'), isUnknown(theme, 'blue'), isUnknown(theme, '')]).toEqual([
+      false,
+      true,
+      true,
+    ]);
+    expect([isUnknown(crossOrigin, ''), isUnknown(crossOrigin, 'x'), isUnknown(hintFor, 'x')]).toEqual([
+      false,
+      true,
+      false,
+    ]);
   });
 });

@@ -4,7 +4,7 @@ import type { PageQuestion } from '../editor/page_question';
 import type { NamedFile } from '../editor/picture';
 import type { Emit } from './events';
 
-/** Asks the page. Returns whether the person may go on. */
+/** Asks the page. Returns whether the action may continue. */
 export function ask(question: PageQuestion, emit: Emit): boolean {
   switch (question.type) {
     case 'beforeopen': {

@@ -1,13 +1,13 @@
-/** The language in which an element shows its texts: that of its place on the page, once it is loaded. */
+/** The language in which an element shows its texts: the language of its position on the page, once it is loaded. */
 import { followLanguage, inheritedLanguage } from './inherited_language';
 import { ENGLISH, followLanguages, type Language, languageFor } from './languages';
 
 interface Listeners {
-  /** Another language or direction is asked for. The element goes on in its language until the other one is loaded. */
+  /** Another language or direction is requested. The element keeps its language until the new one is loaded. */
   asked(): void;
   /** The texts have changed. */
   changed(): void;
-  /** A language does not load. */
+  /** A language could not be loaded. */
   failed(cause: unknown): void;
 }
 
@@ -15,7 +15,7 @@ export class ShownLanguage {
   readonly #node: Element;
   readonly #listeners: Listeners;
   #language: Language = ENGLISH;
-  /** The tag that the page asks for; null before it was looked up. */
+  /** The tag that the page requests; null before it was looked up. */
   #wanted: string | null = null;
 
   constructor(node: Element, listeners: Listeners) {
@@ -27,7 +27,7 @@ export class ShownLanguage {
     return this.#language;
   }
 
-  /** Takes the language of the element's place, and follows its changes until the signal is aborted. */
+  /** Uses the language of the element's position, and follows its changes until the signal is aborted. */
   follow(signal: AbortSignal): void {
     followLanguage(this.#node, () => this.#take(), signal);
     followLanguages(() => void this.#load(), signal);

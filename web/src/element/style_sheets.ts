@@ -2,7 +2,7 @@
 
 const SHEETS = new WeakMap<readonly string[], WeakMap<Document, CSSStyleSheet>>();
 
-/** Styles a shadow root by style sheets in cascade order. */
+/** Applies style sheets to a shadow root, in cascade order. */
 export function dress(root: ShadowRoot, styles: readonly string[]): void {
   const { ownerDocument } = root;
   // A document without a window shows nothing.

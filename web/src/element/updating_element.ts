@@ -1,36 +1,36 @@
 /**
- * An element that draws a template in its shadow root, once after any number of changes in a task.
+ * An element that renders a template in its shadow root, once after all changes in a task.
  *
- * Properties mirror attributes. A property that a page set before the element was defined is set again at the first
- * update, after the attributes.
+ * Properties reflect attributes at once. A property that a page set before the element was defined is set again when
+ * the element is connected, after the attributes.
  */
 import { type RootPart, render } from 'lit-html';
 import { AnyElement } from './html_element';
 import { attributeOf, type Properties, propertiesByAttribute, taken, textOf, valueFrom } from './properties';
 import { dress } from './style_sheets';
 
-/** Names of changed properties, with their values before. */
-export type Changes = ReadonlyMap<string, unknown>;
+/** Names of changed properties. */
+export type Changes = ReadonlySet<string>;
 
 export abstract class UpdatingElement extends AnyElement {
   /** @internal */
   static readonly properties: Properties = {};
+  /** @internal Further properties, which a page may set before the element is defined. */
+  static readonly accessors: readonly string[] = [];
   /** @internal */
   static readonly styles: readonly string[] = [];
 
-  /** The browser asks when it defines the element. */
+  /** The browser reads this when it defines the element. */
   static get observedAttributes(): string[] {
     // biome-ignore lint/complexity/noThisInStatic: each element has properties of its own.
     return UpdatingElement.#observed(this);
   }
 
+  /** Of properties without an attribute. */
   readonly #values = new Map<string, unknown>();
   /** Values that the page set before the element was defined. */
-  readonly #early: Readonly<Record<string, unknown>>;
-  #changes = new Map<string, unknown>();
-  readonly #reflected = new Set<string>();
-  /** The property that is being set by its attribute, or the other way round. */
-  #mirrored: string | null = null;
+  #early: Readonly<Record<string, unknown>>;
+  #changes = new Set<string>();
   #part: RootPart | undefined;
   #isPending = false;
   #hasUpdated = false;
@@ -39,7 +39,7 @@ export abstract class UpdatingElement extends AnyElement {
 
   constructor() {
     super();
-    this.#early = taken(this, Object.keys(this.#properties));
+    this.#early = taken(this, [...Object.keys(this.#properties), ...this.#accessors]);
     const { promise, resolve } = settled();
     this.#update = promise;
     this.#connected = resolve;
@@ -54,6 +54,8 @@ export abstract class UpdatingElement extends AnyElement {
   connectedCallback(): void {
     if (!this.shadowRoot) dress(this.attachShadow({ mode: 'open' }), this.#styles);
     this.#part?.setConnected(true);
+    Object.assign(this, this.#early);
+    this.#early = {};
     this.#connected();
   }
 
@@ -66,11 +68,9 @@ export abstract class UpdatingElement extends AnyElement {
     if (this.shadowRoot) dress(this.shadowRoot, this.#styles);
   }
 
-  attributeChangedCallback(attribute: string, _: string | null, text: string | null): void {
+  attributeChangedCallback(attribute: string, before: string | null, text: string | null): void {
     const name = propertiesByAttribute(this.#properties).get(attribute);
-    const options = name === undefined ? undefined : this.#properties[name];
-    if (name === undefined || !options || name === this.#mirrored) return;
-    this.#mirror(name, () => Reflect.set(this, name, valueFrom(options, text)));
+    if (name !== undefined && before !== text) this.propertyChanged(name);
   }
 
   /** @internal */
@@ -86,28 +86,29 @@ export abstract class UpdatingElement extends AnyElement {
   }
 
   /** @internal */
-  protected propertyChanged(name: string, before: unknown): void {
-    if (!this.#changes.has(name)) this.#changes.set(name, before);
-    if (this.#properties[name]?.reflect && name !== this.#mirrored) this.#reflected.add(name);
+  protected propertyChanged(name: string): void {
+    this.#changes.add(name);
     this.requestUpdate();
   }
 
-  /** @internal Its changes belong to the update under way. */
-  protected abstract willUpdate(changes: Changes): void;
   /** @internal A template of lit-html. */
   protected abstract render(): unknown;
-  /** @internal Its changes need another update. */
+  /** @internal Its changes cause another update. */
   protected abstract updated(changes: Changes): void;
 
   get #properties(): Properties {
     return (this.constructor as typeof UpdatingElement).properties;
   }
 
+  get #accessors(): readonly string[] {
+    return (this.constructor as typeof UpdatingElement).accessors;
+  }
+
   get #styles(): readonly string[] {
     return (this.constructor as typeof UpdatingElement).styles;
   }
 
-  /** @param before the update before, whose failure its own listeners hear of. */
+  /** @param before the previous update, which reports its failure to its own listeners. */
   async #updateAfter(before: Promise<void>): Promise<void> {
     // One turn of the queue: what waits for the update in a microtask comes after it.
     try {
@@ -115,10 +116,7 @@ export abstract class UpdatingElement extends AnyElement {
     } catch {}
     const changes = this.#changes;
     try {
-      if (!this.#hasUpdated) Object.assign(this, this.#early);
-      this.willUpdate(changes);
       const template = this.render();
-      this.#reflect();
       this.#settle();
       if (this.shadowRoot)
         this.#part = render(template, this.shadowRoot, { host: this, isConnected: this.isConnected });
@@ -131,43 +129,30 @@ export abstract class UpdatingElement extends AnyElement {
   }
 
   #settle(): void {
-    this.#changes = new Map();
+    this.#changes = new Set();
     this.#isPending = false;
-  }
-
-  #reflect(): void {
-    for (const name of this.#reflected) {
-      const attribute = attributeOf(this.#properties, name);
-      if (attribute === null) continue;
-      const text = textOf(this.#properties[name] ?? {}, this.#values.get(name));
-      this.#mirror(name, () => {
-        if (text === null) this.removeAttribute(attribute);
-        else this.setAttribute(attribute, text);
-      });
-    }
-    this.#reflected.clear();
-  }
-
-  #mirror(name: string, set: () => void): void {
-    this.#mirrored = name;
-    set();
-    this.#mirrored = null;
   }
 
   /** Defines the accessors of an element's properties, and returns its attributes. */
   static #observed({ prototype, properties }: typeof UpdatingElement): string[] {
-    for (const name of Object.keys(properties)) {
+    for (const [name, options] of Object.entries(properties)) {
+      const attribute = attributeOf(properties, name);
       Object.defineProperty(prototype, name, {
         configurable: true,
         enumerable: true,
         get(this: UpdatingElement) {
-          return this.#values.get(name);
+          if (attribute === null) return this.#values.get(name) ?? options.initial;
+          return valueFrom(options, this.getAttribute(attribute), this.baseURI);
         },
         set(this: UpdatingElement, value: unknown) {
-          const before = this.#values.get(name);
-          if (Object.is(value, before)) return;
-          this.#values.set(name, value);
-          this.propertyChanged(name, before);
+          if (attribute === null) {
+            this.#values.set(name, value);
+            this.propertyChanged(name);
+            return;
+          }
+          const text = textOf(options, value);
+          if (text === null) this.removeAttribute(attribute);
+          else this.setAttribute(attribute, text);
         },
       });
     }

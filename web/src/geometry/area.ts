@@ -1,2 +1,5 @@
-/** The rectangle of a drawing: the picture's own, that grown to all that is drawn, or all that is drawn alone. */
+/**
+ * The rectangle of a drawing: the picture's own, the picture's own enlarged to hold all that is drawn, or only the
+ * drawn area.
+ */
 export type Area = 'picture' | 'grown' | 'covered';

@@ -8,7 +8,7 @@ import type { Vec } from './vec';
  *
  * @param places the middles to choose from, at least one.
  * @param label the size of the label.
- * @param room the least distance between a dot's middle and the label.
+ * @param room the minimum distance between a dot's middle and the label.
  */
 export function clearPlace(
   places: readonly [Vec, ...Vec[]],

@@ -14,7 +14,7 @@ describe('snapping to guides', () => {
     expect(snappedTo([48, 100], guides, 5)).toEqual({ at: [50, 100], guides: [lines[0]] });
   });
 
-  it('leaves a place beyond reach alone', () => {
+  it('does not change a point out of reach', () => {
     expect(snappedTo([70, 100], guides, 5)).toEqual({ at: [70, 100], guides: [] });
   });
 

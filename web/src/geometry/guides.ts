@@ -19,7 +19,7 @@ export interface SnappedPlace {
   readonly guides: readonly Guide[];
 }
 
-/** The least distance between lines of the grid, CSS pixels. Most places lie between them, and move freely. */
+/** The minimum distance between lines of the grid, CSS pixels. Most places lie between them, and move freely. */
 const GRID_CSS_PX = 64;
 
 /** Returns the distance between lines of the grid: 1, 2 or 5 times a power of ten. @param scale CSS px per image px. */
@@ -30,8 +30,8 @@ export function gridStep(scale: number): number {
 }
 
 /**
- * Snaps a place to the nearest line within reach, along each axis by itself. Snaps to the grid where no line is within
- * reach.
+ * Snaps a position to the nearest line within reach, along each axis separately. Snaps to the grid where no line is
+ * within reach.
  */
 export function snappedTo(place: Vec, { lines, grid }: Guides, reach: number): SnappedPlace {
   const guides = ([0, 1] as const).flatMap((axis) => {

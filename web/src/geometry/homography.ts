@@ -1,5 +1,5 @@
 /**
- * Projective maps of the plane: whatever CSS transforms do to a flat element, perspective included.
+ * Projective maps of the plane: the effect of any CSS transform on a flat element, including perspective.
  *
  * P. Heckbert, "Fundamentals of Texture Mapping and Image Warping" (1989), section 2.2.3.
  */

@@ -25,11 +25,19 @@ export function simplified(line: readonly Vec[], tolerance: number): readonly Ve
 /** Cosine of the widest angle of a whisker, 30°. */
 const SHARP = 0.87;
 
-/** Drops the tips of whiskers from a ring: corners at which it turns back, with a side shorter than `length`. */
-export function withoutWhiskers(ring: readonly Vec[], length: number): readonly Vec[] {
+/**
+ * Drops the tips of whiskers from a ring: corners at which it turns back, with a side shorter than `length`.
+ *
+ * @param kept corners of the ring that stay in any case.
+ */
+export function withoutWhiskers(
+  ring: readonly Vec[],
+  length: number,
+  kept: ReadonlySet<Vec | undefined> = new Set(),
+): readonly Vec[] {
   for (let left = ring; ; ) {
-    const tip = left.findIndex((at, k) =>
-      isTip(left.at(k - 1) ?? at, at, left[(k + 1) % left.length] ?? at, length),
+    const tip = left.findIndex(
+      (at, k) => !kept.has(at) && isTip(left.at(k - 1) ?? at, at, left[(k + 1) % left.length] ?? at, length),
     );
     if (tip < 0 || left.length <= 3) return left;
     left = left.filter((_, k) => k !== tip);

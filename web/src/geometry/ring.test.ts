@@ -1,11 +1,20 @@
 import { describe, expect, it } from 'vitest';
-import { areaOf, clipped, isWithin, type Ring, ringsMeet, simpleRing } from './ring';
+import { areaOf, clipped, isSimple, isWithin, type Ring, ringsMeet, withoutCurls } from './ring';
 
 const square = (left: number, top: number, side: number): Ring => [
   [left, top],
   [left + side, top],
   [left + side, top + side],
   [left, top + side],
+];
+/** From (0, 5) around, and over the first edge to its other side. */
+const OVERSHOT: Ring = [
+  [0, 5],
+  [20, 5],
+  [20, 30],
+  [5, 30],
+  [5, 0],
+  [2, 0],
 ];
 const box = { min: [0, 0], max: [100, 50] } as const;
 
@@ -25,67 +34,32 @@ describe('clipping to a box', () => {
   });
 });
 
-/** Whether only neighbouring edges touch. */
-const isSimple = (ring: Ring): boolean => simpleRing(ring) === ring;
-
-describe('simpleRing', () => {
-  it('returns a simple ring unchanged', () => {
-    const ring = square(0, 0, 10);
-    expect(simpleRing(ring)).toBe(ring);
+describe('a line without its curls', () => {
+  const turned: Ring = [
+    [0, 0],
+    [100, 0],
+    // A small loop on the outside of the corner, and one on the inside.
+    [104, 0],
+    [104, -4],
+    [100, -4],
+    [100, 100],
+    [100, 103],
+    [97, 103],
+    [97, 100],
+    [103, 100],
+    [0, 100],
+  ];
+  it('keeps its way beside them', () => {
+    const ring = withoutCurls(turned, 20);
+    expect(isSimple(ring)).toBe(true);
+    expect(areaOf(ring)).toBeGreaterThan(9980);
+    expect(Math.min(...ring.map(([, y]) => y))).toBe(0);
   });
-  it('removes the end that overshoots the start', () => {
-    // From (0, 5) around, and over the first edge to its other side.
-    const ring: Ring = [
-      [0, 5],
-      [20, 5],
-      [20, 30],
-      [5, 30],
-      [5, 0],
-      [2, 0],
-    ];
-    const result = simpleRing(ring);
-    expect(isSimple(result)).toBe(true);
-    expect(areaOf(result)).toBeCloseTo(15 * 25, 9);
-  });
-  it('removes touching, overlapping and returning lines', () => {
-    const along: Ring = [
-      [0, 0],
-      [20, 0],
-      [20, 20],
-      [12, 20],
-      [12, 0],
-      [10, 0],
-      [10, 20],
-      [0, 20],
-    ];
-    const pinched: Ring = [...square(0, 0, 20), [0, 0.01], [-5, 9], [-5, 0]];
-    const spiked: Ring = [
-      [0, 0],
-      [20, 0],
-      [20, 20],
-      [20, 50],
-      [20, 20.01],
-      [0, 20],
-    ];
-    for (const [ring, area] of [
-      [along, 200],
-      [pinched, 400],
-      [spiked, 400],
-    ] as const) {
-      const result = simpleRing(ring);
-      expect(isSimple(result)).toBe(true);
-      expect(areaOf(result)).toBeCloseTo(area, 0);
-    }
-    expect(simpleRing([...square(0, 0, 1)].slice(0, 2))).toEqual([]);
-  });
-  it('removes all loops of a star', () => {
-    const star: Ring = Array.from({ length: 7 }, (_, k) => {
-      const turn = (2 * Math.PI * 3 * k) / 7;
-      return [50 * Math.cos(turn), 50 * Math.sin(turn)];
-    });
-    const result = simpleRing(star);
-    expect(isSimple(result)).toBe(true);
-    expect(areaOf(result)).toBeGreaterThan(100);
+  it('keeps longer loops, and ends that overshoot the start lose no more than that', () => {
+    expect(withoutCurls(turned, 5)).toBe(turned);
+    const ring = withoutCurls(OVERSHOT, 20);
+    expect(isSimple(ring)).toBe(true);
+    expect(areaOf(ring)).toBeCloseTo(15 * 25, 9);
   });
 });
 

@@ -1,16 +1,19 @@
-/** Rings: closed polylines that bound an area. Clipping to a box, removal of loops, and intersection tests. */
+/** Rings: closed polylines that bound an area. Clipping to a box, removal of curls, and intersection tests. */
 import type { Box } from './box';
-import { distanceToLine, edgesOf, isInside } from './polyline';
+import { distanceToLine, edgesOf, isInside, lengthOf } from './polyline';
 import { cross, distance, lerp, subtract, type Vec } from './vec';
 
 export type Ring = readonly Vec[];
 
 /** Closer points count as touching. Image pixels, more than rounding to hundredths moves a point. */
-const TOUCH = 0.05;
+export const TOUCH = 0.05;
 
 /** Returns the enclosed area in square pixels, by the shoelace formula. */
-export const areaOf = (ring: Ring): number =>
-  Math.abs(edgesOf(ring, true).reduce((sum, [a, b]) => sum + cross(a, b), 0)) / 2;
+export const areaOf = (ring: Ring): number => Math.abs(signedAreaOf(ring));
+
+/** The area of a ring that is drawn clockwise on the screen. Otherwise it is negative. */
+export const signedAreaOf = (ring: Ring): number =>
+  edgesOf(ring, true).reduce((sum, [a, b]) => sum + cross(a, b), 0) / 2;
 
 /** Clips a ring to a box (Sutherland and Hodgman 1974). Separate parts are joined along the box. */
 export function clipped(ring: Ring, { min, max }: Box): Ring {
@@ -29,51 +32,68 @@ export function clipped(ring: Ring, { min, max }: Box): Ring {
   }, ring);
 }
 
+/** Whether only neighbouring edges touch, each at its end. */
+export function isSimple(ring: Ring): boolean {
+  const edges = edgesOf(ring, true);
+  return (
+    ring.length > 2 &&
+    ring.every((at, k) => {
+      const [before, after] = [ring.at(k - 1) ?? at, ring[(k + 1) % ring.length] ?? at];
+      return distance(before, at) >= TOUCH && !isNear(before, at, after) && !isNear(after, at, before);
+    }) &&
+    crossingsOf(edges).next().done === true
+  );
+}
+
+interface Crossing {
+  readonly at: Vec;
+  /** The indices of the edges that meet there, in ascending order. */
+  readonly edges: readonly [number, number];
+}
+
+/** Where edges of a ring cross or touch others than their neighbours. */
+function* crossingsOf(edges: readonly Edge[]): Generator<Crossing> {
+  for (const [i, edge] of edges.entries())
+    for (let j = i + 2; j < edges.length - (i === 0 ? 1 : 0); j++) {
+      const at = intersection(edge, edges[j] ?? edge);
+      if (at) yield { at, edges: [i, j] };
+    }
+}
+
 /**
- * Returns a ring that does not touch itself. Where the drawn ring does, the smaller of its two parts is removed, for
- * example an end that overshoots the start.
+ * Drops the curls of a line that a hand has drawn: loops of a length up to `most`. They are at turns, or where an end
+ * overshoots the start.
  *
- * Cost: quadratic in the corners for each removed part.
+ * @param kept corners of the ring that stay in any case.
  */
-export function simpleRing(drawn: Ring): Ring {
+export function withoutCurls(
+  drawn: Ring,
+  most: number,
+  kept: ReadonlySet<Vec | undefined> = new Set(),
+): Ring {
   let ring = drawn;
   for (;;) {
-    const shorter = withoutSpike(ring) ?? withoutLoop(ring);
+    const shorter = withoutCurl(ring, most, kept);
     if (!shorter) return ring;
     ring = shorter;
   }
 }
 
-/**
- * Returns the ring without its first spike: a corner that repeats the one before, or from which the line returns along
- * itself. Returns `null` if there is no spike.
- */
-function withoutSpike(ring: Ring): Ring | null {
-  const spike = ring.findIndex((at, k) => {
-    const [before, after] = [ring.at(k - 1) ?? at, ring[(k + 1) % ring.length] ?? at];
-    return distance(before, at) < TOUCH || isNear(before, at, after) || isNear(after, at, before);
-  });
-  return spike < 0 ? null : ring.filter((_, k) => k !== spike);
-}
-
-/** Returns the ring without its first loop, or `null` if there is no loop. */
-function withoutLoop(ring: Ring): Ring | null {
-  const edges = edgesOf(ring, true);
-  for (const [i, edge] of edges.entries()) {
-    // Neighbouring edges always meet at their corner.
-    for (const [k, other] of edges.slice(i + 2, i === 0 ? -1 : undefined).entries()) {
-      const at = intersection(edge, other);
-      if (!at) continue;
-      const j = i + 2 + k;
-      const [loop, rest] = [
-        [at, ...ring.slice(i + 1, j + 1)],
-        [...ring.slice(0, i + 1), at, ...ring.slice(j + 1)],
-      ];
-      return areaOf(loop) > areaOf(rest) ? loop : rest;
-    }
+function withoutCurl(ring: Ring, most: number, kept: ReadonlySet<Vec | undefined>): Ring | null {
+  for (const { at, edges } of crossingsOf(edgesOf(ring, true))) {
+    const [i, j] = edges;
+    const [loop, rest] = [
+      [at, ...ring.slice(i + 1, j + 1)],
+      [...ring.slice(0, i + 1), at, ...ring.slice(j + 1)],
+    ];
+    const [short, long] = perimeterOf(loop) < perimeterOf(rest) ? [loop, rest] : [rest, loop];
+    const isCurl = perimeterOf(short) <= most && !short.some((corner) => corner !== at && kept.has(corner));
+    if (isCurl) return long;
   }
   return null;
 }
+
+const perimeterOf = (ring: Ring): number => lengthOf([...ring, ...ring.slice(0, 1)]);
 
 /** Whether a line crosses or touches a ring. */
 export const touches = (corners: readonly Vec[], closed: boolean, ring: Ring): boolean => {
@@ -88,6 +108,10 @@ export const ringsMeet = (a: Ring, b: Ring): boolean =>
 /** Whether a ring lies inside another. The two must not touch. */
 export const isWithin = ([first]: Ring, around: Ring): boolean =>
   first !== undefined && isInside(around, first);
+
+/** The rings that lie in no other one. They must not touch. */
+export const islandsOf = (rings: readonly Ring[]): readonly Ring[] =>
+  rings.filter((ring) => !rings.some((other) => other !== ring && isWithin(ring, other)));
 
 type Edge = readonly [Vec, Vec];
 

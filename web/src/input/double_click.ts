@@ -1,4 +1,4 @@
-/** Double clicks of pointers that are captured, for which browsers send none. */
+/** Double clicks of pointers that are captured, for which browsers do not send one. */
 import { distance, type Vec } from '../geometry/vec';
 
 /** Two clicks within this time and distance are a double click. CSS pixels, for a mouse and for a finger. */

@@ -2,14 +2,14 @@
 import { addressInList, pictureInHtml } from '../editor/address';
 import type { NamedFile } from '../editor/picture';
 
-/** Receives what is dropped. */
+/** Receives dropped data. */
 export interface DropReceiver {
   files(files: readonly NamedFile[]): void;
-  /** An address; null if there is none in what was dropped. */
+  /** An address; null if the dropped data has none. */
   address(address: string | null): void;
 }
 
-/** The types that are taken. Browsers tell no more of them before the drop. */
+/** The types that are taken. Browsers provide no more information before the drop. */
 const TAKEN = ['Files', 'text/uri-list', 'text/html'];
 
 export class DropTarget {

@@ -4,10 +4,13 @@
 
 import type { EditorAccess } from '../editor/access';
 import { type CommandName, commandOfKey, commandsFor, isPreview } from '../editor/commands';
-import { takesBail } from '../editor/update/command';
+import { holdsKeys } from '../editor/keys_in_hand';
+import { selectionOf } from '../editor/state';
+import { repeats, takesBail } from '../editor/update/command';
 import { takesArrow, takesPlace, takesSpace, takesTurn } from '../editor/update/keys';
 import { takesMenuKey } from '../editor/update/menu';
 import type { Vec } from '../geometry/vec';
+import { usesKey } from '../ui/own_keys';
 import { isField, isTyped } from '../ui/untyped';
 
 const ARROWS: Readonly<Record<string, Vec>> = {
@@ -23,7 +26,7 @@ const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'save-whole', 'expo
 const OF_HISTORY: readonly CommandName[] = ['undo', 'redo'];
 
 /** Left to the browser, which then sends what is on the clipboard without asking anybody. */
-const OF_CLIPBOARD: readonly CommandName[] = ['copy', 'paste'];
+const OF_CLIPBOARD: readonly CommandName[] = ['copy', 'paste', 'copy-keys', 'cut-keys', 'paste-keys'];
 
 /** By `code`, since Shift changes `key`. */
 const TURNS: Readonly<Record<string, number>> = { Comma: -1, Period: 1 };
@@ -39,6 +42,9 @@ export class KeyboardInput {
     this.#root = root;
     this.#editor = editor;
     const { signal } = this.#listening;
+    const compose = (event: Event) => this.#compose(event as KeyboardEvent);
+    root.addEventListener('keydown', compose, { signal, capture: true });
+    root.addEventListener('keyup', compose, { signal, capture: true });
     // :focus-visible also matches elements that a script focused before the first click.
     const keyed = (on: boolean) => root.host.classList.toggle('keyed', on);
     root.addEventListener('keydown', () => keyed(true), { signal });
@@ -54,26 +60,34 @@ export class KeyboardInput {
     this.#listening.abort();
   }
 
+  /** Keys of an input method are for its text. Safari sends the last one after the composition, with code 229. */
+  #compose(event: KeyboardEvent): void {
+    const { isComposing, keyCode, target } = event;
+    if ((isComposing || keyCode === 229) && !this.#root.host.contains(target as Node))
+      event.stopImmediatePropagation();
+  }
+
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
     if (event.defaultPrevented || this.#editor.state.page.disabled) return;
     // Controls of the page, in the slots, have keys of their own.
     if (this.#root.host.contains(target)) return;
-    // With Ctrl the menu has just closed, and the key goes on.
+    // With Ctrl, the menu has just closed, and the key is processed further.
     if (target.closest('.context') && !event.ctrlKey && !event.metaKey) return;
     if (isField(target) && !this.#leavesField(event, target)) return;
     // The browser closes an open menu on Escape unless the event is cancelled.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
-    if (this.#record(event, true)) return;
+    if (this.#record(event, true) || usesKey(target, event)) return;
+    const { state, dispatch } = this.#editor;
     const onStage = target.matches('.shell, .stage, .stage *');
-    if (onStage && this.#stageKey(event, target)) {
+    const isAbout = onStage || selectionOf(state).length > 0;
+    if ((isAbout && this.#selectionKey(event)) || (onStage && this.#stageKey(event, target))) {
       event.preventDefault();
       return;
     }
-    const { state, dispatch } = this.#editor;
     const command = commandOfKey(
       event,
-      commandsFor(state.page.posable, state.page.readonly, state.tools.tool),
+      commandsFor(state.page.posable, state.page.readonly, state.tools.tool, holdsKeys(state)),
     );
     if (command === null || OF_CLIPBOARD.includes(command)) return;
     if (command === 'bail') {
@@ -83,8 +97,7 @@ export class KeyboardInput {
       return;
     }
     event.preventDefault();
-    // Mirroring twice changes nothing: a key held a little too long would end on either side.
-    if (event.repeat && command === 'mirror') return;
+    if (event.repeat && !repeats(state, command)) return;
     if (!isPreview(command)) dispatch({ type: 'command-run', command });
     else if (!event.repeat) {
       this.#held = event.code;
@@ -102,29 +115,42 @@ export class KeyboardInput {
     return true;
   }
 
-  /** Handles a key of the stage. Returns whether the key was one. */
-  #stageKey(event: KeyboardEvent, target: Element): boolean {
+  /** Handles an arrow, or a key that turns or scales. Returns whether the key was one. */
+  #selectionKey(event: KeyboardEvent): boolean {
     if (event.ctrlKey || event.metaKey) return false;
     const { state, dispatch } = this.#editor;
+    const arrow = ARROWS[event.key];
+    if (arrow) return this.#arrow(arrow, event);
     const turn = TURNS[event.code];
     const ten = event.shiftKey;
-    if (event.altKey) {
-      if (turn === undefined || !takesTurn(state)) return false;
-      dispatch({ type: 'turn-pressed', degrees: 0, scale: (ten ? 1.1 : 1.01) ** turn });
+    if (turn === undefined || !takesTurn(state)) return false;
+    if (event.altKey) dispatch({ type: 'turn-pressed', degrees: 0, scale: (ten ? 1.1 : 1.01) ** turn });
+    else dispatch({ type: 'turn-pressed', degrees: turn * (ten ? 15 : 1), scale: 1 });
+    return true;
+  }
+
+  #arrow([x, y]: Vec, { altKey, shiftKey }: KeyboardEvent): boolean {
+    const { state, dispatch } = this.#editor;
+    const steps = shiftKey ? 10 : 1;
+    if (holdsKeys(state)) {
+      if (!altKey) dispatch({ type: 'keys-walked', by: [x, y], extends: shiftKey });
+      else if (x !== 0) dispatch({ type: 'keys-stepped', frames: x * steps });
       return true;
     }
-    const arrow = ARROWS[event.key];
-    if (event.key === 'ContextMenu' || (event.key === 'F10' && ten)) {
+    if (altKey || !takesArrow(state)) return false;
+    dispatch({ type: 'arrow-pressed', by: [x * steps, y * steps] });
+    return true;
+  }
+
+  /** Handles another key of the stage. Returns whether the key was one. */
+  #stageKey(event: KeyboardEvent, target: Element): boolean {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const { state, dispatch } = this.#editor;
+    if (event.key === 'ContextMenu' || (event.key === 'F10' && event.shiftKey)) {
       if (!takesMenuKey(state)) return false;
       dispatch({ type: 'menu-key-pressed' });
     } else if (event.key === ' ') return this.#holdSpace(true);
-    else if (arrow) {
-      if (!takesArrow(state)) return false;
-      dispatch({ type: 'arrow-pressed', by: [arrow[0] * (ten ? 10 : 1), arrow[1] * (ten ? 10 : 1)] });
-    } else if (turn !== undefined) {
-      if (!takesTurn(state)) return false;
-      dispatch({ type: 'turn-pressed', degrees: turn * (ten ? 15 : 1), scale: 1 });
-    } else {
+    else {
       if (event.key !== 'Enter' || !target.matches('.shell, .stage, .handle') || !takesPlace(state))
         return false;
       dispatch({ type: 'place-pressed' });

@@ -2,8 +2,8 @@
  * Turns the pointers and the wheel on a stage into events: presses of a tool and moves of the camera.
  *
  * One pointer works the tool. With space, the middle button or a second finger it navigates instead. A second finger
- * cancels the press of the first: two fingers never edit. A right click, or a finger that stays, asks for the menu. If
- * that finger then moves, its press goes on.
+ * cancels the press of the first: two fingers never edit. A right click or a long press opens the menu. If that finger
+ * then moves, its press continues.
  *
  * While a pen is near, touches are those of the hand that holds it, and count for nothing.
  *
@@ -24,7 +24,7 @@ import { wheeled } from './wheel';
 /** A press that moves farther than this is a drag, here as in the tools. CSS pixels. */
 const SLIP = { fine: 3, coarse: 8 } as const;
 
-/** A finger that stays in its place for this long asks for the menu, as it does elsewhere on phones. */
+/** A finger that rests for this long opens the menu, as elsewhere on phones. */
 const HOLD_MS = 500;
 
 /** Who receives the gestures that hold nothing. */
@@ -54,7 +54,7 @@ export class PointerInput {
   /** Whether a pen is on the stage, or hovers over it. */
   #penIsNear = false;
   #holding: ReturnType<typeof setTimeout> | undefined;
-  /** The press that has brought up the menu, as it began, until it moves or ends. */
+  /** The start of the press that opened the menu, until it moves or ends. */
   #stayed: { readonly id: number; readonly pointer: StagePointer } | null = null;
 
   /** @param leaveField commits a number that is being typed, before a press changes the selection it belongs to. */
@@ -75,7 +75,7 @@ export class PointerInput {
       stage.addEventListener('touchstart', (event) => this.#keep(event), { signal, passive: false });
       return;
     }
-    // Otherwise a click follows, on any control that the press has brought up under the finger.
+    // Otherwise a click follows, on any control that the press has opened under the finger.
     stage.addEventListener('touchend', (event) => prevent(event), { signal, passive: false });
     stage.addEventListener('wheel', (event) => this.#wheel(event), { signal, passive: false });
   }
@@ -103,7 +103,7 @@ export class PointerInput {
     const palmStayed = this.#stayed?.pointer.coarse === true;
     this.#stayed = null;
     if (event.pointerType === 'pen') this.#takePen();
-    // One that was prevented has closed a menu. A pen goes on if its palm has brought that up.
+    // One that was prevented has closed a menu. A pen continues if its palm has opened it.
     if (event.defaultPrevented && !(event.pointerType === 'pen' && palmStayed)) return;
     // The focus stays where it was while the menu is open.
     if (event.button === 2 && this.#owner === 'editor') event.preventDefault();
@@ -150,7 +150,7 @@ export class PointerInput {
     if (this.#openMenu(pointer, true)) this.#stayed = { id, pointer };
   }
 
-  /** Goes on with a press that has brought up the menu, if it moves far enough for a drag. */
+  /** Continues a press that has opened the menu, if it moves far enough for a drag. */
   #goOn({ pointerId }: PointerEvent, pointer: StagePointer): void {
     const stayed = this.#stayed;
     if (stayed?.id !== pointerId || !this.#slips(stayed.pointer.stage, pointer)) return;
@@ -231,7 +231,7 @@ export class PointerInput {
 
   /**
    * Opens the menu instead of the browser's, except with Shift. A finger's is a matter of `#holding`: few phones send
-   * this event. A press that is under way goes on, except one with Ctrl: on a Mac that is a right click.
+   * this event. A press in progress continues, except with Ctrl, which is a right click on a Mac.
    */
   #menu(event: MouseEvent): void {
     if (event.shiftKey) return;

@@ -19,7 +19,7 @@ describe('fetchFile', () => {
     await expect(fetchFile('data:,hello', options).then((file) => file.text())).resolves.toBe('hello');
     await expect(fetchFile('nowhere:/cat.png', options)).rejects.toMatchObject({
       code: 'address',
-      message: expect.stringContaining('cat.png could not be loaded'),
+      message: expect.stringContaining('Could not load cat.png'),
     });
   });
 

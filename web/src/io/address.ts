@@ -42,7 +42,7 @@ export async function fetchFile(address: string, options: FetchOptions): Promise
   }
 }
 
-/** Browsers do not tell a page whether a server refuses it or cannot be reached. */
+/** Browsers do not let a page distinguish a server that denies access from an unreachable one. */
 function unreachable(address: string, cause: unknown): C2WarpError {
   const [, host = null] = /^\s*https?:\/\/([^/?#]+)/i.exec(address) ?? [];
   const file = fileName(address);

@@ -35,7 +35,7 @@ export class FileWriter<File> {
     await this.#ask({ rgba }, [rgba.buffer]);
   }
 
-  /** @throws as {@link write}. */
+  /** @throws the errors of {@link write}. */
   async finish(): Promise<File> {
     const reply = await this.#ask('end');
     if (typeof reply === 'string') throw this.#failed();

@@ -1,4 +1,4 @@
-/** Errors of pictures, addresses and carried projects. A worker loads the English of these alone. */
+/** Errors of pictures, addresses and carried projects. A worker loads the English texts of only these. */
 import { errorsIn } from '../error';
 import { addressErrors, carriedErrors, pictureErrors } from '../texts/en/picture_errors';
 

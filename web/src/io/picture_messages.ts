@@ -1,4 +1,4 @@
-/** The messages between the page and the worker that reads pictures. Each picture has a port of its own. */
+/** The messages between the page and the worker that reads pictures. Each picture has its own port. */
 
 import type { C2WarpErrorCode } from '../error';
 import type { Wording } from '../texts/wording';

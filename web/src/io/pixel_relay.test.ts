@@ -20,7 +20,7 @@ describe('the relay of pixels', () => {
     expect(await asked(new PixelRelay((to) => to.postMessage(null)))).toBeNull();
   });
 
-  it('answers for a worker that dies, before and after it is asked', async () => {
+  it('answers for a worker that dies, before and after a request', async () => {
     const relay = new PixelRelay((to) => to.close());
     const waiting = asked(relay);
     relay.lose();

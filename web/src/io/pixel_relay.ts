@@ -1,6 +1,6 @@
 /**
- * The way of a picture's pixels from the worker that keeps them to the ports that ask for copies. A worker that dies
- * closes its ports without a word, and the asker would wait for ever: the page, which hears of the death, answers then.
+ * Sends a picture's pixels from the worker that keeps them to the ports that request copies. A worker that dies closes
+ * its ports silently, and the requester would wait forever: the page detects this and responds.
  */
 export class PixelRelay {
   readonly #ask: (to: MessagePort) => void;

@@ -19,7 +19,7 @@ const bytes = (text = TEXT) => written([textChunk('c2warp', text)]);
 const CONTENT = 8 + 25 + 8;
 
 describe('a text in a PNG', () => {
-  it('is read as it was written, and leaves the pixels', async () => {
+  it('is read as written, without changing the pixels', async () => {
     const file = await bytes();
     expect(textIn(file.buffer, 'c2warp')).toBe(TEXT);
     expect(Array.from(decode(file).data)).toEqual([1, 2, 3, 255, 5, 6, 7, 255]);

@@ -7,6 +7,7 @@ import type { C2WarpError } from '../error';
 import { say } from '../texts/wording';
 import type { PngChunk } from './encoding';
 import { latin } from './formats/latin';
+import { MAX_PROJECT_BYTES } from './generated/limits';
 import { carriedError } from './picture_error';
 import { crc32, SIGNATURE } from './png_chunk';
 import { readBytes } from './read';
@@ -14,16 +15,13 @@ import { readBytes } from './read';
 /** Length, name and checksum. */
 const AROUND = 12;
 
-/** Longer texts are refused before they are decoded. */
-export const MAX_TEXT_BYTES = 100e6;
-
 /** The chunk that holds a text in a PNG file. */
 export function textChunk(keyword: string, text: string): PngChunk {
   // Keyword, separator, no compression with its method, no language, no translated keyword, text.
   return { type: 'iTXt', data: new TextEncoder().encode(`${keyword}\0\0\0\0\0${text}`) };
 }
 
-/** The text of a keyword in any file, of which a PNG alone is read as a whole. @throws as {@link textIn}. */
+/** The text of a keyword in any file, of which only a PNG is read as a whole. @throws the errors of {@link textIn}. */
 export async function textOfFile(file: Blob, keyword: string): Promise<string | null> {
   const start = new DataView(await readBytes(file.slice(0, SIGNATURE.length)));
   return isPng(start) ? textIn(await readBytes(file), keyword) : null;
@@ -51,7 +49,7 @@ export function textIn(file: ArrayBuffer, keyword: string): string | null {
 
 /** @param named the name and the content of a chunk. */
 function textOf(named: Uint8Array, checksum: number, keywordLength: number): string {
-  if (named.length > MAX_TEXT_BYTES) throw carriedError('project', say('errors.carried.tooLong'));
+  if (named.length > MAX_PROJECT_BYTES) throw carriedError('project', say('errors.carried.tooLong'));
   if (crc32(named) !== checksum) throw damaged();
   const flags = 4 + keywordLength + 1;
   if (named[flags] !== 0) throw carriedError('project', say('errors.carried.compressed'));

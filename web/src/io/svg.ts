@@ -1,5 +1,5 @@
 /**
- * A figure of the page as an SVG file that stands by itself.
+ * A figure of the page as a self-contained SVG file.
  *
  * Style sheets stay behind in the page, so the file gets their values as attributes of its elements. Comments and
  * classes are left out.

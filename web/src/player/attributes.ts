@@ -6,31 +6,31 @@ const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class PlayerAttributes extends Base {
   /**
-   * The address of the rig. A new one replaces it, and the newest wins.
+   * The address of the rig. A new address replaces the rig, and the newest wins.
    *
    * @attr
    * @default ''
    */
   get src(): string {
-    return this.getAttribute('src') ?? '';
+    return this.#address('src');
   }
 
   set src(src: string) {
-    this.setAttribute('src', src);
+    this.reflect('src', src);
   }
 
   /**
-   * The address of an image that is shown until the rig is there, and if it fails.
+   * The address of an image that is shown until the rig is loaded, and if loading fails.
    *
    * @attr
    * @default ''
    */
   get poster(): string {
-    return this.getAttribute('poster') ?? '';
+    return this.#address('poster');
   }
 
   set poster(poster: string) {
-    this.setAttribute('poster', poster);
+    this.reflect('poster', poster);
   }
 
   /**
@@ -44,11 +44,11 @@ export class PlayerAttributes extends Base {
   }
 
   set alt(alt: string) {
-    this.setAttribute('alt', alt);
+    this.reflect('alt', alt);
   }
 
   /**
-   * Readers may pose the handles, by pointer and by keyboard.
+   * Lets readers pose the handles, by pointer and by keyboard.
    *
    * @attr
    * @default false
@@ -58,11 +58,11 @@ export class PlayerAttributes extends Base {
   }
 
   set posable(posable: boolean) {
-    this.toggleAttribute('posable', posable);
+    this.toggleAttribute('posable', Boolean(posable));
   }
 
   /**
-   * Plays once the rig is there, unless people prefer reduced motion.
+   * Plays once the rig is loaded, unless the user prefers reduced motion.
    *
    * @attr
    * @default false
@@ -72,11 +72,11 @@ export class PlayerAttributes extends Base {
   }
 
   set autoplay(autoplay: boolean) {
-    this.toggleAttribute('autoplay', autoplay);
+    this.toggleAttribute('autoplay', Boolean(autoplay));
   }
 
   /**
-   * Begins again at the end.
+   * Repeats the clip.
    *
    * @attr
    * @default false
@@ -86,12 +86,62 @@ export class PlayerAttributes extends Base {
   }
 
   set loop(loop: boolean) {
-    this.toggleAttribute('loop', loop);
+    this.toggleAttribute('loop', Boolean(loop));
   }
 
-  /** @internal The size that the page says, or null. */
+  /**
+   * The width in CSS pixels, for the shape before the rig is loaded. It requires `height`.
+   *
+   * @attr
+   * @default 0
+   */
+  get width(): number {
+    return this.#pixels('width');
+  }
+
+  set width(width: number) {
+    this.reflect('width', width);
+  }
+
+  /**
+   * The height in CSS pixels, for the same purpose.
+   *
+   * @attr
+   * @default 0
+   */
+  get height(): number {
+    return this.#pixels('height');
+  }
+
+  set height(height: number) {
+    this.reflect('height', height);
+  }
+
+  /** @internal The size that the page sets, or null. */
   protected get givenSize(): Size | null {
-    const [width, height] = ['width', 'height'].map((name) => Number(this.getAttribute(name)));
-    return width && height && width > 0 && height > 0 ? { width, height } : null;
+    const { width, height } = this;
+    return width && height ? { width, height } : null;
+  }
+
+  /** Absolute, as in HTML. */
+  #address(name: string): string {
+    const text = this.getAttribute(name);
+    try {
+      return text ? new URL(text, this.baseURI).href : '';
+    } catch {
+      return text ?? '';
+    }
+  }
+
+  /** A whole number from 0, as in HTML. */
+  #pixels(name: string): number {
+    const pixels = Number.parseInt(this.getAttribute(name) ?? '', 10);
+    return pixels >= 0 && pixels < 2 ** 31 ? pixels : 0;
+  }
+
+  /** @internal Frameworks take a property back by null or undefined. */
+  protected reflect(name: string, value: unknown): void {
+    if (value == null) this.removeAttribute(name);
+    else this.setAttribute(name, String(value));
   }
 }

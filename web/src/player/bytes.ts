@@ -6,18 +6,18 @@ export interface Bytes {
   byte(): number;
   varint(): number;
   signed(): number;
-  /** A number of items of at least so many bytes: there are bytes for all of them. */
+  /** Reads a number of items of at least `bytes` bytes each, and checks that the section is long enough. */
   count(bytes?: number): number;
   float(): number;
   text(): string;
-  /** Nothing may follow. */
+  /** Checks that nothing follows. */
   end(): void;
   check(isRight: boolean, reason: string): void;
-  /** Whether so many bytes may follow. */
+  /** Whether this many bytes may follow. */
   has(count: number): boolean;
 }
 
-/** @param part the words for the section in errors. */
+/** @param part the name of the section in errors. */
 export function bytesOf(part: string, data: Uint8Array): Bytes {
   const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
   let at = 0;
@@ -37,10 +37,10 @@ export function bytesOf(part: string, data: Uint8Array): Bytes {
       const digit = byte();
       number += (digit & 127) * place;
       if (digit > 127) continue;
-      check(number < 2 ** 32, 'has a number of more than 32 bits');
+      check(number < 2 ** 32, 'contains a number of more than 32 bits');
       return number;
     }
-    throw wrong('has a number of more than 32 bits');
+    throw wrong('contains a number of more than 32 bits');
   };
   const has = (count: number) => count <= data.length - at;
   const count = (bytes = 1) => {
@@ -63,10 +63,10 @@ export function bytesOf(part: string, data: Uint8Array): Bytes {
       try {
         return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
       } catch {
-        throw wrong('has a text that is not UTF-8');
+        throw wrong('contains text that is not UTF-8');
       }
     },
-    end: () => check(at === data.length, 'goes on after its end'),
+    end: () => check(at === data.length, 'continues past its end'),
     check,
     has,
   };

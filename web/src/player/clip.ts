@@ -6,7 +6,7 @@ export const NUMBERS = 6;
 /** Numbers of a motion for the vertex shader: three texels. */
 export const STRIDE = 12;
 
-/** After the end, 0: the clip stops. 1: it repeats. 2: it runs backwards. */
+/** Behaviour at the end. 0: the clip stops. 1: it repeats. 2: it runs backwards. */
 const ALTERNATE = 2;
 
 export interface Order {
@@ -31,7 +31,7 @@ export interface RigClip {
   readonly orders: readonly Order[];
 }
 
-/** Seconds until the clip begins again: there and back for one that alternates. */
+/** Seconds until the clip repeats: forwards and backwards for a clip that alternates. */
 export const cycleOf = ({ duration, end }: RigClip): number => (end === ALTERNATE ? 2 : 1) * duration;
 
 /** The frame at a time within the cycle. */
@@ -107,11 +107,11 @@ export function readClip(from: Bytes, sites: number, triangles: number): RigClip
   const name = from.text();
   const duration = from.float();
   const end = from.byte();
-  from.check(end <= ALTERNATE, 'has an unknown loop');
+  from.check(end <= ALTERNATE, 'has an unknown loop mode');
   const lastFrame = from.varint();
   from.check(lastFrame <= 2 ** 16, 'has too many frames');
   const fits = lastFrame === 0 ? duration === 0 : duration > 0 && duration < Number.POSITIVE_INFINITY;
-  from.check(fits, 'has a duration that does not fit its frames');
+  from.check(fits, 'has a duration that does not match its frames');
   const count = from.count();
   from.check(count > 0, 'has no motions');
   let frame = 0;
@@ -119,12 +119,12 @@ export function readClip(from: Bytes, sites: number, triangles: number): RigClip
     if (key === 0) return 0;
     const step = from.varint();
     frame += step;
-    from.check(step > 0 && frame <= lastFrame, 'has keys in disorder');
+    from.check(step > 0 && frame <= lastFrame, 'has keys out of order');
     return frame;
   });
   from.check(frame === lastFrame, 'has no motions at its end');
   const [angle, strain, place] = [from.byte(), from.byte(), from.byte()];
-  from.check(Math.max(angle, strain, place) <= 24, 'has too fine motions');
+  from.check(Math.max(angle, strain, place) <= 24, 'has motions with too many bits');
   from.check(from.has(count * sites * NUMBERS), 'ends too early');
   const motions = new Float64Array(count * sites * NUMBERS);
   [angle, strain, strain, strain, place, place].forEach((bits, number) => {
@@ -147,7 +147,7 @@ function readOrders(from: Bytes, lastFrame: number, triangles: number): Order[] 
   return Array.from({ length: count }, (_, index) => {
     const step = from.varint();
     frame += step;
-    from.check(step > 0 === index > 0 && frame <= lastFrame, 'has drawing orders in disorder');
+    from.check(step > 0 === index > 0 && frame <= lastFrame, 'has unsorted drawing orders');
     const flags = from.byte();
     // The order of the mesh, its own one, or the one before.
     from.check(flags < 4 || (flags < 6 && index > 0), 'has an unknown kind of drawing order');
@@ -162,7 +162,7 @@ function readOrder(from: Bytes, count: number): Uint32Array {
   let next = 0;
   return Uint32Array.from({ length: count }, () => {
     const triangle = (next + from.signed()) | 0;
-    from.check(drawn[triangle] === 0, 'has a drawing order that is no order of the triangles');
+    from.check(drawn[triangle] === 0, 'has an invalid drawing order');
     drawn[triangle] = 1;
     next = triangle + 1;
     return triangle;

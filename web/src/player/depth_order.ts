@@ -2,10 +2,10 @@
 import type { Rig } from './rig';
 
 const STEPS = 1024;
-/** Depths that differ by less than this part of the greatest are equal. */
+/** Depths that differ by less than this fraction of the greatest are equal. */
 const SAME = 1e-6;
 
-/** Indices of triangles, the farthest first; null for the order of the mesh. @param depths One a site. */
+/** Indices of triangles, the farthest first; null for the order of the mesh. @param depths One per site. */
 export function depthOrder({ rows, entries, triangles }: Rig, depths: Float64Array): Uint32Array | null {
   const vertices = Float64Array.from({ length: rows.length / 2 }, (_, vertex) => {
     const first = rows[2 * vertex] ?? 0;

@@ -1,13 +1,13 @@
 /**
  * `<c2-warp-player>`: plays a rig, with the attributes, properties, methods and events of `<video>`.
  *
- * Out of sight and in hidden tabs its time stands still, and nothing is computed.
+ * While it is out of view or in a hidden tab, its time stops and nothing is computed.
  */
 
+import { advanced, hasEnded, type MediaTime, standsStill } from '../document/media_time';
 import { asC2WarpError, C2WarpError } from '../error';
 import { PlayerAttributes } from './attributes';
 import { cycleOf, frameAt, motionAt, orderAt, type RigClip } from './clip';
-import { advanced } from './clock';
 import { type Grips, gripsOf } from './grips';
 import { handlesAt } from './handles_at';
 import type { Loaded } from './library';
@@ -21,24 +21,23 @@ import { type Stage, stage } from './stage';
 
 /** Seconds of the clock between two `timeupdate` events. */
 const UPDATE_S = 0.25;
-/** A longer gap between frames is a break, for example of a hidden tab. Milliseconds. */
+/** A longer gap between frames is a pause, for example in a hidden tab. Milliseconds. */
 const BREAK_MS = 250;
 
 /**
- * A player of rigs, with the words of `<video>`.
+ * A player of rigs, with the interface of `<video>`.
  *
- * @attr {number} width - The width in pixels of the page, for the shape before the rig is there. It needs `height`.
- * @attr {number} height - The height in pixels of the page, for the same.
- * @slot - Shown until the rig is there, and if it fails, where there is no poster.
+ * @slot - Shown until the rig is loaded, and if loading fails, unless a poster is set.
  * @csspart canvas - The picture.
  * @csspart poster - The image of `poster`.
- * @csspart handle - A grip, with `posable`.
+ * @csspart handle - The grip of a handle, with `posable`.
  */
 export class C2WarpPlayer extends PlayerAttributes {
   static readonly observedAttributes = [
     'src',
     'clip',
     'autoplay',
+    'loop',
     'poster',
     'alt',
     'width',
@@ -53,7 +52,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   readonly #source: Source;
   #error: C2WarpError | null = null;
   #clip: RigClip | undefined;
-  /** The handles as a page posed them, in place of the clip. */
+  /** The handles as posed by the page, instead of the clip. */
   #posed: readonly Handle[] | undefined;
   /** The same as a clip; undefined while the solver loads. */
   #posedClip: RigClip | undefined;
@@ -62,7 +61,6 @@ export class C2WarpPlayer extends PlayerAttributes {
   #time = 0;
   #rate = 1;
   #paused = true;
-  #ended = false;
   #autoplays = false;
   #last = Number.NaN;
   #updated = 0;
@@ -107,9 +105,15 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   connectedCallback(): void {
+    // Properties that the page set before the element was defined hide the accessors.
+    for (const [name, value] of Object.entries(this)) {
+      if (!(name in C2WarpPlayer.prototype)) continue;
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
     this.#screen.watch();
     stillness().addEventListener('change', this.#onStillness);
-    if (this.#wanted() !== this.#source.address) this.#load();
+    if (this.src !== this.#source.address) this.#load();
   }
 
   disconnectedCallback(): void {
@@ -131,28 +135,30 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (name === 'alt') this.#internals.ariaLabel = after;
     if (name === 'width' || name === 'height') this.#screen.setSize(this.givenSize);
     if (name === 'autoplay' && after !== null && this.#source.loaded) this.#autoplay();
+    if (name === 'loop') this.#ask();
   }
 
   /**
-   * The name of the clip. Without one, the first clip plays.
+   * The name of the clip. By default, the first clip plays.
    *
    * @attr
+   * @default ''
    */
   get clip(): string {
     return this.getAttribute('clip') ?? this.#clip?.name ?? '';
   }
 
   set clip(clip: string) {
-    this.setAttribute('clip', clip);
+    this.reflect('clip', clip);
   }
 
-  /** The names of all clips; empty until the rig is there. */
+  /** The names of all clips; empty until the rig is loaded. */
   get clips(): string[] {
     return this.#source.loaded?.rig.clips.map(({ name }) => name) ?? [];
   }
 
   /**
-   * A copy of the handles in their present poses, as in a project. It is empty until the rig is there, and for rigs
+   * A copy of the handles in their present poses, as in a project. It is empty until the rig is loaded, and for rigs
    * that cannot be posed.
    */
   get handles(): PosedHandle[] {
@@ -160,15 +166,16 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /**
-   * Poses handles in place of the clip, which pauses, until it plays or a time is set. Takes the handles of a project,
-   * or ids with changes. A rig whose poses need the solver loads it at the first pose, and shows the pose then.
+   * Pauses the clip and poses handles, until the clip plays or a time is set. Takes the handles of a project, or ids
+   * with changes. If the poses of a rig need the solver, the first pose loads it, and is then shown.
    *
-   * @param handles Places in pixels of the picture, degrees, and factors of the size.
-   * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
-   * @throws C2WarpError if the rig is not there yet, or cannot be posed.
+   * @param handles Positions in pixels of the picture, degrees, and scale factors.
+   * @throws RangeError if a handle does not exist, or a pose is invalid; TypeError without a list. On an error,
+   *   no handle moves.
+   * @throws C2WarpError if the rig is not loaded yet, or cannot be posed.
    */
   pose(handles: readonly HandlePose[]): void {
-    if (!this.#source.loaded) throw new C2WarpError('no-picture', 'there is no rig yet that could be posed');
+    if (!this.#source.loaded) throw new C2WarpError('no-picture', 'load a rig before you pose it');
     const { shares, solved } = this.#source.loaded.rig;
     if (!(shares || solved))
       throw new C2WarpError('rig', 'this rig cannot be posed: it was baked without the poses of its handles');
@@ -176,7 +183,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#loadSolver();
   }
 
-  /** Seconds. A clip that alternates lasts there and back. NaN until the rig is there. */
+  /** Seconds. For a clip that alternates, forwards and backwards together. NaN until the rig is loaded. */
   get duration(): number {
     return this.#clip ? cycleOf(this.#clip) : Number.NaN;
   }
@@ -193,15 +200,12 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   set currentTime(time: number) {
     if (!Number.isFinite(time)) throw new TypeError('The time must be a finite number.');
-    this.#time = Math.max(0, this.#clip ? Math.min(time, this.duration) : time);
-    this.#ended = false;
-    this.#posed = undefined;
-    this.#update();
-    this.#ask();
+    this.#seek(Math.max(0, this.#clip ? Math.min(time, this.duration) : time));
+    if (this.ended) this.#end();
   }
 
   /**
-   * The speed. Below 0 the clip plays backwards.
+   * The speed. Below 0, the clip plays backwards, and stands still at the beginning, as videos do.
    *
    * @default 1
    * @throws TypeError for anything but a finite number.
@@ -214,16 +218,17 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (!Number.isFinite(rate)) throw new TypeError('The rate must be a finite number.');
     this.#rate = rate;
     this.dispatchEvent(new Event('ratechange'));
+    this.#ask();
   }
 
-  /** Whether the clip does not play. */
+  /** Whether the clip is paused. */
   get paused(): boolean {
     return this.#paused;
   }
 
   /** Whether the clip has played to its end. */
   get ended(): boolean {
-    return this.#ended;
+    return hasEnded(this.#at);
   }
 
   /** Why the source or the clip is not shown, or null. */
@@ -232,7 +237,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   /**
-   * Plays, and resolves once the rig is there.
+   * Plays the clip, from the beginning if it has ended, and resolves once the rig is loaded.
    *
    * @throws C2WarpError if the rig cannot be shown.
    */
@@ -249,7 +254,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#stop();
   }
 
-  /** The handles as they are shown. */
+  /** The handles with their shown poses. */
   #handles(): readonly Handle[] {
     const { shares, solved, rest } = this.#source.loaded?.rig ?? {};
     const sources = shares ?? solved;
@@ -265,7 +270,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#ask();
   }
 
-  /** Loads the solver if the rig needs it. Then a pose that waits for it is shown, and grips are. */
+  /** Loads the solver if the rig needs it. Then shows a waiting pose, and the grips. */
   async #loadSolver(): Promise<void> {
     const { rig } = this.#source.loaded ?? {};
     if (!rig?.solved || this.#poser) return;
@@ -292,7 +297,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.dispatchEvent(new Event('input', { bubbles: true }));
   }
 
-  /** Shows grips, or none. */
+  /** Shows or hides grips. */
   #offer(): void {
     if (this.posable) this.#loadSolver();
     // An image has no parts for screen readers.
@@ -304,9 +309,30 @@ export class C2WarpPlayer extends PlayerAttributes {
     return this.posable && this.#poser !== null;
   }
 
+  /** The time by the rules of media elements. */
+  get #at(): MediaTime {
+    return { time: this.#time, rate: this.#rate, length: this.duration, loops: this.loop };
+  }
+
+  get #moves(): boolean {
+    return !this.#paused && !standsStill(this.#at);
+  }
+
+  #seek(time: number): void {
+    this.#time = time;
+    this.#posed = undefined;
+    this.#update();
+    this.#ask();
+  }
+
+  /** The clip has come to its end. */
+  #end(): void {
+    if (this.ended) this.#stop();
+    this.dispatchEvent(new Event('ended'));
+  }
+
   #begin(): void {
-    if (this.#ended) this.#time = 0;
-    this.#ended = false;
+    if (this.ended) this.#seek(0);
     this.#posed = undefined;
     if (!this.#paused) return;
     this.#paused = false;
@@ -332,14 +358,10 @@ export class C2WarpPlayer extends PlayerAttributes {
     this.#stop();
   };
 
-  #wanted(): string {
-    return this.src && new URL(this.src, document.baseURI).href;
-  }
-
   /** Loads the source. A newer one supersedes it. */
   #load(): void {
     this.#error = null;
-    this.#source.load(this.#wanted());
+    this.#source.load(this.src);
   }
 
   #begun({ rig }: Loaded): void {
@@ -358,10 +380,11 @@ export class C2WarpPlayer extends PlayerAttributes {
     const wanted = this.getAttribute('clip');
     const found = wanted === null ? clips[0] : clips.find(({ name }) => name === wanted);
     if (found) this.#error = null;
-    else this.#fail(new C2WarpError('clip', `There is no clip “${wanted}”: there is ${listed(this.clips)}.`));
+    else
+      this.#fail(new C2WarpError('clip', `There is no clip “${wanted}”. The rig has ${listed(this.clips)}.`));
     const before = this.#clip;
     this.#clip = found ?? clips[0];
-    if (before && before !== this.#clip) this.currentTime = 0;
+    if (before && before !== this.#clip) this.#seek(0);
     this.#ask();
   }
 
@@ -385,25 +408,19 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   readonly #frame = (now: number): boolean => {
     if (!this.#source.loaded || !this.#screen.isSeen) return false;
-    this.#advance(now);
+    if (this.#moves) this.#advance(Math.min(now - this.#last, BREAK_MS) / 1000);
     this.#draw();
-    return !this.#paused;
+    this.#last = this.#moves ? now : Number.NaN;
+    return this.#moves;
   };
 
-  #advance(now: number): void {
-    const gap = Math.min(now - this.#last, BREAK_MS);
-    this.#last = this.#paused ? Number.NaN : now;
+  #advance(seconds: number): void {
     // The first frame has none before it.
-    if (this.#paused || Number.isNaN(gap)) return;
-    const { time, stops } = advanced(this.#time, (gap / 1000) * this.#rate, this.duration, this.loop);
-    this.#time = time;
-    if (stops) {
-      this.#last = Number.NaN;
-      this.#ended = time >= this.duration;
-      this.#update();
-      this.#stop();
-      if (this.#ended) this.dispatchEvent(new Event('ended'));
-    } else if (Math.abs(time - this.#updated) >= UPDATE_S) this.#update();
+    if (Number.isNaN(seconds)) return;
+    this.#time = advanced(this.#at, seconds);
+    const ends = this.ended;
+    if (ends || !this.#moves || Math.abs(this.#time - this.#updated) >= UPDATE_S) this.#update();
+    if (ends) this.#end();
   }
 
   #draw(): void {

@@ -1,12 +1,12 @@
 /** The events of `<c2-warp-player>`: those of `<video>`, and of a control that readers pose. */
 export interface C2WarpPlayerEventMap {
-  /** The rig is there. */
+  /** The rig is loaded. */
   readonly loadeddata: Event;
-  /** The clip begins to play. */
+  /** The clip starts to play. */
   readonly play: Event;
   /** The clip pauses, also at its end. */
   readonly pause: Event;
-  /** `currentTime` has changed, four times a second while the clip plays. */
+  /** `currentTime` has changed. Fires four times a second while the clip plays. */
   readonly timeupdate: Event;
   /** `playbackRate` has been set. */
   readonly ratechange: Event;

@@ -3,7 +3,7 @@ import { type Order, STRIDE } from './clip';
 import { fill, padded, tableOf } from './program';
 import type { Rig } from './rig';
 
-/** Each pose with depths has an order of its own: old ones are forgotten. */
+/** Each pose with depths has its own order: old ones are dropped. */
 const MOST_ORDERS = 64;
 
 /** The attribute `a_place` of the shader. */

@@ -9,11 +9,13 @@ export interface Section {
 const MAGIC = [0x89, 0x43, 0x32, 0x52, 0x49, 0x47, 0x0d, 0x0a];
 const HEADER = 24;
 const ROW = 12;
-/** The checksum is of all bytes from here. */
+/** The checksum covers all bytes from here. */
 const CHECKED = 20;
-/** Versions of the format. The last one displaces the picture before sites move it. */
+/** Versions of the format. The latest version displaces the picture before sites move it. */
 const VERSIONS: readonly number[] = [1, 2];
-/** No deflated bytes unpack to more than so many times their number. */
+/** Maximum length of all deflated sections, in bytes. */
+const MOST_INFLATED = 512 * 2 ** 20;
+/** Greatest compression ratio of deflate. */
 const MOST_UNPACKED = 1032;
 
 const CRCS = Uint32Array.from({ length: 256 }, (_, crc) => {
@@ -28,9 +30,9 @@ function crc32(data: Uint8Array): number {
 }
 
 /**
- * The unpacked sections of a file, in its order, and whether it displaces its picture.
+ * Returns the unpacked sections in file order, and whether the rig displaces its picture.
  *
- * @throws C2WarpError with a sentence for people if the bytes are no rig of a known version, or a damaged one.
+ * @throws C2WarpError with a sentence for people if the bytes are not a rig, are damaged, or have an unknown version.
  */
 export async function sectionsOf(
   file: Uint8Array<ArrayBuffer>,
@@ -42,14 +44,14 @@ export async function sectionsOf(
     if (!isRight) throw new C2WarpError('rig', `This rig is damaged: ${reason}.`);
   };
   const [version, length, checksum, count] = [8, 12, 16, 20].map(word) as [number, number, number, number];
-  check(file.length >= HEADER, 'it is cut short');
+  check(file.length >= HEADER, 'it is truncated');
   if (!VERSIONS.includes(version))
     throw new C2WarpError(
       'rig',
-      `This rig has version ${version} of the format: version 1 or 2 is expected.`,
+      `This rig has version ${version} of the format. The player reads versions 1 and 2.`,
     );
-  check(length === file.length, `it has ${file.length} bytes in place of ${length}`);
-  check(checksum === crc32(file.subarray(CHECKED)), 'its checksum differs');
+  check(length === file.length, `it has ${file.length} bytes instead of ${length}`);
+  check(checksum === crc32(file.subarray(CHECKED)), 'its checksum does not match');
   check(count <= (length - HEADER) / ROW, 'its table is longer than the file');
   let at = HEADER + ROW * count;
   const rows = Array.from({ length: count }, (_, row) => {
@@ -59,12 +61,17 @@ export async function sectionsOf(
     const tag = String.fromCharCode(...file.subarray(start, start + 4));
     return { tag, stored, length: word(start + 8) };
   });
-  check(at === length, 'its sections do not fill it');
+  check(at === length, 'its sections do not add up to its length');
+  const inflated = rows.filter(({ stored, length }) => stored.length !== length);
+  check(sum(inflated) <= MOST_INFLATED, 'its sections are longer than 512 MiB');
   const sections = await Promise.all(
     rows.map(async ({ tag, stored, length }) => ({ tag, data: await unpacked(stored, length) })),
   );
   return { sections, isDisplaced: version === 2 };
 }
+
+const sum = (rows: readonly { readonly length: number }[]): number =>
+  rows.reduce((sum, { length }) => sum + length, 0);
 
 async function unpacked(stored: Uint8Array<ArrayBuffer>, length: number): Promise<Uint8Array<ArrayBuffer>> {
   if (length === stored.length) return stored;

@@ -4,7 +4,7 @@ import type { Handle, Place } from './shares';
 
 export interface Grips {
   readonly element: HTMLElement;
-  /** Shows the grips of these handles; null shows none. */
+  /** Shows the grips of these handles; null hides all. */
   show(handles: readonly Handle[] | null, view: View | null): void;
 }
 
@@ -17,7 +17,7 @@ interface Listeners {
   ended(): void;
 }
 
-/** Pixels of the picture that an arrow key moves by; with Shift ten times as many. */
+/** Step of an arrow key, in pixels of the picture; ten times as much with Shift. */
 const KEYS: Readonly<Record<string, Place>> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],

@@ -1,9 +1,9 @@
-/** The poses of handles that a clip has at a frame, from the motions of their sites. */
+/** The poses of handles at a frame of a clip, derived from the motions of their sites. */
 import { linearOf, type MotionNumber } from './clip';
 import type { Handle, Place, Sources } from './shares';
 
 /**
- * Depths are those of the project: a clip has its drawing orders instead.
+ * Depths are those of the project, because a clip stores drawing orders instead.
  *
  * @param rest Sites × 2.
  */
@@ -11,7 +11,7 @@ export function handlesAt(sources: Sources, motion: MotionNumber, rest: Float64A
   const { handles, bones, driven } = sources;
   const siteOf = (source: number) => driven.indexOf(source + 2);
   const numbersOf = (site: number) => [0, 1, 2, 3, 4, 5].map((index) => motion(site, index));
-  /** Where a site takes a place near it. */
+  /** The position to which a site moves a nearby point. */
   const moved = (site: number, [x, y]: Place): Place => {
     const numbers = numbersOf(site);
     const [a = 0, b = 0, c = 0, d = 0] = linearOf(numbers);

@@ -1,4 +1,4 @@
-/** The rigs of a page, each read once for all players that show it. */
+/** The rigs of a page, each loaded once for all players that show it. */
 import { C2WarpError } from '../error';
 import { type Rig, readRig } from './rig';
 
@@ -39,10 +39,10 @@ export function giveBack(address: string, forget: (loaded: Loaded) => void): voi
 
 async function load(address: string): Promise<Loaded> {
   const response = await fetch(address).catch(() => {
-    throw new C2WarpError('address', `${address} cannot be loaded: is the file there?`);
+    throw new C2WarpError('address', `Could not load ${address}. Check that the file exists.`);
   });
   if (!response.ok)
-    throw new C2WarpError('address', `${address} cannot be loaded: the server answers ${response.status}.`);
+    throw new C2WarpError('address', `Could not load ${address}: the server answered ${response.status}.`);
   const rig = await readRig(new Uint8Array(await response.arrayBuffer()));
   const picture = await createImageBitmap(new Blob([rig.picture]), { premultiplyAlpha: 'premultiply' }).catch(
     () => {

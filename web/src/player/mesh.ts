@@ -1,4 +1,4 @@
-/** The mesh of a rig and its weights, as a graphics card takes them. */
+/** The mesh of a rig and its weights, in the layout for a graphics card. */
 import type { Bytes } from './bytes';
 
 export interface Mesh {
@@ -6,9 +6,9 @@ export interface Mesh {
   readonly positions: Float32Array;
   /** Triangles × 3 in drawing order. */
   readonly triangles: Uint32Array;
-  /** Sites × 2: their rest places. */
+  /** Sites × 2: their rest positions. */
   readonly rest: Float64Array;
-  /** Places are whole numbers of a pixel over 2 to this. */
+  /** Positions are multiples of 2 to the power of minus this, in pixels. */
   readonly placeBits: number;
 }
 
@@ -21,7 +21,7 @@ export interface Weights {
 
 export function readMesh(from: Bytes): Mesh {
   const bits = from.byte();
-  from.check(bits <= 16, 'has too fine places');
+  from.check(bits <= 16, 'has positions with too many bits');
   const [vertices, triangles, sites] = [from.count(2), from.count(3), from.count(2)];
   const positions = Float32Array.from(readPlaces(from, vertices, bits));
   const rest = readPlaces(from, sites, bits);
@@ -31,7 +31,7 @@ export function readMesh(from: Bytes): Mesh {
     from.check(back <= seen, 'has a corner before the first vertex');
     return back === 0 ? seen++ : seen - back;
   });
-  from.check(seen === vertices, 'has triangles of other vertices');
+  from.check(seen === vertices, 'has triangles that do not match its vertices');
   return { positions, triangles: corners, rest, placeBits: bits };
 }
 
@@ -41,7 +41,7 @@ export function readDisplaced(from: Bytes, { positions, placeBits }: Mesh): Floa
   return positions.map((place, at) => place + (by[at] ?? 0));
 }
 
-/** Numbers × 2 in pixels: first along x, then along y, each as the difference from the one before. */
+/** Numbers × 2 in pixels: first along x, then along y, each as the difference from the previous one. */
 function readPlaces(from: Bytes, count: number, bits: number): Float64Array {
   const values = new Float64Array(2 * count);
   for (const axis of [0, 1]) {
@@ -56,7 +56,7 @@ function readPlaces(from: Bytes, count: number, bits: number): Float64Array {
 
 export function readWeights(from: Bytes, vertices: number, sites: number): Weights {
   const bits = from.byte();
-  from.check(bits <= 24 && from.has(vertices), 'are too fine, or end too early');
+  from.check(bits <= 24 && from.has(vertices), 'have too many bits, or end too early');
   const rows = new Uint32Array(2 * vertices);
   let count = 0;
   for (let row = 0; row < rows.length; row += 2) {
@@ -70,7 +70,7 @@ export function readWeights(from: Bytes, vertices: number, sites: number): Weigh
     let next = 0;
     for (let left = rows[row] ?? 0; left > 0; left--) {
       const site = next + from.varint();
-      from.check(site < sites, 'name a site that there is not');
+      from.check(site < sites, 'refer to an unknown site');
       entries[entry] = site;
       entry += 2;
       next = site + 1;

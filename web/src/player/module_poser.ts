@@ -1,17 +1,17 @@
 /**
- * Poses by the solver, in a WebAssembly module: loaded for the first rig that needs it. It is a script of its own, and
- * imports nothing of the player.
+ * Poses with the solver, in a WebAssembly module that is loaded for the first rig that needs it. It is a separate
+ * script without imports from the player.
  */
 import init, { SectionPoser } from './generated/pose';
 
 const MODULE = new URL('./generated/pose_bg.wasm', import.meta.url);
 
-/** The motions of all sites for poses in one flat array, seven numbers a site. @throws Error */
+/** The motions of all sites for poses in one flat array, seven numbers per site. @throws Error */
 export type ModulePoser = (poses: Float64Array) => Float64Array;
 
 let starting: Promise<unknown> | undefined;
 
-/** @throws Error with a sentence if the module does not load, or does not read the section. */
+/** @throws Error with a sentence if the module cannot be loaded, or cannot read the section. */
 export async function modulePoser(section: Uint8Array): Promise<ModulePoser> {
   starting ??= start();
   // A later call tries again: the network may be back.
@@ -25,6 +25,6 @@ export async function modulePoser(section: Uint8Array): Promise<ModulePoser> {
 
 async function start(): Promise<unknown> {
   const response = await fetch(MODULE);
-  if (!response.ok) throw new Error(`the server answers ${response.status} for ${MODULE.href}`);
+  if (!response.ok) throw new Error(`the server answered ${response.status} for ${MODULE.href}`);
   return init({ module_or_path: response });
 }

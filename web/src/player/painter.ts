@@ -23,7 +23,7 @@ export interface View {
   /** The size of the drawing, device pixels. */
   readonly width: number;
   readonly height: number;
-  /** Device pixels per pixel of the picture, and the place of its corner. */
+  /** Device pixels per pixel of the picture, and the position of its corner. */
   readonly scale: number;
   readonly x: number;
   readonly y: number;
@@ -63,7 +63,7 @@ export function painterOf(gl: WebGL2RenderingContext): Painter {
     gl.uniform1i(program.at('u_at_rest'), 0);
   };
 
-  /** Layers grow with the greatest drawing. */
+  /** Layers grow to the size of the largest drawing. */
   const sized = ({ layers }: Edges, { width, height }: View) => {
     if (size[0] === width && size[1] === height) return;
     size = [width, height];

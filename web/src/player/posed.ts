@@ -1,11 +1,11 @@
-/** Poses that pages give, in the words of project files, and the motions that they make: a clip of one frame. */
+/** Poses from pages, in the format of project files, and their motions as a clip of one frame. */
 import type { RigClip } from './clip';
 import { depthOrder } from './depth_order';
 import type { PosedSites } from './posing';
 import type { Rig } from './rig';
 import type { Handle, Place } from './shares';
 
-/** Corners as in project files: one place for a point, a list for a bar or polygon. */
+/** Corners as in project files: one position for a point, a list for a bar or polygon. */
 export type Corners = Place | readonly Place[];
 
 /** A handle with its pose, as in project files. */
@@ -14,10 +14,10 @@ export interface PosedHandle extends Omit<Handle, 'rest' | 'posed'> {
   readonly posed: Corners;
 }
 
-/** A handle with changes of its pose. The kind and the rest place of a project's handle are not looked at. */
+/** A handle with changes of its pose. The kind and the rest position of a project's handle are ignored. */
 export type HandlePose = Pick<PosedHandle, 'id'> & Partial<PosedHandle>;
 
-/** A copy of a handle in the form of project files. */
+/** A copy of a handle in the format of project files. */
 export function fileHandle({ rest, posed, ...handle }: Handle): PosedHandle {
   const corners = (places: readonly Place[]) =>
     handle.kind === 'point' ? ([...(places[0] as Place)] as Place) : places.map(([x, y]): Place => [x, y]);
@@ -25,7 +25,7 @@ export function fileHandle({ rest, posed, ...handle }: Handle): PosedHandle {
 }
 
 /**
- * @param turns whether handles may turn by themselves.
+ * @param turns whether automatic rotations are allowed.
  * @throws RangeError that names the handle; TypeError without a list.
  */
 export function posedHandles(
@@ -57,12 +57,12 @@ function changed(handle: Handle, pose: HandlePose | Handle, turns: boolean): Han
   check(
     Array.isArray(places) && places.length === count && places.every(isPlace),
     'posed',
-    count === 1 ? 'two numbers' : `${count} places of two numbers`,
+    count === 1 ? 'two numbers' : `${count} points of two numbers`,
   );
   check(
     Number.isFinite(rotation) || (turns && rotation === 'auto'),
     'rotation',
-    turns ? 'degrees or "auto"' : 'degrees, since turning by itself needs the solver',
+    turns ? 'degrees or "auto"' : 'degrees, because automatic rotation needs the solver',
   );
   check(Number.isFinite(scale) && scale > 0, 'scale', 'a number above 0');
   check(Number.isFinite(depth), 'depth', 'a number');

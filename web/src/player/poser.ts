@@ -1,4 +1,4 @@
-/** Poses of a rig: by sums of the motions of handles, or by the solver in a module. */
+/** Poses of a rig: as sums of the motions of handles, or by the solver in a module. */
 import { C2WarpError } from '../error';
 import { NUMBERS } from './clip';
 import { type PosedSites, posedSites } from './posing';
@@ -6,12 +6,12 @@ import type { Rig } from './rig';
 import type { Handle } from './shares';
 import type { Solved } from './solved';
 
-/** The motions of all sites for the handles of a rig. @throws C2WarpError for poses that have none. */
+/** The motions of all sites for the handles of a rig. @throws C2WarpError for poses without valid motions. */
 export type Poser = (handles: readonly Handle[]) => PosedSites;
 
 const loading = new WeakMap<Rig, Promise<Poser>>();
 
-/** The poser of a rig that is there at once; null if it needs the module, or cannot be posed. */
+/** The poser of a rig, if it is available immediately; null if it needs the module, or cannot be posed. */
 export const ownPoser = ({ shares, rest }: Rig): Poser | null =>
   shares && ((handles) => posedSites(shares, handles, rest));
 
@@ -45,7 +45,7 @@ async function load({ section, driven }: Solved): Promise<Poser> {
 
 const wordsOf = (error: unknown) => (error as Error).message.replace(/\.$/, '');
 
-/** As `HandlePose::from_numbers` in wasm/core/src/deform reads them. */
+/** The format of `HandlePose::from_numbers` in wasm/core/src/deform. */
 export const posesOf = (handles: readonly Handle[]) => Float64Array.from(handles.flatMap(numbersOf));
 
 const numbersOf = ({ posed, rotation, scale, depth }: Handle): number[] => [
@@ -56,7 +56,7 @@ const numbersOf = ({ posed, rotation, scale, depth }: Handle): number[] => [
   ...posed.flat(),
 ];
 
-/** @param numbers those of motions, and a depth, for each site. */
+/** @param numbers the numbers of a motion, and a depth, for each site. */
 export function sitesOf(numbers: Float64Array, sites: number): PosedSites {
   const motions = new Float64Array(sites * NUMBERS);
   const depths = new Float64Array(sites);

@@ -6,7 +6,7 @@
 import { linearOf, NUMBERS } from './clip';
 import type { Anchor, Bone, Handle, Place, Shares } from './shares';
 
-/** The map of a source: it moves `anchor` to `posed`, and turns and stretches around it. */
+/** The map of a source: it moves `anchor` to `posed`, and rotates and stretches around it. */
 interface Source {
   readonly anchor: Place;
   readonly posed: Place;
@@ -15,18 +15,18 @@ interface Source {
   readonly depth: number;
   /** Angle, strain xx, xy and yy. */
   readonly numbers: readonly number[];
-  /** As virtual sites get it. */
+  /** The motion passed to virtual sites. */
   readonly passedOn: readonly number[];
 }
 
 /** A bone posed to a length below this, in pixels, has no direction. */
 const NO_LENGTH = 1e-9;
-/** Least stretch, and least stretch over the greatest one. */
+/** Least stretch, and least ratio of the stretches. */
 const MIN_STRETCH = 1e-9;
 const MIN_RATIO = 0.1;
 const TURN = 2 * Math.PI;
 
-/** A handle that turns by itself needs the solver. */
+/** Automatic rotations need the solver. */
 const radians = (rotation: number | 'auto') => (rotation === 'auto' ? 0 : (rotation * Math.PI) / 180);
 const minus = ([ax, ay]: Place, [bx, by]: Place): Place => [ax - bx, ay - by];
 const between = ([ax, ay]: Place, [bx, by]: Place, fraction: number): Place => [
@@ -45,7 +45,7 @@ const segmentOf = (corners: readonly Place[], segment: number): [Place, Place] =
   corners[(segment + 1) % corners.length] as Place,
 ];
 
-/** A strain whose smaller stretch is at least a tenth of the greater one, unless both are above 1. */
+/** A strain whose smaller stretch is at least a tenth of the greater one, unless both exceed 1. */
 function passedOn(numbers: readonly number[]): readonly number[] {
   const [angle, xx, xy, yy] = numbers as [number, number, number, number];
   const [middle, half] = [(xx + yy) / 2, (xx - yy) / 2];
@@ -109,7 +109,7 @@ function sourcesOf({ joints, bones }: Shares, handles: readonly Handle[]): (Sour
   ];
 }
 
-/** By [a, b, c, d], which takes x to (a, b) and y to (c, d). */
+/** Applies [a, b, c, d], which maps x to (a, b) and y to (c, d). */
 const mapped = ([a = 0, b = 0, c = 0, d = 0]: readonly number[], [x, y]: Place): Place => [
   a * x + c * y,
   b * x + d * y,

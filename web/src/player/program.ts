@@ -2,7 +2,7 @@
 
 export interface Program {
   use(): void;
-  /** Where a uniform is; null for one that the shader does not use. */
+  /** The location of a uniform; null if the shader does not use it. */
   at(uniform: string): WebGLUniformLocation | null;
 }
 

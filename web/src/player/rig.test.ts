@@ -11,7 +11,7 @@ import { type Rig, readRig } from './rig';
 const FILE = fixture('wave.c2rig');
 /** The same picture in the harmonic mode, with two points and a bar. */
 const POSABLE = fixture('posable.c2rig');
-/** A picture of 40 × 30 px in the rigid mode, with a point that turns by itself, a bar and a polygon. */
+/** A picture of 40 × 30 px in the rigid mode, with a point with automatic rotation, a bar and a polygon. */
 const SOLVED = fixture('solved.c2rig');
 const HEADER = 24;
 const ROW = 12;
@@ -207,7 +207,7 @@ describe('a rig', () => {
     expect(orderAt(wave, 7)).toMatchObject({ frame: 0, crosses: false });
   });
 
-  it('has its shares read or refused with any content', { timeout: 60_000 }, async () => {
+  it('has its shares read or rejected with any content', { timeout: 60_000 }, async () => {
     const SHARES = 4;
     const read = await Promise.all(
       Array.from({ length: 200 }, (_, k) => {
@@ -248,7 +248,7 @@ describe('a rig', () => {
     }
   });
 
-  it('is read or refused with any content', { timeout: 60_000 }, async () => {
+  it('is read or rejected with any content', { timeout: 60_000 }, async () => {
     const files = [0, 2, 3, 4, 5].flatMap((section) =>
       Array.from({ length: 40 }, (_, k) =>
         packed((sections) => {
@@ -260,7 +260,7 @@ describe('a rig', () => {
     expect((await Promise.all(files.map(isRead))).filter(Boolean).length).toBeGreaterThan(10);
   });
 
-  it('is refused if a section is cut short or goes on', { timeout: 60_000 }, async () => {
+  it('is rejected if a section is truncated or too long', { timeout: 60_000 }, async () => {
     for (const section of [0, 2, 3, 4, 5]) {
       const lengths = Array.from({ length: 40 }, (_, k) => k);
       for (const less of lengths.map((k) => k - 1).filter((k) => k !== 0)) {
@@ -280,5 +280,17 @@ describe('a rig', () => {
     view.writeUInt32LE(0xffff_ffff, HEADER + 2 * ROW + 8);
     view.writeUInt32LE(crc32(view.subarray(20)), 16);
     expect(await isRead(file)).toBe(false);
+  });
+
+  it('is refused by its table if it unpacks to more than any rig', async () => {
+    const stored = Buffer.alloc(600_000);
+    const head = Buffer.from(FILE.subarray(0, HEADER + ROW));
+    head.writeUInt32LE(1, 20);
+    head.writeUInt32LE(stored.length, HEADER + 4);
+    head.writeUInt32LE(513 * 2 ** 20, HEADER + 8);
+    const file = Buffer.concat([head, stored]);
+    file.writeUInt32LE(file.length, 12);
+    file.writeUInt32LE(crc32(file.subarray(20)), 16);
+    await expect(readRig(new Uint8Array(file))).rejects.toThrow(/longer than 512 MiB/);
   });
 });

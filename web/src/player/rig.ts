@@ -8,18 +8,18 @@ import { readShares, type Shares } from './shares';
 import { readSolved, type Solved } from './solved';
 
 export interface Rig extends Mesh, Weights {
-  /** Of the picture, pixels. */
+  /** Width and height of the picture, pixels. */
   readonly width: number;
   readonly height: number;
   readonly rigid: boolean;
   /** Whether edges are drawn where parts cross. */
   readonly edges: boolean;
   readonly handles: readonly string[];
-  /** Vertices × 2: the places that sites move, image pixels. Texture coordinates are those of `positions`. */
+  /** Vertices × 2: the positions before sites move them, image pixels. Texture coordinates are those of `positions`. */
   readonly displaced: Float32Array;
-  /** Null where poses of handles need a solver. */
+  /** Null if poses of handles need a solver. */
   readonly shares: Shares | null;
-  /** Null where they need none, and for a rig that cannot be posed. */
+  /** Null if poses need no solver, and for a rig that cannot be posed. */
   readonly solved: Solved | null;
   /** The file of the picture. */
   readonly picture: Uint8Array<ArrayBuffer>;
@@ -30,7 +30,7 @@ export interface Rig extends Mesh, Weights {
 /**
  * Reads a rig.
  *
- * @throws C2WarpError with a sentence for people if the bytes are no rig of a known version, or a damaged one.
+ * @throws C2WarpError with a sentence for people if the bytes are not a rig, are damaged, or have an unknown version.
  */
 export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   const { sections, isDisplaced } = await sectionsOf(file);
@@ -51,7 +51,7 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   };
   const head = read('HEAD', 'the head', (from) => {
     const [width, height, flags] = [from.varint(), from.varint(), from.byte()];
-    from.check(width > 0 && height > 0, 'has an empty picture');
+    from.check(width > 0 && height > 0, 'describes an empty picture');
     from.check(flags < 4, 'has an unknown setting');
     const handles = Array.from({ length: from.count() }, () => from.text());
     return { width, height, rigid: (flags & 1) > 0, edges: (flags & 2) > 0, handles };
@@ -75,7 +75,7 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   do {
     const clip = read('CLIP', 'a clip', (from) => readClip(from, sites, mesh.triangles.length / 3));
     if (clips.some(({ name }) => name === clip.name))
-      throw new C2WarpError('rig', 'This rig is damaged: two clips have one name.');
+      throw new C2WarpError('rig', 'This rig is damaged: two clips have the same name.');
     clips.push(clip);
   } while (known.length > 0);
   return { ...head, ...mesh, ...weights, displaced, shares, solved, picture, clips };

@@ -1,4 +1,4 @@
-/** The canvas of a player: its size in device pixels, and whether it is in sight. */
+/** The canvas of a player: its size in device pixels, and whether it is in view. */
 import { GRIP_SHEET } from './grips';
 import type { View } from './painter';
 
@@ -10,27 +10,27 @@ export interface Size {
 export interface Screen {
   readonly context: CanvasRenderingContext2D | null;
   readonly isSeen: boolean;
-  /** Follows the size and the place of the element, until `unwatch`. */
+  /** Follows the size and the position of the element, until `unwatch`. */
   watch(): void;
   unwatch(): void;
-  /** Shows the canvas, shaped as a picture of this size. Null shows the poster or the content in its place. */
+  /** Shows the canvas in the shape of a picture of this size. Null shows the poster or the slotted content instead. */
   showPicture(size: Size | null): void;
-  /** The address of an image to show until there is a picture; empty for none. */
+  /** The address of an image to show until the picture is ready; empty for no image. */
   setPoster(address: string): void;
-  /** The size that the page says; without one the element has that of the picture, or else of the poster. */
+  /** The size that the page sets; by default, the size of the picture, or else of the poster. */
   setSize(size: Size | null): void;
-  /** A picture of this size as large as fits, in the middle; null on a canvas without a size. */
+  /** The view of a picture of this size, as large as possible and centred; null on an empty canvas. */
   viewOf(size: Size): View | null;
 }
 
 interface Listeners {
-  /** It came into sight, or left it. */
+  /** It came into view, or left it. */
   seen(): void;
-  /** The canvas has another size, and is empty. */
+  /** The canvas was resized, and is empty. */
   sized(): void;
 }
 
-/** The longest side of a drawing, device pixels. Some graphics cards have no larger ones. */
+/** The longest side of a drawing, device pixels. Some graphics cards do not support larger ones. */
 const MOST_PX = 4096;
 
 const SHEET = `:host{display:inline-block;position:relative}:host([hidden]),[hidden]{display:none}canvas,img{position:absolute;inset:0;width:100%;height:100%;object-fit:contain}`;

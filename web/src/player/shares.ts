@@ -1,15 +1,15 @@
-/** The handles of a rig, and the sources that its sites move by: see web/docs/rig-format.md. */
+/** The handles of a rig, and the sources that move its sites: see web/docs/rig-format.md. */
 import type { Bytes } from './bytes';
 
 export type Place = readonly [number, number];
 
-/** A handle as in project files, with a list of corners: a point has one. */
+/** A handle as in project files, with a list of corners: a point has one corner. */
 export interface Handle {
   readonly id: string;
   readonly kind: 'point' | 'bar' | 'polygon';
   readonly rest: readonly Place[];
   readonly posed: readonly Place[];
-  /** Degrees. A handle that turns by itself needs the solver. */
+  /** Degrees. Automatic rotations need the solver. */
   readonly rotation: number | 'auto';
   readonly scale: number;
   readonly depth: number;
@@ -32,10 +32,10 @@ export interface Bone {
 }
 
 export interface Share {
-  /** A handle, or after these a bone. */
+  /** The index of a handle, or after the handles, of a bone. */
   readonly source: number;
   share: number;
-  /** How far along the bone the share comes from, from 0 to 1. */
+  /** The position of the share along the bone, from 0 to 1. */
   along: number;
 }
 
@@ -44,16 +44,16 @@ export interface Sources {
   readonly handles: readonly Handle[];
   readonly joints: readonly (readonly Anchor[])[];
   readonly bones: readonly Bone[];
-  /** For each site 0: virtual. 1: it stays. 2 + k: it is one of source k. */
+  /** For each site, 0: virtual. 1: it does not move. 2 + k: it belongs to source k. */
   readonly driven: Uint32Array;
 }
 
 export interface Shares extends Sources {
-  /** One for each virtual site. */
+  /** One row for each virtual site. */
   readonly rows: readonly (readonly Share[])[];
 }
 
-const UNKNOWN = 'name a handle or bone that there is not';
+const UNKNOWN = 'refer to an unknown handle or bone';
 
 const KINDS = ['point', 'bar', 'polygon'] as const;
 
@@ -65,39 +65,42 @@ const isSource = ({ handles, bones }: Omit<Sources, 'driven'>, source: number) =
 export function readSources(from: Bytes, names: readonly string[], sites: number): Sources {
   const float = () => {
     const number = from.float();
-    from.check(Number.isFinite(number), 'have a number that is none');
+    from.check(Number.isFinite(number), 'contain a number that is not finite');
     return number;
   };
   const pair = (): Place => [float(), float()];
   const handles = names.map((id, at): Handle => {
     const kind = from.byte();
-    from.check(kind < 3 && id !== '' && names.indexOf(id) === at, 'have a handle that no project has');
+    from.check(kind < 3 && id !== '' && names.indexOf(id) === at, 'have an invalid handle');
     const corners = kind === 0 ? 1 : from.count(32);
-    from.check(corners > kind, 'have a handle that no project has');
+    from.check(corners > kind, 'have an invalid handle');
     const [rest, posed] = [list(corners, pair), list(corners, pair)];
     const [rotation, scale, depth] = [float(), float(), float()];
-    from.check(scale > 0, 'have a handle that no project has');
+    from.check(scale > 0, 'have an invalid handle');
     return { id, kind: KINDS[kind] ?? 'point', rest, posed, rotation, scale, depth };
   });
   const place = () => {
     const [handle, segment] = [from.varint(), from.varint()];
     const { kind, rest } = handles[handle] ?? {};
-    from.check(rest !== undefined && kind !== 'point' && segment < rest.length, 'have bones that do not fit');
+    from.check(
+      rest !== undefined && kind !== 'point' && segment < rest.length,
+      'have bones that do not match their handles',
+    );
     return { handle, segment };
   };
   const joints = list(from.count(), () => {
     const anchors = list(from.count(10), () => ({ ...place(), fraction: float() }));
-    from.check(anchors.length > 0, 'have bones that do not fit');
+    from.check(anchors.length > 0, 'have bones that do not match their handles');
     return anchors;
   });
   const joint = () => {
     const index = from.varint();
-    from.check(index < joints.length, 'have bones that do not fit');
+    from.check(index < joints.length, 'have bones that do not match their handles');
     return index;
   };
   const bones = list(from.count(68), (): Bone => {
     const [at, a, b] = [place(), pair(), pair()];
-    from.check(a[0] !== b[0] || a[1] !== b[1], 'have a bone without a length');
+    from.check(a[0] !== b[0] || a[1] !== b[1], 'contain a bone of zero length');
     return { ...at, rest: [a, b], joints: [joint(), joint()], beyond: pair(), beside: pair() };
   });
   from.check(from.has(sites), 'end too early');
@@ -117,7 +120,7 @@ export function readShares(from: Bytes, names: readonly string[], sites: number)
     return source;
   };
   const bits = from.byte();
-  from.check(bits <= 24, 'are too fine');
+  from.check(bits <= 24, 'have too many bits');
   const whole = 2 ** bits;
   let entries = 0;
   const counts = [...driven.filter((kind) => kind === 0)].map(() => {
@@ -146,7 +149,7 @@ export function readShares(from: Bytes, names: readonly string[], sites: number)
   for (const part of rows.flat()) {
     if (part.source < handles.length) continue;
     part.along = from.varint() / whole;
-    from.check(part.along <= 1, 'come from beyond a bone');
+    from.check(part.along <= 1, 'lie beyond a bone');
   }
   return { ...sources, rows };
 }

@@ -7,10 +7,10 @@ export interface Solved extends Sources {
   readonly section: Uint8Array;
 }
 
-/** The format of the section that the module reads. */
+/** The supported format of the section. */
 const FORMAT = 1;
 
-/** Null for a section of a later format: then the rig cannot be posed. */
+/** Null for a section of a later format. Then the rig cannot be posed. */
 export function readSolved(
   from: Bytes,
   section: Uint8Array,
@@ -23,7 +23,7 @@ export function readSolved(
   const { handles, ...others } = readSources(from, names, sites);
   const turned = handles.map((handle) => {
     const turns = from.byte();
-    from.check(turns < 2, 'have a handle that no project has');
+    from.check(turns < 2, 'have an invalid handle');
     return turns > 0 ? { ...handle, rotation: 'auto' as const } : handle;
   });
   return { ...others, handles: turned, section };

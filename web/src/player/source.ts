@@ -1,8 +1,8 @@
-/** The source of a player: loads rigs, of which the newest wins, and gives back those that are no longer shown. */
+/** The source of a player: loads rigs, of which the newest wins, and releases rigs that are no longer shown. */
 import { borrow, giveBack, type Loaded } from './library';
 
 interface Listeners {
-  /** Before a rig is loaded. @throws C2WarpError if none can be shown. */
+  /** Called before a rig is loaded. @throws C2WarpError if rigs cannot be shown. */
   begun(): void;
   shown(loaded: Loaded): void;
   /** A rig is no longer shown. */
@@ -14,7 +14,7 @@ interface Listeners {
 
 export class Source {
   readonly #listeners: Listeners;
-  /** The address that is loading; empty if none is. */
+  /** The address that is loading; empty if nothing is loading. */
   #awaited = '';
   /** The address of the shown rig. */
   #address = '';
@@ -40,7 +40,7 @@ export class Source {
     return this.#loading;
   }
 
-  /** Loads a source, which supersedes the one before; nothing is shown for an empty address. */
+  /** Loads a source, which supersedes the previous one; an empty address shows nothing. */
   load(address: string): void {
     this.#leave();
     if (!address) {
@@ -73,13 +73,13 @@ export class Source {
     this.#listeners.shown(loaded);
   }
 
-  /** Gives back a source that is loading. */
+  /** Releases a source that is loading. */
   #leave(): void {
     if (this.#awaited) giveBack(this.#awaited, () => {});
     this.#awaited = '';
   }
 
-  /** Gives back the shown rig. */
+  /** Releases the shown rig. */
   #giveBack(): void {
     if (!this.#loaded) return;
     giveBack(this.#address, this.#listeners.forgotten);

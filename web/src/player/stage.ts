@@ -1,8 +1,8 @@
 /**
  * The one WebGL context of all players of a page, and their frames.
  *
- * Every frame is drawn on a canvas that is in no document, and copied to the player's own one. A browser limits the
- * number of contexts, but not that of copies.
+ * Every frame is drawn on a detached canvas, and copied to the player's own canvas. A browser limits the number of
+ * contexts, but not the number of copies.
  */
 
 import { C2WarpError } from '../error';
@@ -12,11 +12,11 @@ import { type Figure, figureOf } from './figure';
 import type { Loaded } from './library';
 import { type Painter, painterOf, type View } from './painter';
 
-/** Draws a frame at a time in milliseconds. Returns whether another one is needed. */
+/** Draws a frame at a time in milliseconds. Returns whether another frame is needed. */
 export type Frame = (now: number) => boolean;
 
 export interface Stage {
-  /** Asks for a frame, once. */
+  /** Requests one frame. */
   ask(frame: Frame): void;
   cancel(frame: Frame): void;
   /** Draws a rig at a frame of a clip, and copies it. Nothing happens while the context is lost. */
@@ -47,7 +47,7 @@ function created(): Stage {
   const figures = new Map<Loaded, Figure>();
   let painter: Painter | undefined = painterOf(gl);
   let motions = new Float32Array();
-  /** All that were shown: they are asked again after a loss. */
+  /** All shown players, which draw again after a context loss. */
   const shown = new Set<Frame>();
 
   canvas.addEventListener('webglcontextlost', (event) => {
@@ -92,7 +92,7 @@ function created(): Stage {
       writeMotions(clip, rig.rest, at, own);
       figure.pose(own);
       const { width, height } = view;
-      // It only grows: each change of its size clears it, and costs memory anew.
+      // It only grows: each change of its size clears it and allocates memory again.
       if (canvas.width < width) canvas.width = width;
       if (canvas.height < height) canvas.height = height;
       painter.draw(rig, figure, order, view);

@@ -2,7 +2,7 @@
  * Thin dark edges where one part of the picture lies in front of another, as in exports: see
  * `wasm/core/src/raster/edges.rs`.
  *
- * Two passes note the point of the picture at each pixel, and the one of another part below it. A third pass darkens.
+ * Two passes note the point of the picture at each pixel, and that of another part below it. A third pass darkens.
  *
  * Cost: nothing while no parts cross, otherwise three passes over the rectangle around all crossings.
  */
@@ -43,7 +43,7 @@ export class EdgeLayer {
   }
 
   /**
-   * Darkens what is drawn.
+   * Darkens the drawing.
    *
    * @param uniforms Those that the mesh was drawn with.
    * @param picture Image pixels.

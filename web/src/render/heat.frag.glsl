@@ -6,7 +6,7 @@ precision highp float;
 uniform sampler2D u_picture;
 // Colours at 0, 0.2, … 1, straight alpha.
 uniform vec4 u_ramp[6];
-// Width of an isoline in device pixels; 0 draws none.
+// Width of an isoline in device pixels; 0 for no isolines.
 uniform float u_line;
 
 in vec2 v_texcoord;

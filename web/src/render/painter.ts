@@ -31,7 +31,7 @@ import { PlaceBuffer } from './place_buffer';
 import { drawWith, type Program, program } from './program';
 import { RimLayer } from './rim';
 
-/** The shade of the static background beside a selection: enough to tell it apart, and to see it well. */
+/** The shade of the static background beside a selection: enough to distinguish it, but still clearly visible. */
 const SHADE = 0.3;
 
 /** Colour of the lines of a coarse mesh, premultiplied. It shows on light and dark pictures. */
@@ -59,7 +59,7 @@ export class Painter {
   readonly #pictureProgram: Program;
   readonly #lineProgram: Program;
   #picture: PictureTexture | undefined;
-  /** The picture with its fill, drawn whole behind the mesh in place of the static background. */
+  /** The picture with its fill, drawn whole behind the mesh instead of the static background. */
   #filled: PictureTexture | undefined;
   #loaded: LoadedMesh | undefined;
   /** The static background behind the mesh, if any. */
@@ -179,7 +179,7 @@ export class Painter {
    * Sets the motions, sites × 12; null draws the mesh at rest.
    *
    * @param triangles The mesh's triangles in the drawing order of the pose; null keeps the order of the mesh.
-   * @param crossed The box around all crossings, whose edges are drawn; null draws none.
+   * @param crossed The box around all crossings, whose edges are drawn; null for no edges.
    */
   setMotions(
     motions: Float32Array | null,
@@ -196,7 +196,7 @@ export class Painter {
     this.#reorder(loaded, triangles ?? loaded.mesh.triangles);
   }
 
-  /** Sets the heat map over the picture; null draws the picture alone. */
+  /** Sets the heat map over the picture; null draws only the picture. */
   setHeat(heat: HeatMap | null): void {
     if (!heat) {
       this.#heat?.clear();

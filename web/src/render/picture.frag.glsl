@@ -1,6 +1,6 @@
 #version 300 es
 // The picture, premultiplied. A pixel of a shrunk picture is the mean of four reads from the next finer mipmap level.
-// A single read from a level of the pixel's size is blurred, and takes a third of the time: it shows what moves.
+// A single read from a level of the pixel's size is blurred, and takes a third of the time: it is used during motion.
 precision highp float;
 
 uniform sampler2D u_picture;

@@ -43,7 +43,7 @@ export class PictureTexture {
   /** Rows that are uploaded. */
   #rows = 0;
 
-  /** @param patch Replaces a part of the picture. Until all of it is uploaded, there is nothing to draw. */
+  /** @param patch Replaces a part of the picture. It is drawn once all of it is uploaded. */
   constructor(
     gl: WebGL2RenderingContext,
     { width, height, bitmap, preview }: TextureSource,
@@ -62,7 +62,7 @@ export class PictureTexture {
     } else this.#upload(bitmap.height);
   }
 
-  /** The texture to draw: the preview until the last part is there. */
+  /** The texture to draw: the preview until the last part is uploaded. */
   get texture(): WebGLTexture {
     return this.#preview ?? this.#full;
   }

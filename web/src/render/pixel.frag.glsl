@@ -1,6 +1,6 @@
 #version 300 es
 // One pixel of the picture, premultiplied: the one that wasm/core/src/raster/kernel.rs takes as the nearest.
-// It replaces what is below it, unless it is empty.
+// It replaces the colour below it, unless it is empty.
 precision highp float;
 
 uniform sampler2D u_picture;

@@ -5,7 +5,7 @@ import warpVertex from './warp.vert.glsl?raw';
 
 export interface Program {
   readonly program: WebGLProgram;
-  /** Of the attributes that its shaders use. Vertices that come from no buffer have none. */
+  /** Of the attributes that its shaders use. Vertices without a buffer do not need one. */
   readonly locations: ReadonlyMap<string, number>;
   readonly setUniforms: SetUniforms;
 }
@@ -31,7 +31,7 @@ export const program = (gl: WebGL2RenderingContext, fragment: string, define = '
 const defining = (macro: string, shader: string): string =>
   macro ? shader.replace('\n', `\n#define ${macro}\n`) : shader;
 
-/** Returns the program that draws over the whole screen. @throws as {@link program}. */
+/** Returns the program that draws over the whole screen. @throws the errors of {@link program}. */
 export const screenProgram = (gl: WebGL2RenderingContext, fragment: string): Program =>
   compiledOnce(gl, SCREEN, fragment);
 
@@ -48,7 +48,7 @@ function compiledOnce(gl: WebGL2RenderingContext, vertex: string, fragment: stri
   return made;
 }
 
-/** @throws as {@link program}. */
+/** @throws the errors of {@link program}. */
 function linked(gl: WebGL2RenderingContext, vertex: string, fragment: string): WebGLProgram {
   const program = gl.createProgram();
   const shaders = [gl.createShader(gl.VERTEX_SHADER), gl.createShader(gl.FRAGMENT_SHADER)] as const;

@@ -50,7 +50,7 @@ export class Renderer {
     return this.#painter === undefined || this.#surface.gl.isContextLost();
   }
 
-  /** Shows another picture unwarped; null shows none. The bitmaps must stay open while shown. */
+  /** Shows another picture unwarped; null shows no picture. The bitmaps must stay open while shown. */
   setPicture(source: TextureSource | null): void {
     this.#picture = source;
     this.#patch = null;
@@ -83,7 +83,7 @@ export class Renderer {
    * Sets the motions, sites × 12, and their blend; null draws the mesh at rest. See {@link MOTION_STRIDE}.
    *
    * @param triangles The mesh's triangles in the drawing order of the pose; null keeps the order of the mesh.
-   * @param crossed The box around all crossings, whose edges are drawn; null draws none.
+   * @param crossed The box around all crossings, whose edges are drawn; null for no edges.
    * @throws RangeError unless there is one motion per site of the mesh.
    */
   setMotions(
@@ -122,7 +122,7 @@ export class Renderer {
   }
 
   /**
-   * Draws a heat map of the mesh over the picture; null draws the picture alone.
+   * Draws a heat map of the mesh over the picture; null draws only the picture.
    *
    * @throws RangeError unless there is one number per vertex.
    */

@@ -21,7 +21,7 @@ export interface Surface {
   release(): void;
 }
 
-/** Few, since the page may have contexts of its own. */
+/** Few, because the page may have its own contexts. */
 const MAX_OWN = 4;
 
 let own = 0;

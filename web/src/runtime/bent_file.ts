@@ -1,6 +1,7 @@
 /** Makes the file of a bent drawing. All but this file is loaded at the first one. */
 
 import type { EditorEffect } from '../editor/effects';
+import { readBytes } from '../io/read';
 import { say } from '../texts/wording';
 import type { ExportFollowing } from './exports';
 import { notLoaded } from './lazy_view';
@@ -15,17 +16,13 @@ export async function bentFile(
   { signal, onProgress, onRemark }: ExportFollowing,
 ): Promise<Blob> {
   const { pixels } = pictures.opened(picture);
-  const [{ sentence, solvedExport }, { plainDrawing }] = await Promise.all([
-    import('../compute/exporting'),
-    import('../io/drawing'),
-  ]).catch((cause: unknown) => {
+  const { sentence, solvedExport } = await import('../compute/exporting').catch((cause: unknown) => {
     throw notLoaded(cause);
   });
-  const file = picture.file as Blob;
-  const { remarks, ...drawing } = await plainDrawing(file, signal);
+  const svg = new TextDecoder().decode(await readBytes(picture.file as Blob));
   const pose = { clip: moment?.clip.name ?? null, time: moment?.time ?? 0 };
-  const order = { kind: 'drawing', drawing, grow: choices.area === 'grown', ...pose } as const;
+  const order = { kind: 'drawing', svg, grow: choices.area === 'grown', ...pose } as const;
   const bent = await solvedExport(order, project, pixels, signal, onProgress);
-  for (const remark of remarks) onRemark(say('exporting.remark', sentence(remark)));
-  return new Blob([bent], { type: file.type });
+  for (const remark of bent.remarks) onRemark(say('exporting.remark', sentence(remark)));
+  return new Blob([bent.svg], { type: 'image/svg+xml' });
 }

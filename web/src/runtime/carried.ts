@@ -43,7 +43,7 @@ function parsed(text: string): { readonly image?: { readonly src?: unknown } } |
   try {
     return JSON.parse(text);
   } catch {
-    // The solver says what is wrong with it.
+    // The solver reports what is wrong with it.
     return null;
   }
 }

@@ -15,11 +15,11 @@ interface Asked {
   last: { readonly time: number; readonly numbers: Float64Array } | null;
 }
 
-/** Keeps the module's form of the last clip: frame after frame asks for the same one. */
+/** Keeps the module's form of the last clip: every frame requests the same one. */
 export class OpenClip {
   #asked: Asked | null = null;
 
-  /** A clip that the module refuses leaves the handles as they are. */
+  /** A clip that the module rejects does not move the handles. */
   at(clip: Clip, handles: readonly Handle[], time: number): readonly HandlePose[] {
     try {
       const asked = this.#know(clip, handles);
@@ -33,7 +33,7 @@ export class OpenClip {
 
   /**
    * The way of a picture along the clip, and the time at which it has the pose of a project. Null if the project is not
-   * in the pose that was asked for last.
+   * in the last requested pose.
    */
   playbackOf(
     picture: PosedPicture,

@@ -1,22 +1,24 @@
 /**
- * Copies and pastes while the element has the focus: poses as text, and files to open.
+ * Copies and pastes while the element has the focus: poses and keys as text, and files to open.
  *
  * Keys bring an event with the clipboard's content. A menu has to ask the browser, which may ask the person, or refuse.
- * So the page keeps the last pose that was copied on it: for a refusal and, without asking, while nothing else can have
+ * So the page keeps the last text that was copied on it: for a refusal and, without asking, while nothing else can have
  * been copied.
  */
 
-import { isPose, poseText } from '../document/pose_text';
+import { isKeys } from '../document/key_text';
+import { isPose } from '../document/pose_text';
 import type { EditorAccess } from '../editor/access';
 import { addressIn, pictureInHtml } from '../editor/address';
 import { keyHint } from '../editor/commands';
+import { holdsKeys } from '../editor/keys_in_hand';
 import { mayEdit, mayReceive } from '../editor/permissions';
-import { copiedHandles } from '../editor/update/command';
+import { copiedText } from '../editor/update/clipboard';
 import type { Texts } from '../texts/texts';
 import { say, type Wording } from '../texts/wording';
 import type { Focus } from './focus';
 
-/** The pose that any element of the page copied last, and whether nothing else can have been copied since. */
+/** The text that any element of the page copied last, and whether nothing else can have been copied since. */
 const last: { text: string | null; newest: boolean } = { text: null, newest: false };
 
 /** The keys of a command; null where nothing hovers, since menus show no keys there. */
@@ -39,10 +41,10 @@ export class Clipboard {
     const other = () => {
       last.newest = false;
     };
-    // Browsers send these events to the selected text, or to the body: the element hears them at the document.
+    // Browsers send these events to the selected text, or to the body, so the element listens on the document.
     element.ownerDocument.addEventListener('copy', (event) => this.#onCopy(event), { signal });
     element.ownerDocument.addEventListener('paste', (event) => this.#onPaste(event), { signal });
-    element.ownerDocument.addEventListener('cut', other, { signal });
+    element.ownerDocument.addEventListener('cut', (event) => this.#onCut(event), { signal });
     element.ownerDocument.defaultView?.addEventListener('blur', other, { signal });
   }
 
@@ -50,10 +52,8 @@ export class Clipboard {
     this.#listening.abort();
   }
 
-  /** Copies the pose by a command. */
-  async copy(): Promise<void> {
-    const text = this.#copied();
-    if (text === null) return;
+  /** Copies by a command. */
+  async copy(text: string): Promise<void> {
     Object.assign(last, { text, newest: true });
     try {
       await navigator.clipboard.writeText(text);
@@ -63,7 +63,7 @@ export class Clipboard {
     }
   }
 
-  /** Pastes a pose by a command. */
+  /** Pastes by a command. */
   async paste(): Promise<void> {
     const text = last.newest ? last.text : await this.#read();
     if (text === null) {
@@ -80,45 +80,48 @@ export class Clipboard {
     }
   }
 
-  #onCopy(event: ClipboardEvent): void {
-    const text = this.#concerns(event) ? this.#copied() : null;
+  /** Copies the selection. Returns false for an event that is left to the browser. */
+  #onCopy(event: ClipboardEvent): boolean {
+    const { state, dispatch } = this.#editor;
+    const text = this.#concerns(event) && !this.#focus.isOnText ? copiedText(state) : null;
     if (text === null) {
       // Another element of the page may have copied it.
       last.newest = event.clipboardData?.getData('text/plain') === last.text;
-      return;
+      return false;
     }
+    dispatch({ type: 'selection-copied' });
     Object.assign(last, { text, newest: true });
     event.clipboardData?.setData('text/plain', text);
     event.preventDefault();
+    return true;
+  }
+
+  /** Cuts keys. Handles stay, since a copy is one of their pose. */
+  #onCut(event: ClipboardEvent): void {
+    if (!holdsKeys(this.#editor.state)) last.newest = false;
+    else if (this.#onCopy(event)) this.#editor.dispatch({ type: 'command-run', command: 'remove-keys' });
   }
 
   #onPaste(event: ClipboardEvent): void {
     const { clipboardData } = event;
     if (!clipboardData || !this.#concerns(event)) return;
+    const text = clipboardData.getData('text/plain');
+    // A field takes the text, also where a picture of it comes with it. It takes nothing else.
+    if (text !== '' && this.#focus.isInField) return;
     const files = [...clipboardData.files];
     if (files.length > 0) {
       this.#editor.dispatch({
         type: 'files-received',
         files: files.map((file) => ({ name: file.name, file })),
       });
-    } else if (!this.#pasted(clipboardData.getData('text/plain'), clipboardData.getData('text/html'))) return;
+    } else if (!this.#pasted(text, clipboardData.getData('text/html'))) return;
     event.preventDefault();
   }
 
-  /** The pose to copy; null leaves the copy to the browser. */
-  #copied(): string | null {
-    const { state, dispatch } = this.#editor;
-    const handles = copiedHandles(state);
-    if (this.#focus.isOnText || handles.length === 0) return null;
-    dispatch({ type: 'pose-copied' });
-    return poseText(handles);
-  }
-
-  /** Pastes a text that is a pose, or opens what it leads to. Returns whether it is or does. */
+  /** Pastes a text that is a pose or keys, or opens what it leads to. Returns whether it is or does. */
   #pasted(text: string, html = ''): boolean {
     const { state, dispatch } = this.#editor;
-    if (this.#focus.isInField) return false;
-    if (isPose(text)) {
+    if (isPose(text) || isKeys(text)) {
       if (mayEdit(state)) dispatch({ type: 'text-pasted', text });
       return mayEdit(state);
     }

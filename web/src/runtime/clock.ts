@@ -1,4 +1,4 @@
-/** A clock that tells of each frame of the screen while it runs. */
+/** A clock that reports each frame of the screen while it runs. */
 
 /** Of a longer pause, such as in a hidden tab, only this much counts. Seconds. */
 const MOST = 0.25;

@@ -1,5 +1,5 @@
 /**
- * One picture by three methods, live beside each other. A worker of its own solves, so that the editor never waits.
+ * One picture by three methods, live beside each other. A separate worker solves, so that the editor never waits.
  *
  * Loaded when the comparison is first shown. Worker and graphics are released when it is left.
  */
@@ -42,7 +42,7 @@ export class Compare {
     if (this.#request === 0 && !this.#disposed) this.#request = requestAnimationFrame(() => this.#frame());
   }
 
-  /** The pictures as they are shown, as addresses of PNGs; null where one is not solved yet. */
+  /** The shown pictures, as addresses of PNGs; null where one is not solved yet. */
   pngs(): VariantPictures {
     const project = projectOf(this.#editor.state);
     return byVariant((variant) => this.#shown[variant].png(variantOf(project, variant)));
@@ -102,13 +102,13 @@ export class Compare {
       if (!engine || !data || this.#disposed || picture !== this.#picture) return;
       const deformation = new SolutionDeformation(engine.posedPicture(data, project), data);
       this.#shown[variant].setSolution(key, deformation, data);
-      this.#tell(variant, null);
+      this.#report(variant, null);
     } catch (thrown) {
       const error = asError(thrown);
       // Another picture was opened meanwhile: its own solve follows.
       if (isAbort(error) || this.#disposed) return;
       this.#refused.set(variant, key);
-      this.#tell(variant, errorWords(error));
+      this.#report(variant, errorWords(error));
     }
     this.follow();
   }
@@ -125,7 +125,7 @@ export class Compare {
     return undefined;
   }
 
-  #tell(variant: Variant, refusal: Wording | null): void {
+  #report(variant: Variant, refusal: Wording | null): void {
     if (refusal === null) this.#refused.delete(variant);
     if (this.#editor.state.study.refusals[variant] !== refusal)
       this.#editor.dispatch({ type: 'variant-solved', variant, refusal });

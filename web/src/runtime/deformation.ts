@@ -29,7 +29,7 @@ import { OpenClip } from './clip_poses';
 
 type FilmRange = readonly [from: number, to: number] | null;
 
-/** Times of a film that are posed to tell its size roughly. */
+/** Number of times of a film that are posed to estimate its size. */
 const BOUND_TIMES = 24;
 
 const NO_TURNS: Turns = new Map();
@@ -91,7 +91,7 @@ export class SolutionDeformation implements Deformation {
     try {
       this.#pose = this.#poseOf(project);
     } catch {
-      // The picture stays as it was until the pose can be computed again.
+      // The picture does not change until the pose can be computed again.
     }
     return this.#pose;
   }
@@ -221,7 +221,7 @@ export class SolutionDeformation implements Deformation {
   }
 }
 
-/** Sites × 2: the posed places in motions. */
+/** Sites × 2: the posed positions in motions. */
 function posedSites(motions: Float32Array): Float32Array {
   const places = new Float32Array((2 * motions.length) / MOTION_STRIDE);
   for (let site = 0; 2 * site < places.length; site++) {

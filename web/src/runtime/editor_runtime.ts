@@ -18,6 +18,7 @@ import type { Media, PageAttributes } from '../editor/page';
 import { type PageQuestion, questionsOf } from '../editor/page_question';
 import { mayReceive } from '../editor/permissions';
 import { misfit, type NamedFile } from '../editor/picture';
+import { isPlaying } from '../editor/played_clip';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
 import { drawn } from '../editor/update/drawn';
@@ -65,8 +66,10 @@ export interface EditorElement {
   /** Resolves once the last state is rendered. */
   rendered(): Promise<unknown>;
   notifyPage(notification: PageNotification): void;
-  /** Whether the page lets a person go on. */
+  /** Whether the page lets the action continue. */
   ask(question: PageQuestion): boolean;
+  /** The picture of the attributes cannot be opened, or a person has opened another one first. */
+  sourceFailed(reason: unknown): void;
   setTheme(theme: 'light' | 'dark'): void;
   /** The system switched between light and dark colours. */
   schemeChanged(): void;
@@ -232,7 +235,7 @@ export class EditorRuntime {
   adopt(given: ProjectFile): void {
     const { picture, solution } = this.state;
     if (!picture || !solution.ready)
-      throw new C2WarpError('no-picture', 'there is no picture yet to set a project for');
+      throw new C2WarpError('no-picture', 'open a picture before you set a project');
     const project = this.#solver.checkProject(given);
     const error = misfit(picture, project);
     if (error) throw error;
@@ -256,7 +259,7 @@ export class EditorRuntime {
     return shown && this.#solver.deformationOf(shown).map(projectOf(this.state), rest);
   }
 
-  /** Whether a point of the original surely lies outside what bends. The solver has the last word near the outline. */
+  /** Whether a point of the original is certainly outside the domain. Near the outline, the solver decides. */
   isOutside([x, y]: Vec): boolean {
     const { shown, ready } = this.state.solution;
     if (!shown || !ready) return false;
@@ -286,8 +289,8 @@ export class EditorRuntime {
 
   /** The warped picture, ready to be drawn, see `Engine.draw`; by default as pixel art if it is shown so. */
   async drawing(asked: Omit<DrawingOptions, 'pixelated'>, pixelated = this.#isPixelated): Promise<Drawing> {
-    if (!this.state.picture) throw new C2WarpError('no-picture', 'There is no picture yet.');
-    // The pose of this moment: the page may go on to the next one meanwhile.
+    if (!this.state.picture) throw new C2WarpError('no-picture', 'Open a picture first.');
+    // The pose at this moment: the page may set the next one meanwhile.
     const { project, moment } = drawn(this.state);
     return this.#solver.draw(project, { ...asked, pixelated }, moment);
   }
@@ -319,7 +322,7 @@ export class EditorRuntime {
     this.#solver.dispose();
     this.#pictures.dispose();
     for (const { reject } of this.#loads.values())
-      reject(new DOMException('the editor is gone', 'AbortError'));
+      reject(new DOMException('the editor was removed', 'AbortError'));
     this.#loads.clear();
   }
 
@@ -378,7 +381,7 @@ export class EditorRuntime {
       solution: deformation?.data ?? null,
       pose: deformation?.pose(project) ?? null,
       heat: bare ? null : this.#heat(),
-      moves: isPressing(state.tools) || state.timeline.playing || state.playback.playing,
+      moves: isPressing(state.tools) || state.timeline.playing || isPlaying(state),
       view: {
         ...deviceView(view.camera, stage, devicePixelRatio),
         compare: display.preview === 'compare' || isLassoing(state),
@@ -409,9 +412,7 @@ export class EditorRuntime {
     const load = this.#loads.get(reply);
     this.#loads.delete(reply);
     if (error === null) load?.resolve();
-    else if (error === 'superseded')
-      load?.reject(new DOMException('another picture was opened', 'AbortError'));
-    else load?.reject(error);
+    else load?.reject(asReason(error));
   }
 
   #adoptPageProject({ project, selection }: Extract<EditorEffect, { type: 'adopt-page-project' }>): void {
@@ -450,8 +451,12 @@ export class EditorRuntime {
       ask: (question) => element.ask(question),
       settleLoad: (reply, error) => this.#settleLoad(reply, error),
       adoptPageProject: (effect) => this.#adoptPageProject(effect),
+      sourceFailed: (error) => element.sourceFailed(asReason(error)),
       setTheme: (theme) => element.setTheme(theme),
       releaseInput: () => element.rendered().then(() => this.dispatch({ type: 'input-released' })),
     };
   }
 }
+
+const asReason = (error: unknown): unknown =>
+  error === 'superseded' ? new DOMException('another picture was opened', 'AbortError') : error;

@@ -44,10 +44,11 @@ export interface Resources {
   /** Resolves once the page shows the state. */
   rendered(): Promise<unknown>;
   notifyPage(notification: PageNotification): void;
-  /** Whether the page lets a person go on. */
+  /** Whether the page lets the action continue. */
   ask(question: PageQuestion): boolean;
   settleLoad(reply: number, error: Error | 'superseded' | null): void;
   adoptPageProject(effect: Extract<EditorEffect, { type: 'adopt-page-project' }>): void;
+  sourceFailed(error: Error | 'superseded'): void;
   setTheme(theme: 'light' | 'dark'): void;
   releaseInput(): void;
 }
@@ -100,12 +101,12 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     prepareEncoder();
     solver.prepareDrawing();
   },
-  'copy-pose': (_, { clipboard }) => clipboard.copy(),
-  'paste-pose': (_, { clipboard }) => clipboard.paste(),
+  copy: (effect, { clipboard }) => clipboard.copy(effect.text),
+  paste: (_, { clipboard }) => clipboard.paste(),
   'use-storage': (effect, { storage }) => storage.use(effect.key),
   'read-storage': (_, { storage }) => storage.read(),
   store: (effect, { storage }) => storage.store(effect.work, effect.recent, effect.changed),
-  'tell-tabs': (_, { storage }) => storage.tellTabs(),
+  'notify-tabs': (_, { storage }) => storage.notifyTabs(),
   focus: (effect, { focus }) => focus.move(effect.target),
   'focus-control': (effect, { focus }) => focus.moveToControl(effect.control),
   'leave-field': (_, { focus }) => focus.leaveField(),
@@ -117,6 +118,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     toggleExport(root);
     rendered().then(() => focusExport(root));
   },
+  'source-failed': ({ error }, resources) => resources.sourceFailed(error),
   'set-theme': (effect, resources) => resources.setTheme(effect.theme),
   'release-input': (_, resources) => resources.releaseInput(),
   'run-clock': ({ on }, { clock }) => clock.run(on),

@@ -60,7 +60,7 @@ export async function drawOn(
   });
 }
 
-/** The drawing that was asked for. One that comes too late is released. */
+/** The requested drawing. One that comes too late is released. */
 function opened(asked: Promise<Drawing>, signal: AbortSignal | undefined): Promise<Drawing> {
   asked.then(
     (drawing) => signal?.aborted && drawing.release(),

@@ -1,4 +1,4 @@
-/** Reads what is opened, and saves what is exported. */
+/** Reads opened files, and saves exported ones. */
 
 import type { Project } from '../document/project';
 import { projectText } from '../document/project_text';

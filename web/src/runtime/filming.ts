@@ -136,8 +136,8 @@ const secondsLeft = (seconds: number, done: number, all: number): number | undef
 /** This browser's codecs for films of a shape. */
 export async function videoCodecs(shape: VideoShape): Promise<VideoCodecs> {
   const [webm, mp4] = await Promise.all([findCodec('webm', shape), findCodec('mp4', shape)]);
-  return { webm: told(webm), mp4: told(mp4) };
+  return { webm: codecInfo(webm), mp4: codecInfo(mp4) };
 }
 
-const told = (choice: CodecChoice | null) =>
+const codecInfo = (choice: CodecChoice | null) =>
   choice && { codec: choice.codec, width: choice.width, height: choice.height };

@@ -15,10 +15,20 @@ export class Focus {
     return isField(this.#root.activeElement);
   }
 
-  /** Whether a copy is one of text: in a field, or selected beside the stage. */
+  /** Whether a copy is one of text: in a field, or selected beside the stage and the timeline. */
   get isOnText(): boolean {
-    const onStage = Boolean(this.#root.activeElement?.closest('.stage'));
-    return this.isInField || (!onStage && String(getSelection()).trim() !== '');
+    if (this.isInField) return true;
+    const text = String(getSelection()).trim();
+    return text !== '' && !this.#root.activeElement?.closest('.stage, .clip-key') && !this.#isOfField(text);
+  }
+
+  /** Whether a text is the selection of a field without the focus. Nobody sees that one. */
+  #isOfField(text: string): boolean {
+    return [...this.#root.querySelectorAll('input')].some(
+      (field) =>
+        isField(field) &&
+        field.value.slice(field.selectionStart ?? 0, field.selectionEnd ?? 0).trim() === text,
+    );
   }
 
   /** Commits a number being typed before a press changes the selection that the number belongs to. */
@@ -33,13 +43,15 @@ export class Focus {
     if (active instanceof HTMLInputElement && isField(active)) untype(active);
   }
 
-  /** Focuses a handle or one of its corners once it is rendered, or else the stage, so that keys go on working. */
-  move({ handle, corner, ring }: FocusTarget): void {
+  /** Focuses a handle, a corner or a key once it is rendered, or else the stage, so that keys keep working. */
+  move({ handle, corner, ring, key }: FocusTarget): void {
     queueMicrotask(() => {
       const id = handle === null ? '' : CSS.escape(handle);
       const wanted = corner === null ? `[data-handle="${id}"]` : `[data-of="${id}"][data-corner="${corner}"]`;
       const outlined = ring && `[data-ring="${ring.ring}"][data-ring-corner="${ring.index}"]`;
-      const button = handle === null && !outlined ? null : this.#root.querySelector(outlined ?? wanted);
+      const keyed = key && `[data-key-of="${CSS.escape(key.handle)}"][data-time="${key.time}"]`;
+      const other = outlined ?? keyed;
+      const button = handle === null && !other ? null : this.#root.querySelector(other ?? wanted);
       const target = button ?? this.#root.querySelector('.stage');
       if (target instanceof HTMLElement) target.focus({ preventScroll: true });
     });
@@ -66,11 +78,12 @@ export class Focus {
 }
 
 function report(target: Element, dispatch: Dispatch): void {
-  const { handle, of, corner, ring, ringCorner } = (target as HTMLElement).dataset;
+  const { handle, of, corner, ring, ringCorner, keyOf } = (target as HTMLElement).dataset;
   if (handle !== undefined) dispatch({ type: 'handle-focused', id: handle });
   else if (of !== undefined) dispatch({ type: 'corner-focused', corner: { id: of, index: Number(corner) } });
   else if (ring !== undefined)
     dispatch({ type: 'ring-focused', corner: { ring: Number(ring), index: Number(ringCorner) } });
+  else if (keyOf !== undefined) dispatch({ type: 'key-focused' });
   else if (target.matches('.stage')) dispatch({ type: 'stage-focused' });
   else dispatch({ type: isField(target) ? 'field-focused' : 'control-focused' });
 }

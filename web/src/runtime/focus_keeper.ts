@@ -1,5 +1,9 @@
-/** The bars with all their contents, and other controls that are pressed rather than typed into. */
+import { isField } from '../ui/untyped';
+
+/** The bars with all their contents except text fields, and other controls that are pressed rather than typed into. */
 const CONTROLS = '.top, .tools, .status, .draft-bar, .switch, button, summary';
+/** Places where the selected element has the focus, and keeps it. */
+const SELECTABLE = '.stage, .clip-key';
 
 /**
  * Keeps the focus in the editor: the focused element may disappear (a deleted handle) or be disabled (the last undo),
@@ -26,14 +30,14 @@ export class FocusKeeper {
       capture: true,
     });
     host.ownerDocument.addEventListener('pointerdown', elsewhere, { signal, capture: true });
-    // At the document, an event's path omits what is inside a closed shadow root.
+    // At the document, an event's path omits the nodes inside a closed shadow root.
     host.addEventListener('pointerdown', () => this.#enter(true), { signal, capture: true });
   }
 
   /** Restores a lost focus; to be called after each render. */
   repair(): void {
     if (!this.#inside || !this.#isLost()) return;
-    // On the stage it can be seen, and Tab goes on to the handles.
+    // On the stage, it is visible, and Tab continues to the handles.
     const stage = this.#host.shadowRoot?.querySelector<HTMLElement>('.stage[tabindex]');
     (stage ?? this.#host).focus({ preventScroll: true });
   }
@@ -42,12 +46,13 @@ export class FocusKeeper {
     this.#listening.abort();
   }
 
-  /** A pressed control does not take the focus: it stays on the stage, or moves to the editor from elsewhere. */
+  /** A pressed control does not take the focus: that stays on the selection, or comes to the editor from elsewhere. */
   #press(event: MouseEvent): void {
     const target = event.composedPath()[0];
-    if (!(target instanceof Element) || target.closest('.stage') || !target.closest(CONTROLS)) return;
+    if (!(target instanceof Element) || isField(target)) return;
+    if (target.closest(SELECTABLE) || !target.closest(CONTROLS)) return;
     event.preventDefault();
-    if (!this.#held?.closest('.stage')) this.#host.focus({ preventScroll: true });
+    if (!this.#held?.closest(SELECTABLE)) this.#host.focus({ preventScroll: true });
   }
 
   /**

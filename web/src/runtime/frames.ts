@@ -1,5 +1,5 @@
 /**
- * Draws the state on the canvas, at most once a frame, and only what has changed.
+ * Draws the state on the canvas, at most once a frame, and only the changed parts.
  *
  * Out of sight nothing is posed or drawn, so that an animation there costs nothing.
  */
@@ -14,7 +14,7 @@ import { Renderer } from '../render/renderer';
 /** Everything that a frame shows. Unchanged parts are the same objects as in the last frame. */
 export interface Frame {
   readonly picture: TextureSource | null;
-  /** The part of the picture that is filled behind the solution, if it is there. */
+  /** The filled part of the picture behind the solution, if it exists. */
   readonly fill: TexturePatch | null;
   readonly solution: SolutionData | null;
   /** Null draws the picture at rest. */
@@ -131,7 +131,7 @@ export class Frames {
     if (this.#renderer.isLoading) this.request();
   }
 
-  /** Draws, and draws again in full detail when what moves has come to rest. */
+  /** Draws, and draws again in full detail after a motion has ended. */
   #show({ moves, view }: Frame, moving: boolean): void {
     clearTimeout(this.#resting);
     this.#moving = moving;
@@ -151,7 +151,7 @@ export class Frames {
     return moves || isMovedView(view, last.view);
   }
 
-  /** Passes what has changed to the renderer. Returns whether anything has. */
+  /** Passes the changes to the renderer. Returns whether there were any. */
   #update({ picture, fill, solution, pose, heat, view }: Frame): boolean {
     const last = this.#last;
     const pictured = picture !== (last?.picture ?? null);

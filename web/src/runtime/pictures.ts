@@ -22,7 +22,7 @@ export class Pictures {
   }
 
   /**
-   * Reads a picture. It stays open until the reader hands it over or drops it.
+   * Reads a picture. It stays open until the reader passes it on or drops it.
    *
    * @throws C2WarpError whose message begins with the file's name; AbortError if the signal is aborted.
    */
@@ -88,7 +88,7 @@ function thumbnailOf(bitmap: ImageBitmap): string {
   return canvas.toDataURL('image/webp', 0.8);
 }
 
-/** Bytes that tell whether a file is a drawing. */
+/** Number of bytes that determine whether a file is a drawing. */
 const START = 256;
 
 /** The picture of a drawing; null for any other file. The rest of the code for drawings is loaded at the first one. */
@@ -99,7 +99,12 @@ async function drawnFile(file: Blob, signal: AbortSignal): Promise<Drawn | null>
   const { drawnPicture } = await import('../io/drawing').catch((cause: unknown) => {
     throw notLoaded(cause);
   });
-  return drawnPicture(file, signal);
+  return drawnPicture(file, async (svg, width, height) => {
+    const { drawnApart } = await import('../compute/exporting').catch((cause: unknown) => {
+      throw notLoaded(cause);
+    });
+    return drawnApart({ kind: 'picture', svg, width, height }, signal);
+  });
 }
 
 /** The open picture, and the file that it is kept as: the same, but for a drawing. */
@@ -118,7 +123,7 @@ async function openedFile(
   }
 }
 
-/** An error with the file's name before its message. An AbortError stays as it is. */
+/** An error with the file's name before its message. An AbortError is passed on unchanged. */
 export function withFileName(name: string, error: unknown): unknown {
   if (!(error instanceof Error) || error instanceof DOMException) return error;
   const wording = say('errors.inFile', name, errorWords(error));

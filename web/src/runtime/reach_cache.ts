@@ -25,7 +25,7 @@ export class ReachCache {
   #waiting: ReturnType<typeof setTimeout> | undefined;
   #computed = Number.NEGATIVE_INFINITY;
 
-  /** @param renew asks for another frame, since the reach is stale. */
+  /** @param renew requests another frame, since the reach is stale. */
   constructor(renew: () => void) {
     this.#renew = renew;
   }

@@ -13,7 +13,7 @@ export async function fitRig(
   solver: Solver,
   dispatch: Dispatch,
 ): Promise<void> {
-  // Without transparency there is no outline to line up with.
+  // Without transparency there is no outline to align with.
   const outlined = picture.alphaThreshold === null ? null : rig.own;
   const own = outlined && pictures.read(outlined.file, outlined.name, new AbortController().signal);
   try {

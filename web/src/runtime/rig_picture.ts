@@ -56,7 +56,7 @@ function copyOf(source: PixelSource): Promise<Uint8Array<ArrayBuffer>> {
     port1.onmessage = ({ data }: MessageEvent<Uint8Array<ArrayBuffer> | null>) => {
       port1.close();
       if (data) resolve(data);
-      else reject(new Error('The pixels of the picture are gone. Open the picture again.'));
+      else reject(new Error('The pixels of the picture are no longer in memory. Open the picture again.'));
     };
     source.sendTo(port2);
   });

@@ -25,7 +25,7 @@ import { SolutionDeformation } from './deformation';
 import { editorError } from './editor_error';
 import { fillPatch } from './fill_patch';
 
-const gone = (): DOMException => new DOMException('the editor is gone', 'AbortError');
+const gone = (): DOMException => new DOMException('the editor was removed', 'AbortError');
 
 export class Solver {
   readonly #dispatch: Dispatch;
@@ -51,7 +51,7 @@ export class Solver {
     this.#pixels = pixels;
     this.#releaseFill();
     if (!pixels) return;
-    this.#tell((engine) => engine.setPicture(pixels));
+    this.#withEngine((engine) => engine.setPicture(pixels));
   }
 
   async solve(key: string, project: Project): Promise<void> {
@@ -70,7 +70,7 @@ export class Solver {
     }
   }
 
-  /** Fills the picture behind the rings of a project that was solved, unless that is there. */
+  /** Fills the picture behind the rings of a solved project, unless the fill exists. */
   async fill(key: string, project: Project): Promise<void> {
     try {
       const engine = await this.#started();
@@ -91,10 +91,10 @@ export class Solver {
   }
 
   stopFilling(): void {
-    this.#tell((engine) => engine.stopFilling());
+    this.#withEngine((engine) => engine.stopFilling());
   }
 
-  /** The fill that the state names, once it is there. */
+  /** The fill that the state names, once it is available. */
   fillOf({ solution: { fill } }: EditorState): TexturePatch | null {
     return fill?.done && this.#fill?.key === fill.key ? this.#fill.patch : null;
   }
@@ -138,7 +138,7 @@ export class Solver {
   }
 
   stopSuggesting(): void {
-    this.#tell((engine) => engine.stopSuggesting());
+    this.#withEngine((engine) => engine.stopSuggesting());
   }
 
   /** A project for another picture, fitted to the present one: see `Engine.fit`. */
@@ -154,7 +154,10 @@ export class Solver {
     }
   }
 
-  /** Loads the part of the solver that draws, while the network is there. The first drawing tells why it is missing. */
+  /**
+   * Loads the part of the solver that draws, while the network is available. The first drawing reports why it is
+   * missing.
+   */
   prepareDrawing(): void {
     loadedLater().catch(() => {});
   }
@@ -248,21 +251,21 @@ export class Solver {
   #fail(key: string, error: Error): void {
     if (isAbort(error)) return;
     const failed = isEngineFailure(error);
-    // An error without a code is one of the page's module. The solution is to blame, whatever the reason.
-    const told =
+    // An error without a code is one of the page's module. The solution causes the failure, for any reason.
+    const reported =
       codeOf(error) === '' ? editorError(TOO_MUCH, say('errors.tooMuch.solve'), { cause: error }) : error;
     // The engine may have given up the picture: the next solve starts another.
-    if (failed || told !== error) this.#stop();
-    this.#dispatch({ type: 'solve-refused', key, error: told, failed });
+    if (failed || reported !== error) this.#stop();
+    this.#dispatch({ type: 'solve-refused', key, error: reported, failed });
   }
 
-  /** Tells the engine something, unless it has failed to start. */
-  #tell(act: (engine: Engine) => void): void {
+  /** Calls the engine, unless it has failed to start. */
+  #withEngine(act: (engine: Engine) => void): void {
     this.#engine?.then(act, () => {});
   }
 
   #stop(): void {
-    this.#tell((engine) => engine.dispose());
+    this.#withEngine((engine) => engine.dispose());
     this.#engine = null;
   }
 }

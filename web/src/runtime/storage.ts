@@ -1,4 +1,4 @@
-/** Autosave in the browser's storage, and the channel by which tabs hear of one another's work. */
+/** Autosave in the browser's storage, and the channel for notifications between tabs. */
 import type { Dispatch } from '../editor/events';
 import type { WorkSnapshot } from '../editor/work';
 import { StoredWork } from './stored_work';
@@ -32,7 +32,7 @@ export class Storage {
     this.#work?.write(work, recent, changed);
   }
 
-  tellTabs(): void {
+  notifyTabs(): void {
     this.#tabs?.postMessage(null);
   }
 

@@ -7,7 +7,7 @@ import { update } from '../editor/update';
 export interface StoreListener {
   /** Called before the effects of the event. Effects may dispatch further events. */
   changed(state: EditorState, event: EditorEvent): void;
-  /** Whether the page lets an event lead to the next state. It may dispatch events of its own meanwhile. */
+  /** Whether the page lets an event lead to the next state. It may dispatch other events meanwhile. */
   admits(before: EditorState, after: EditorState, event: EditorEvent): boolean;
   carryOut(effect: EditorEffect): void;
 }

@@ -59,8 +59,8 @@ describe('plurals', () => {
   });
 
   it('are right in English', () => {
-    expect([0, 1, 2].map(en.status.creases)).toEqual(['0 creases', '1 crease', '2 creases']);
-    expect(en.status.samples(12_345)).toBe('12,345 samples');
+    expect([0, 1, 2].map(en.status.creases)).toEqual(['0 folds', '1 fold', '2 folds']);
+    expect(en.status.samples(12_345)).toBe('12,345 mesh points');
     expect(en.notices.leftOut(1)).toMatch(/^One handle/);
     expect(en.spoken.rotation(-1)).toBe('rotation -1 degree');
   });

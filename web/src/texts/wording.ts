@@ -1,4 +1,5 @@
 /** Wordings: words to people, as data. They become sentences in the language of their reader. */
+import { shownName } from './shown_name';
 import type { Entry, PartialTexts, Texts } from './texts';
 
 type KeysOf<T> = {
@@ -49,7 +50,8 @@ export function worded(texts: PartialTexts, words: Words): string {
 type Tables = Readonly<Record<string, unknown>> | undefined;
 
 const rendered = (texts: PartialTexts, value: Value): unknown => {
-  if (isList(value)) return value.map((words) => worded(texts, words));
+  if (typeof value === 'string') return shownName(value);
+  if (isList(value)) return value.map((words) => rendered(texts, words));
   return typeof value === 'object' && value !== null ? worded(texts, value) : value;
 };
 

@@ -92,7 +92,7 @@ describe('the brush', () => {
     expect(projectNow()).toEqual(project);
   });
 
-  it('paints with a press alone, and leaves nothing of a cancelled one', () => {
+  it('paints with a single press, and keeps nothing of a cancelled one', () => {
     bench.cancel([200, 200]);
     expect(projectNow()).toEqual(project);
     bench.drag([[200, 200]]);

@@ -22,7 +22,7 @@ const OPPOSITES: Partial<Readonly<Record<BrushKind, BrushKind>>> = {
   bloat: 'pinch',
 };
 
-/** The brush as it is with Alt. Smoothing has no opposite. */
+/** The brush while Alt is pressed. Smoothing has no opposite. */
 export const oppositeBrush = <B extends Pick<ToolBrush, 'kind' | 'erases'>>(brush: B): B =>
   brush.kind === 'stiffen'
     ? { ...brush, erases: !brush.erases }

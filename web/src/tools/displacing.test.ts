@@ -60,7 +60,7 @@ class Bench {
     };
   }
 
-  /** The place at rest that the strokes so far have moved to the place under the pointer. */
+  /** The position at rest that the strokes so far have moved to the place under the pointer. */
   #rest(at: Vec): Vec {
     const moved = this.under(at);
     let rest = moved;
@@ -110,7 +110,7 @@ describe('the brush that moves the picture', () => {
     expect(bench.project).toEqual(resting);
   });
 
-  it('acts by a press alone unless it pushes, and by the opposite with Alt', () => {
+  it('acts on a single press unless it pushes, and does the opposite with Alt', () => {
     bench.brush = { ...bench.brush, kind: 'bloat' };
     bench.drag([[200, 200]]);
     expect(bench.history.undoLabel).toBe('Bloat');
@@ -121,7 +121,7 @@ describe('the brush that moves the picture', () => {
     expect(bench.at([212, 200])[0]).toBeLessThan(-0.5);
   });
 
-  it('pushes nothing across a jump to another part, and goes on there', () => {
+  it('pushes nothing across a jump to another part, and continues there', () => {
     bench.under = ([x, y]) => (x < 200 ? [x, y] : [x + 100, y]);
     bench.drag([
       [190, 200],

@@ -89,7 +89,7 @@ const stroke = (draft: Draft, press: Press, context: ToolContext, rest: State): 
     cancelled: () => shortened(draft, rest, false),
   });
 
-/** A corner of a bar or polygon outside of a lasso moves nothing. Elsewhere the solver tells of parts outside. */
+/** A corner of a bar or polygon outside of a lasso moves nothing. Elsewhere, the solver reports parts outside. */
 function missed(at: Vec, context: ToolContext): readonly Effect[] {
   const bends = ringsOf(context.document.project).length === 0 || context.place(at);
   return bends ? [] : [{ type: 'miss', at }];

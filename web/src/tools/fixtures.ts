@@ -17,12 +17,8 @@ export class TestTools {
     return machine.draftOf(this.#tools);
   }
 
-  get waiting(): machine.Drawings {
-    return machine.waitingDrafts(this.#tools);
-  }
-
-  get drawings(): machine.Drawings {
-    return machine.drawingsOf(this.#tools);
+  get drawing(): Draft | null {
+    return machine.drawingOf(this.#tools);
   }
 
   get takenBack(): boolean {
@@ -36,8 +32,7 @@ export class TestTools {
   up = (press: Press, context: ToolContext) => this.#next(machine.pressUp(this.#tools, press, context));
   cancel = () => this.#next(machine.cancelPress(this.#tools));
   bail = () => this.#next(machine.bailOut(this.#tools));
-  clear = () => this.#next(machine.cancelAll(this.#tools));
-  restore = (drawings?: machine.Drawings) => this.#next(machine.restoreDrawings(this.#tools, drawings));
+  restore = (drawing?: Draft | null) => this.#next(machine.restoreDrawing(this.#tools, drawing));
   finish = (context: ToolContext) => this.#next(machine.finishDrawing(this.#tools, context));
   back = () => this.#next(machine.takeBackCorner(this.#tools));
   again = () => this.#next(machine.redoCorner(this.#tools));
@@ -48,10 +43,6 @@ export class TestTools {
 
   forget(): void {
     this.#tools = machine.forgetTakenCorners(this.#tools);
-  }
-
-  resume(draft: Draft): void {
-    this.#tools = machine.resumeDrawing(this.#tools, draft);
   }
 
   #next({ tools, effects }: machine.ToolsOutcome): readonly Effect[] {

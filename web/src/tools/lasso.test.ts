@@ -2,6 +2,8 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { newProject, openDocument } from '../document/document';
 import { ringsOf } from '../document/domain';
 import type { Project } from '../document/project';
+import { enclosedBy } from '../geometry/enclosed';
+import { areaOf, isSimple } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import { TestTools } from './fixtures';
 import type { Effect, Press, ToolContext } from './state';
@@ -52,7 +54,7 @@ describe('the lasso', () => {
     effects = [];
   });
 
-  it('follows a drag in few corners, and closes where it comes back', () => {
+  it('follows a drag with few corners, and closes where it returns', () => {
     drag([
       [10, 10],
       [12, 10],
@@ -77,7 +79,7 @@ describe('the lasso', () => {
     });
     expect(machine.draft).toBeNull();
   });
-  it('goes on after a drag that ends elsewhere', () => {
+  it('continues after a drag that ends elsewhere', () => {
     drag([
       [10, 10],
       [50, 10],
@@ -131,6 +133,57 @@ describe('the lasso', () => {
       ],
     });
   });
+  it('drops curls of the hand at turns, and an end that overshoots its beginning', () => {
+    drag([
+      [20, 40],
+      [150, 40],
+      [300, 40],
+      [306, 40],
+      [306, 34],
+      [300, 34],
+      [300, 200],
+      [300, 208],
+      [292, 208],
+      [292, 200],
+      [308, 200],
+      [20, 200],
+      [20, 35],
+      [24, 33],
+    ]);
+    const effect = lassoed();
+    const ring = effect?.type === 'lassoed' ? effect.ring : [];
+    expect(isSimple(ring)).toBe(true);
+    expect(Math.abs(areaOf(ring) - 280 * 160)).toBeLessThan(200);
+  });
+  it('keeps a small loop whose corners were clicked', () => {
+    const clicked = [
+      [20, 40],
+      [300, 40],
+      [306, 34],
+      [300, 28],
+      [294, 34],
+      [300, 200],
+      [20, 200],
+    ] as const;
+    for (const at of clicked) click(at);
+    act(machine.finish(scene));
+    expect(lassoed()).toMatchObject({ ring: clicked });
+  });
+  it('keeps both lobes of a drag in the form of an eight', () => {
+    const eight = Array.from({ length: 60 }, (_, k): Vec => {
+      const turn = (2 * Math.PI * k) / 59;
+      return [200 + 150 * Math.cos(turn), 200 + 80 * Math.sin(2 * turn)];
+    });
+    drag(eight);
+    const effect = lassoed();
+    const ring = effect?.type === 'lassoed' ? effect.ring : [];
+    expect(
+      enclosedBy([ring])
+        .map(areaOf)
+        .every((area) => area > 7000),
+    ).toBe(true);
+    expect(enclosedBy([ring])).toHaveLength(2);
+  });
   it('cuts a hole with Alt at its beginning', () => {
     const alt = { alt: true };
     drag(
@@ -162,15 +215,16 @@ describe('the lasso', () => {
     // An edge along y = 100, which ways follow.
     const snapping: ToolContext = {
       ...scene,
-      trace: (from, [x, y]) =>
-        Math.abs(y - 100) > 20
-          ? [[x, y]]
-          : from
-            ? [
-                [(from[0] + x) / 2, 100],
-                [x, 100],
-              ]
-            : [[x, 100]],
+      trace: (corners, [x, y]) => {
+        const from = corners.at(-1);
+        if (Math.abs(y - 100) > 20) return [[x, y]];
+        return from
+          ? [
+              [(from[0] + x) / 2, 100],
+              [x, 100],
+            ]
+          : [[x, 100]];
+      },
     };
     const press2 = (at: Vec, keys: Partial<Press> = {}) => {
       machine.down(press(at, keys), snapping);
@@ -188,6 +242,40 @@ describe('the lasso', () => {
       ]);
       machine.back();
       expect(machine.draft?.corners).toEqual([[10, 100]]);
+    });
+    it('seeks ways from all corners that are there, and back to the first one', () => {
+      press2([10, 104]);
+      press2([50, 96]);
+      const asked: (readonly Vec[])[] = [];
+      const asking: ToolContext = {
+        ...snapping,
+        trace: (corners, to) => {
+          asked.push([...corners, to]);
+          return [[40, 60], to];
+        },
+      };
+      machine.hover(press([90, 180]), asking);
+      machine.hover(press([10, 101]), asking);
+      expect(machine.draft?.path).toEqual([[40, 60]]);
+      const corners = [
+        [10, 100],
+        [30, 100],
+        [50, 100],
+      ];
+      expect(asked).toEqual([
+        [...corners, [90, 180]],
+        [...corners, [10, 100]],
+      ]);
+    });
+    it('keeps each corner that was clicked, also at a narrow tip', () => {
+      const direct: ToolContext = { ...scene, trace: (_, to) => [to] };
+      const tip: Vec = [200, 30];
+      for (const at of [[196, 50], tip, [204, 50], [204, 300], [196, 300]] as const) {
+        machine.down(press(at), direct);
+        act(machine.up(press(at), direct));
+      }
+      act(machine.finish(direct));
+      expect(lassoed()).toMatchObject({ ring: expect.arrayContaining([tip]) });
     });
     it('draws freely with Alt', () => {
       press2([10, 104]);

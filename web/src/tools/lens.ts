@@ -1,4 +1,4 @@
-/** The lens tool (I): a press looks at the place under it, and a drag goes on looking. It holds no handle. */
+/** The lens tool (I): a press examines the point under it, and a drag follows the pointer. It holds no handle. */
 import { type Outcome, outcome, type Press, type State } from './state';
 
 export const lens: State = {

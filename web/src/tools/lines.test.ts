@@ -6,7 +6,7 @@ import { anchor, corners, rotationOf } from '../document/handle';
 import type { BarHandle } from '../document/project';
 import type { Vec } from '../geometry/vec';
 import { TestTools } from './fixtures';
-import type { ToolName } from './machine';
+import { TOOL_NAMES, type ToolName } from './machine';
 import type { Draft, Effect, Press, ToolContext } from './state';
 
 const arm = straightBar(100);
@@ -160,7 +160,7 @@ describe('drawing a bar', () => {
     expect(machine.takenBack).toBe(false);
     expect(machine.draft?.corners.at(-1)).toEqual([260, 260]);
     bench.apply(machine.back());
-    // A press that is given up sets none.
+    // A cancelled press does not set a line.
     bench.down([200, 260]);
     bench.apply(machine.cancel());
     expect(machine.takenBack).toBe(true);
@@ -185,49 +185,29 @@ describe('drawing a bar', () => {
     expect(bench.machine.draft?.corners).toEqual([[200, 200]]);
   });
 
-  it('waits while another tool is in hand, one of each kind', () => {
+  it.each(TOOL_NAMES.filter((tool) => tool !== 'bar'))('ends with its tool: %s has nothing of it', (tool) => {
     bench.click([200, 200], [260, 200]);
-    for (const tool of ['hand', 'select', 'point'] as const) {
-      bench.take(tool);
-      expect(bench.machine.draft).toBeNull();
-      expect(bench.machine.waiting.map(({ corners }) => corners.length)).toEqual([2]);
-    }
-    bench.take('polygon');
-    bench.click([200, 300], [260, 300], [230, 360]);
+    bench.down([230, 300]);
+    bench.take(tool);
+    expect(bench.machine).toMatchObject({ draft: null, busy: false, takenBack: false });
+    expect(bench.drafted.at(-1)).toBeNull();
     bench.take('bar');
-    expect(bench.machine.draft?.corners).toHaveLength(2);
-    expect(bench.machine.waiting.map(({ kind }) => kind)).toEqual(['polygon']);
-    bench.click([260, 260]);
-    bench.apply(bench.machine.finish(bench.scene()));
-    expect(bench.added?.posed).toHaveLength(3);
-    bench.take('polygon');
-    expect(bench.machine.draft?.corners).toHaveLength(3);
-    expect(bench.drafted).not.toContain(null);
-  });
-
-  it('shows no line to the pointer while it waits, and is given up with all the rest', () => {
-    bench.click([200, 200]);
-    bench.machine.hover(
-      { at: [230, 210], stage: [0, 0], shift: false, alt: false, free: false },
-      bench.scene(),
-    );
-    bench.take('hand');
-    expect(bench.machine.waiting[0]?.next).toBeNull();
-    bench.apply(bench.machine.clear());
-    expect(bench.machine.waiting).toEqual([]);
-    bench.take('bar');
-    expect(bench.machine.draft).toBeNull();
-  });
-
-  it('is put back as it was, whatever is being drawn by then', () => {
-    bench.click([200, 200], [260, 200], [260, 260]);
-    const { drawings } = bench.machine;
-    bench.apply(bench.machine.restore());
     expect(bench.machine.draft).toBeNull();
     bench.click([100, 100]);
+    expect(bench.machine.draft?.corners).toEqual([[100, 100]]);
+  });
+
+  it('comes back with its tool, whatever is being drawn by then', () => {
+    bench.click([200, 200], [260, 200], [260, 260]);
+    const { drawing } = bench.machine;
+    bench.apply(bench.machine.restore());
+    expect(bench.machine.draft).toBeNull();
+    bench.take('polygon');
+    bench.click([100, 100]);
     bench.down([160, 100]);
-    bench.apply(bench.machine.restore(drawings));
+    bench.apply(bench.machine.restore(drawing));
     expect(bench.machine.busy).toBe(false);
+    expect(bench.machine.tool).toBe('bar');
     expect(bench.machine.draft?.corners).toHaveLength(3);
     bench.apply(bench.machine.back());
     expect(bench.machine.draft?.corners).toHaveLength(2);
@@ -254,20 +234,6 @@ describe('drawing a bar', () => {
       [-800, 40],
       [100, 0],
     ]);
-  });
-
-  it('comes back when it cannot be solved', () => {
-    bench.click([200, 200], [260, 200]);
-    const { draft } = bench.machine;
-    bench.apply(bench.machine.finish(bench.scene()));
-    if (draft) bench.machine.resume(draft);
-    expect(bench.machine.draft?.corners).toHaveLength(2);
-    // Also where another tool has been taken up meanwhile.
-    bench.apply(bench.machine.bail());
-    bench.take('select');
-    if (draft) bench.machine.resume(draft);
-    expect(bench.machine.draft?.corners).toHaveLength(2);
-    expect(bench.machine.tool).toBe('bar');
   });
 
   it('follows the pointer between presses, and pans in the middle of it', () => {
@@ -313,8 +279,8 @@ describe('drawing a polygon', () => {
   });
 });
 
-describe('a bar that is there', () => {
-  it('is moved by its line, with whatever else is selected', () => {
+describe('an existing bar', () => {
+  it('is moved by its line, with all selected handles', () => {
     bench.drag([30, 2], [50, 22]);
     expect(bench.posed('arm')).toEqual([
       [20, 20],
@@ -385,7 +351,7 @@ describe('a bar that is there', () => {
 });
 
 describe('a corner outside of the selection', () => {
-  it('is told at once, and the drawing goes on', () => {
+  it('is reported immediately, and the drawing continues', () => {
     const bench = new Bench();
     const { project } = bench.document;
     const rings = [

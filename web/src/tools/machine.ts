@@ -24,9 +24,6 @@ export type ToolName = keyof typeof TOOLS;
 /** In the order of their buttons. */
 export const TOOL_NAMES = Object.keys(TOOLS) as ToolName[];
 
-/** Unfinished drawings, at most one of each tool. */
-export type Drawings = readonly Draft[];
-
 export const isToolName = (name: unknown): name is ToolName =>
   typeof name === 'string' && Object.hasOwn(TOOLS, name);
 
@@ -41,8 +38,8 @@ export const places = (tool: ToolName): boolean => !PLACELESS.includes(tool);
 
 export interface Tools {
   readonly tool: ToolName;
-  /** The states between presses: each tool itself, or its drawing, which waits while another tool is selected. */
-  readonly resting: Readonly<Record<ToolName, State>>;
+  /** The state between presses: the tool itself, or its drawing. */
+  readonly resting: State;
   readonly current: State;
 }
 
@@ -51,37 +48,28 @@ export interface ToolsOutcome {
   readonly effects: readonly Effect[];
 }
 
-export const initialTools: Tools = { tool: 'select', resting: TOOLS, current: select };
+export const initialTools: Tools = { tool: 'select', resting: select, current: select };
 
 /** Whether a press is in progress, between `pressDown` and `pressUp` or `cancelPress`. */
-export const isPressing = ({ tool, resting, current }: Tools): boolean => current !== resting[tool];
+export const isPressing = ({ resting, current }: Tools): boolean => current !== resting;
 
 /** Whether a press holds the selected handles. */
 export const holdsHandles = ({ current }: Tools): boolean => current.holds === true;
 
 /** The current tool's drawing, including the corner that is being set. */
-export const draftOf = ({ tool, resting, current }: Tools): Draft | null =>
-  current.draft ?? resting[tool].draft ?? null;
+export const draftOf = ({ resting, current }: Tools): Draft | null => current.draft ?? resting.draft ?? null;
 
-/** All unfinished drawings, for `restoreDrawings`, without the current press. */
-export const drawingsOf = ({ resting }: Tools): Drawings =>
-  TOOL_NAMES.flatMap((name) => resting[name].draft ?? []);
-
-/** Unfinished drawings of the other tools. */
-export const waitingDrafts = (tools: Tools): Drawings =>
-  drawingsOf(tools).filter(({ kind }) => kind !== tools.tool);
+/** The current tool's drawing, for `restoreDrawing`, without the current press. */
+export const drawingOf = ({ resting }: Tools): Draft | null => resting.draft ?? null;
 
 /** Whether there are corners to redo. */
-export const hasTakenCorners = ({ tool, resting }: Tools): boolean => resting[tool].again !== undefined;
+export const hasTakenCorners = ({ resting }: Tools): boolean => resting.again !== undefined;
 
-/** Selects another tool and cancels the current press. A drawing waits. */
+/** Selects another tool and cancels the current press. A drawing ends with its tool. */
 export function chooseTool(before: Tools, tool: ToolName): ToolsOutcome {
-  const { tools, effects } = cancelPress(before);
-  if (tool === tools.tool) return { tools, effects };
-  const draft = draftOf(tools);
-  const own = TOOLS[tools.tool];
-  const left = between(tools, draft ? resumed(draft, own) : own);
-  return { tools: { ...left, tool, current: left.resting[tool] }, effects };
+  if (tool === before.tool) return cancelPress(before);
+  const { tools, effects } = bailOut(before);
+  return { tools: between({ ...tools, tool }, TOOLS[tool]), effects };
 }
 
 /** Starts a press. `once` handles it instead of the current tool: a space-drag pans with every tool. */
@@ -102,31 +90,19 @@ export const pressUp = (tools: Tools, press: Press, context: ToolContext): Tools
 export const cancelPress = (tools: Tools): ToolsOutcome =>
   isPressing(tools) ? rested(taken(tools, tools.current.cancel?.())) : { tools, effects: [] };
 
-/** Cancels the current press and the current tool's drawing. */
+/** Cancels the current press and the drawing. */
 export function bailOut(before: Tools): ToolsOutcome {
   const { tools, effects } = cancelPress(before);
-  if (!draftOf(tools)) return { tools, effects };
-  return {
-    tools: between(tools, TOOLS[tools.tool]),
-    effects: [...effects, { type: 'drafted', draft: null }],
-  };
+  const ended: readonly Effect[] = draftOf(tools) ? [{ type: 'drafted', draft: null }] : [];
+  return { tools: between(tools, TOOLS[tools.tool]), effects: [...effects, ...ended] };
 }
 
-/** Cancels the current press and the drawings of all tools. */
-export function cancelAll(before: Tools): ToolsOutcome {
-  const waiting = waitingDrafts(before).length > 0 && !draftOf(before);
-  const { tools, effects } = bailOut(before);
-  const { tool } = tools;
-  const cleared: Tools = { tool, resting: TOOLS, current: TOOLS[tool] };
-  return { tools: cleared, effects: waiting ? [...effects, { type: 'drafted', draft: null }] : effects };
-}
-
-/** Cancels the current press and replaces all drawings. */
-export function restoreDrawings(before: Tools, drawings: Drawings = []): ToolsOutcome {
+/** Cancels the current press and replaces the drawing: by none, or by this one with its tool. */
+export function restoreDrawing(before: Tools, draft: Draft | null = null): ToolsOutcome {
   const { tools, effects } = cancelPress(before);
-  const restored = drawings.map((draft) => [draft.kind, resumed(draft, TOOLS[draft.kind])]);
-  const resting: Tools['resting'] = { ...TOOLS, ...Object.fromEntries(restored) };
-  return { tools: { tool: tools.tool, resting, current: resting[tools.tool] }, effects };
+  if (!draft) return { tools: between(tools, TOOLS[tools.tool]), effects };
+  const tool = draft.kind;
+  return { tools: between({ ...tools, tool }, resumed(draft, TOOLS[tool])), effects };
 }
 
 /** Moves the pointer without a press; null when it leaves. */
@@ -137,25 +113,19 @@ export function hover(tools: Tools, press: Press | null, context: ToolContext): 
 
 /** Finishes the drawing. */
 export const finishDrawing = (tools: Tools, context: ToolContext): ToolsOutcome =>
-  betweenPresses(tools, () => tools.resting[tools.tool].finish?.(context));
+  betweenPresses(tools, () => tools.resting.finish?.(context));
 
 /** Takes back the last corner. */
 export const takeBackCorner = (tools: Tools): ToolsOutcome =>
-  betweenPresses(tools, () => tools.resting[tools.tool].back?.());
+  betweenPresses(tools, () => tools.resting.back?.());
 
 /** Redoes the corner that was taken back last. */
 export const redoCorner = (tools: Tools): ToolsOutcome =>
-  betweenPresses(tools, () => tools.resting[tools.tool].again?.());
+  betweenPresses(tools, () => tools.resting.again?.());
 
 /** Drops the corners to redo if no drawing is left. */
 export const forgetTakenCorners = (tools: Tools): Tools =>
   draftOf(tools) || isPressing(tools) || !hasTakenCorners(tools) ? tools : between(tools, TOOLS[tools.tool]);
-
-/** Resumes a drawing with its tool, unless another drawing or press has begun since. */
-export function resumeDrawing(tools: Tools, draft: Draft): Tools {
-  if (draftOf(tools) || isPressing(tools) || tools.resting[draft.kind].draft) return tools;
-  return between({ ...tools, tool: draft.kind }, resumed(draft, TOOLS[draft.kind]));
-}
 
 function betweenPresses(tools: Tools, ask: () => Outcome | undefined): ToolsOutcome {
   const result = isPressing(tools) ? undefined : ask();
@@ -163,17 +133,13 @@ function betweenPresses(tools: Tools, ask: () => Outcome | undefined): ToolsOutc
 }
 
 /** The tools with `state` as the state between presses. */
-const between = (tools: Tools, state: State): Tools => ({
-  tool: tools.tool,
-  resting: { ...tools.resting, [tools.tool]: state },
-  current: state,
-});
+const between = ({ tool }: Tools, state: State): Tools => ({ tool, resting: state, current: state });
 
 /** Returns to the state between presses: a drawing continues, everything else ends. */
 function rested({ tools, effects }: ToolsOutcome): ToolsOutcome {
   const { tool, resting, current } = tools;
   const continues = current === TOOLS[tool] || current.draft !== undefined;
-  return { tools: between(tools, continues ? current : resting[tool]), effects };
+  return { tools: between(tools, continues ? current : resting), effects };
 }
 
 const taken = (tools: Tools, result: Outcome | undefined): ToolsOutcome =>

@@ -55,7 +55,7 @@ function ringCornering(
   const after = (left: number): State => ({
     move: (press, context) => {
       const at = add(start, subtract(press.at, from.at));
-      const [goal = at] = press.alt ? [] : (context.trace?.(null, at) ?? []);
+      const [goal = at] = press.alt ? [] : (context.trace?.([], at) ?? []);
       const project = withRingCornerMoved(origin.project, corner, goal);
       if (!project) return outcome(after(left));
       return outcome(after(project.handles.length), { type: 'edit', document: { ...origin, project } });

@@ -57,7 +57,7 @@ export interface ToolContext {
   readonly brush: ToolBrush;
   /** Whether the guard against folds is on. */
   readonly guards: boolean;
-  /** The outline of what bends, at rest; null while it is free. Pieces × 2 ends × 2. */
+  /** The outline of the domain, at rest; null while it is free. Pieces × 2 ends × 2. */
   heldOutline(): ArrayLike<number> | null;
   /**
    * Returns the placement of a point handle: at the point or, close to the domain, at the nearest point of it.
@@ -67,11 +67,12 @@ export interface ToolContext {
    */
   place(at: Vec, within?: number): Placement | null;
   /**
-   * The way of a lasso from its last corner to a place, along edges of the picture. It ends at the edge near the place,
-   * and lacks the corner. From `null`, it is the end alone. Null while the lasso does not snap to edges. A way that is
-   * set, and not only shown under the pointer, is precise.
+   * The path of a lasso from its last corner to a place, along edges of the picture. It ends at the edge near the
+   * place, or at the first corner itself, and leaves out the last corner. Without corners, it is only its end. It uses
+   * no edge of the existing outline. Null while the lasso does not snap to edges. A path that is set, not only shown
+   * under the pointer, is precise.
    */
-  readonly trace: ((from: Vec | null, to: Vec, precise?: boolean) => readonly Vec[]) | null;
+  readonly trace: ((corners: readonly Vec[], to: Vec, precise?: boolean) => readonly Vec[]) | null;
   /** Snaps a place to guides, except to those of the moving handles. */
   snap(at: Vec, moving: readonly string[]): SnappedPlace;
   /**
@@ -150,7 +151,7 @@ export interface State {
   again?(): Outcome;
 }
 
-/** Snaps the place of a press. Shift has directions of its own. */
+/** Snaps the place of a press. Shift restricts directions instead. */
 export const snappedPlace = (
   at: Vec,
   press: Press,

@@ -7,6 +7,7 @@
  */
 import { constrained, distanceToLine, lengthOf } from '../geometry/polyline';
 import { simplified, withoutWhiskers } from '../geometry/polyline_simplified';
+import { withoutCurls } from '../geometry/ring';
 import { distance, type Vec } from '../geometry/vec';
 import { type Draft, type Outcome, outcome, type Press, type State, type ToolContext } from './state';
 
@@ -17,11 +18,14 @@ export const STEP_DEGREES = 45;
 const SPACING = 1;
 const TOLERANCE = 0.5;
 const SNAP_SPACING = 12;
-/** An edge farther from a drag than this is not the one that is meant. */
+/** Edges farther than this from a drag are ignored. */
 const SNAP_REACH = 4;
 
 /** The longest whisker. */
 const WHISKER = 8;
+
+/** The longest loop that is a curl: in multiples of `Grips.slop`, or as a part of the outline. */
+const CURL = { least: 16, part: 0.04 } as const;
 
 /** The gap that a first drag may leave, as a fraction of its length. */
 const GAP = 0.1;
@@ -58,7 +62,7 @@ export function withoutStroke(draft: Draft): Draft {
 /**
  * The drawing under a pointer between two presses, with the way to it.
  *
- * @param end the effect of a press there: it goes on, closes the outline at its first corner, or ends it at the last.
+ * @param end the effect of a press there: it continues, closes the outline at its first corner, or ends it at the last.
  */
 export function aimed(
   draft: Draft,
@@ -77,25 +81,38 @@ export function aimed(
 
 /** The places between the last corner and the first, along edges if the lasso snaps to them. */
 function closing({ corners }: Draft, { trace }: ToolContext, precise: boolean): readonly Vec[] {
-  const [first, last] = [corners[0], corners.at(-1)];
-  return first && last && trace ? trace(last, first, precise).slice(0, -1) : [];
+  const [first] = corners;
+  return first && trace ? trace(corners, first, precise).slice(0, -1) : [];
 }
 
 /**
- * The whole outline. Where a path along edges comes to a corner and leaves it the same way, a whisker goes.
+ * The whole outline. Whiskers of paths along edges go, and curls of the hand. Where presses end, their corners stay.
  *
  * @param along the way back to the first corner follows edges too.
  */
 export function closed(draft: Draft, context: ToolContext, along: boolean): readonly Vec[] {
-  if (!context.trace) return draft.corners;
-  const way = along ? closing(draft, context, true) : [];
-  return withoutWhiskers([...draft.corners, ...way], WHISKER * context.grips.slop);
+  const { grips, trace } = context;
+  const ring = [...draft.corners, ...(along ? closing(draft, context, true) : [])];
+  const kept = pressedCorners(draft);
+  const smooth = trace ? withoutWhiskers(ring, WHISKER * grips.slop, kept) : ring;
+  return withoutCurls(smooth, Math.max(CURL.least * grips.slop, CURL.part * lengthOf(ring)), kept);
+}
+
+/** The last corner of each press. */
+function pressedCorners({ corners, strokes = [] }: Draft): ReadonlySet<Vec | undefined> {
+  let count = 0;
+  return new Set(
+    strokes.map((own) => {
+      count += own;
+      return corners[count - 1];
+    }),
+  );
 }
 
 function wayTo({ corners }: Draft, press: Press, { trace }: ToolContext, precise: boolean): readonly Vec[] {
-  const last = corners.at(-1) ?? null;
+  const last = corners.at(-1);
   if (press.shift && last) return [constrained(last, press.at, STEP_DEGREES)];
-  return trace && !press.alt ? trace(last, press.at, precise) : [press.at];
+  return trace && !press.alt ? trace(corners, press.at, precise) : [press.at];
 }
 
 /** The state during a press. */
@@ -126,9 +143,11 @@ export function stroking(draft: Draft, from: Press, context: ToolContext, then: 
     },
     up: ({ at, alt }, now) => {
       const whole = distance(path.at(-1) ?? at, at) > 0 ? [...path, at] : path;
-      const corners = followed(whole, now, alt).slice(1);
+      const corners = followed([...draft.corners, ...start], whole, now, alt);
       const after = withStroke(fresh, [...start, ...corners]);
-      return closes(after, draft, now) ? then.closed(after, now) : then.drawn(after);
+      // Where such a drag ends is no corner that was set: it may overshoot the first one.
+      const ended = { ...after, strokes: draft.strokes ?? [] };
+      return closes(after, draft, now) ? then.closed(ended, now) : then.drawn(after);
     },
     cancel: then.cancelled,
   });
@@ -144,16 +163,22 @@ function closes(after: Draft, before: Draft, { grips }: ToolContext): boolean {
   return distance(first, last) <= Math.max(grips.handle, room);
 }
 
-/** A drag in few corners, each piece along an edge that is near all of it. */
-function followed(path: readonly Vec[], { grips, trace }: ToolContext, free: boolean): readonly Vec[] {
-  if (!trace || free) return simplified(path, TOLERANCE * grips.slop);
-  const corners: Vec[] = [...path.slice(0, 1)];
+/** A drag in few corners, each piece along an edge that is near all of it. It begins at the last of some corners. */
+function followed(
+  corners: readonly Vec[],
+  path: readonly Vec[],
+  { grips, trace }: ToolContext,
+  free: boolean,
+): readonly Vec[] {
+  const freely = (piece: readonly Vec[]) => simplified(piece, TOLERANCE * grips.slop).slice(1);
+  if (!trace || free) return freely(path);
+  const all = [...corners];
   for (const piece of pieces(path, SNAP_SPACING * grips.slop)) {
-    const way = trace(corners.at(-1) ?? null, piece.at(-1) ?? [0, 0], true);
+    const way = trace(all, piece.at(-1) ?? [0, 0], true);
     const isNear = way.every((at) => distanceToLine(piece, false, at) <= SNAP_REACH * grips.slop);
-    corners.push(...(isNear ? way : simplified(piece, TOLERANCE * grips.slop).slice(1)));
+    all.push(...(isNear ? way : freely(piece)));
   }
-  return corners;
+  return all.slice(corners.length);
 }
 
 /** Cuts a line into pieces of about a length, each beginning with the last place of the one before. */

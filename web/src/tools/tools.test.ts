@@ -124,7 +124,7 @@ beforeEach(() => {
 });
 
 describe('select', () => {
-  it('selects by click, adds and takes away with Shift, lets go on empty space', () => {
+  it('selects by click, adds and removes with Shift, deselects on empty space', () => {
     bench.click([2, 2]);
     expect(bench.selection).toEqual(['a']);
     bench.click([100, 0], { shift: true });
@@ -241,7 +241,7 @@ describe('select', () => {
     expect(handleById(bench.history.present, 'a')?.rotation).toBe('auto');
   });
 
-  it('has no ring around what is not selected', () => {
+  it('has no ring around unselected handles', () => {
     bench.drag([30, 0], [0, 30]);
     expect(bench.rotation('a')).toBe(0);
   });
@@ -429,7 +429,7 @@ describe('point', () => {
     expect(bench.history.present.project.handles).toHaveLength(2);
   });
 
-  it('places within the ring of what is selected by a click, and turns that by a drag', () => {
+  it('places by a click within the ring of the selection, and turns it by a drag', () => {
     bench.click([50, 60]);
     bench.click([80, 60]);
     expect(bench.history.present.project.handles).toHaveLength(4);
@@ -440,14 +440,14 @@ describe('point', () => {
     expect(bench.history.present.project.handles).toHaveLength(3);
   });
 
-  it('misses where there is no picture', () => {
+  it('misses beside the picture', () => {
     bench.placement = null;
     bench.click([50, 60]);
     expect(bench.others).toEqual([{ type: 'miss', at: [50, 60] }]);
     expect(bench.history.present.project.handles).toHaveLength(2);
   });
 
-  it('moves a handle that is there', () => {
+  it('moves an existing handle', () => {
     bench.drag([0, 0], [20, 0]);
     expect(bench.posed('a')).toEqual([20, 0]);
   });

@@ -23,6 +23,6 @@ export function crosshair({ crosshair: at, camera }: EditorModel): SVGTemplateRe
   </g>`;
 }
 
-/** The presses that wait: people see that none of them is lost. */
+/** The waiting presses: people see that none of them is lost. */
 export const waitingMarks = ({ waitingPlaces }: EditorModel): readonly SVGTemplateResult[] =>
   waitingPlaces.map(([x, y]) => svg`<circle class="early" cx=${x} cy=${y} r="4.5"/>`);

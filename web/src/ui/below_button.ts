@@ -9,7 +9,7 @@ export function placeBelowButton(event: Event): void {
   const button = popover.previousElementSibling;
   if (!button) return;
   const { left, right, bottom } = button.getBoundingClientRect();
-  // Before the menu is shown, its width is known from the style sheet alone.
+  // Before the menu is shown, only the style sheet gives its width.
   const width =
     popover.offsetWidth || Number.parseFloat(getComputedStyle(popover).getPropertyValue('--_width'));
   const start = getComputedStyle(popover).direction === 'rtl' ? right - width : left;

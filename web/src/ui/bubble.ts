@@ -4,7 +4,8 @@ import type { Hint } from '../editor/view_model';
 import { type Camera, toStage } from '../geometry/camera';
 
 /** A bubble that points to its place. The page chooses its words and their language. */
-export function bubble({ text, at, above }: Hint, camera: Camera): TemplateResult {
+export function bubble({ text, at, place }: Hint, camera: Camera): TemplateResult {
   const [x, y] = toStage(camera, at);
-  return html`<p class="hint bubble ${above ? 'above' : ''}" part="hint" lang="" .style=${`left: ${x}px; top: ${y}px`}>${text}</p>`;
+  const style = `left: ${x}px; top: ${y}px; --_along: ${place.along}`;
+  return html`<p class="hint bubble ${place.side}" part="hint" lang="" .style=${style}>${text}</p>`;
 }

@@ -1,6 +1,7 @@
 /**
  * Converts places in the window to places on the stage. Both are in CSS pixels, but a page may scale, turn, mirror or
- * tilt the editor. No bounding rectangle tells that, so marks without size stand in the corners of the stage.
+ * tilt the editor. A bounding rectangle does not contain that, so zero-size marks are placed in the corners of the
+ * stage.
  */
 import { html, type TemplateResult } from 'lit-html';
 import { inverted, mapped, type Quad, squareToQuad } from '../geometry/homography';

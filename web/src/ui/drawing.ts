@@ -3,19 +3,15 @@ import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 
 import { CORNERS_NEEDED, isClosed } from '../document/handle';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
-import { type Camera, type Size, toStage } from '../geometry/camera';
+import { toStage } from '../geometry/camera';
 import { distance } from '../geometry/vec';
 import { isDrawable } from '../tools/drafting';
-import type { Draft } from '../tools/state';
 import { dots, onStage } from './dots';
 import { edgeSwitch } from './edge_switch';
 import { icon } from './icons';
 
-export const draftMarks = ({ draft, waiting, camera, stage }: EditorModel): SVGTemplateResult => svg`
-  ${waiting.map((other) => marks(other, camera, stage, true))} ${draft ? marks(draft, camera, stage, false) : nothing}`;
-
-/** @param waits the draft belongs to another tool, so that presses on it have no effect. */
-function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTemplateResult {
+export function draftMarks({ draft, camera, stage }: EditorModel): SVGTemplateResult | typeof nothing {
+  if (!draft) return nothing;
   const set = draft.corners.map((corner) => toStage(camera, corner));
   const path = (draft.path ?? []).map((place) => toStage(camera, place));
   const next = draft.next && !draft.finishing ? toStage(camera, draft.next) : null;
@@ -23,11 +19,11 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
   const all = [...set, ...ahead];
   const [first] = set;
   const last = set.at(-1);
-  const targets = isDrawable(draft) && !waits ? [...(isClosed(draft.kind) ? [0] : []), set.length - 1] : [];
+  const targets = isDrawable(draft) ? [...(isClosed(draft.kind) ? [0] : []), set.length - 1] : [];
   const at = draft.next && toStage(camera, draft.next);
   const away = (k: number) => (at && set[k] ? distance(set[k], at) : Number.POSITIVE_INFINITY);
   const hot = draft.finishing ? targets.reduce((best, k) => (away(k) < away(best) ? k : best), -1) : -1;
-  return svg`<g class="draft ${waits ? 'waiting' : ''}">
+  return svg`<g class="draft">
     ${isClosed(draft.kind) && all.length > 2 ? svg`<path class="body" d="M${all.join('L')}Z"/>` : nothing}
     <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
     ${

@@ -71,7 +71,11 @@ export const fields = (
   model: EditorModel,
   dispatch: Dispatch,
 ): TemplateResult => {
-  const field = (look: HandleField) => {
+  const isRaised = (handle: Handle) => model.automaticDepths.get(handle.id) === depthOf(handle);
+  const { auto, automaticDepth } = model.texts.panel;
+  const automatic = selected.every(isRaised) ? { unit: auto, tip: automaticDepth } : {};
+  const field = (own: HandleField) => {
+    const look = own.name === 'depth' ? { ...own, ...automatic } : own;
     const numbers = selected.map((handle) => look.read(handle, model.turns));
     const input = numberField(
       look,

@@ -8,6 +8,7 @@ import type { Dispatch } from '../editor/events';
 import type { Sample } from '../editor/page';
 import type { EditorModel } from '../editor/view_model';
 import type { WorkSnapshot } from '../editor/work';
+import { shownName } from '../texts/shown_name';
 import type { Texts } from '../texts/texts';
 import { placeBelowButton } from './below_button';
 import { closePopover } from './close_popover';
@@ -150,14 +151,14 @@ const entry = (work: WorkSnapshot, texts: Texts, dispatch: Dispatch): TemplateRe
     }}
   >
     ${work.thumbnail ? html`<img src=${work.thumbnail} alt="" />` : html`<span class="no-thumbnail"></span>`}
-    <span class="name">${shortened(work.name)}</span>
+    <span class="name">${shortened(shownName(work.name))}</span>
     <span class="faint">${steps(work, texts)}</span>
   </button>
   <button
     type="button"
     class="button small"
     part="button"
-    aria-label=${texts.files.remove(work.name)}
+    aria-label=${texts.files.remove(shownName(work.name))}
     @click=${() => dispatch({ type: 'recent-removed', id: work.id })}
   >
     ${icon('close')}

@@ -112,7 +112,8 @@ function entered(event: KeyboardEvent, id: string, model: EditorModel, dispatch:
   if (!model.document.selection.includes(id)) dispatch({ type: 'handles-selected', ids: [id] });
 }
 
-const isKeyed = (target: Element): boolean =>
+/** Whether the focus came by a key. */
+export const isKeyed = (target: Element): boolean =>
   (target.getRootNode() as ShadowRoot).host.classList.contains('keyed');
 
 /** Keyboard focus selects a handle and brings it into view; a pointer selects through the tools. */

@@ -1,6 +1,6 @@
 /**
- * The marks of handles beside their dots: rest places, dotted lines from there, the lines of bars and polygons, and the
- * rotation ring of the selection.
+ * The marks of handles beside their dots: rest positions, dotted lines from there, the lines of bars and polygons, and
+ * the rotation ring of the selection.
  */
 import { nothing, type SVGTemplateResult, svg } from 'lit-html';
 import { anchor, corners, isClosed, isInPlace, isLine, rotationOf } from '../document/handle';
@@ -38,7 +38,7 @@ function restLine(places: readonly Vec[], closed: boolean, stage: Size): SVGTemp
   return svg`${dots('dots under', path)}${dots('dots', path)}`;
 }
 
-/** A posed bar or polygon, and faintly its rest place once it has moved. */
+/** A posed bar or polygon, and faintly its rest position once it has moved. */
 function lineMarks(
   handle: LineHandle,
   { camera, stage, posable }: EditorModel,

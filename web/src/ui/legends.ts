@@ -11,7 +11,7 @@ const GRADIENT = `background-image: linear-gradient(to right, ${COLOURS.join(', 
 
 export function legends(model: EditorModel): TemplateResult | typeof nothing {
   const { overlays, picture, draft, preview, document, tool, brush, texts } = model;
-  // The bar of the brush is there.
+  // The bar of the brush is shown.
   if (!picture || draft || preview || brush) return nothing;
   if (overlays.stiffness) return stiffnessLegend(texts);
   if (document.project.handles.length === 0) return nothing;

@@ -13,6 +13,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
   const entry = (name: IconName, label: string, event: EditorEvent, possible = true) => html`<button
     type="button"
     class="entry"
+    data-entry=${name}
     ?disabled=${!possible}
     @click=${(click: Event) => {
       closePopover(click);
@@ -26,6 +27,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
   const reset = { type: 'command-run', command: 'reset-all' } as const;
   const lens = { type: 'command-run', command: 'lens' } as const;
   const hand = { type: 'command-run', command: 'hand' } as const;
+  const brush = { type: 'command-run', command: 'brush' } as const;
   const timeline = { type: 'command-run', command: 'timeline' } as const;
   const keys = { type: 'command-run', command: 'keys' } as const;
   return html`<div class="menu more">
@@ -47,6 +49,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
       ${entry('without-folds', texts.commands['without-folds'], unfold, model.canRun('without-folds'))}
       ${entry('reset', texts.commands['reset-all'], reset, model.canRun('reset-all'))}
       ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
+      ${model.offers('brush') ? entry('brush', texts.commands.brush, brush) : nothing}
       ${model.offers('hand') ? entry('hand', texts.commands.hand, hand) : nothing}
       ${model.offers('lens') ? entry('lens', texts.commands.lens, lens, model.canRun('lens')) : nothing}
       ${entry('keys', texts.commands.keys, keys)}

@@ -29,7 +29,7 @@ export function nameTitle(handle: Handle, model: EditorModel, dispatch: Dispatch
 function nameField(handle: Handle, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { renaming, texts } = model;
   const shown = model.worded(nameWords(handle));
-  // A name that nobody has given is shown in words. Left as it is, it stays.
+  // A generated name is shown as a description. If it is not edited, it stays.
   const own = (name: string) => (name === shown ? nameOf(handle) : name);
   const fault = renaming?.fault ?? null;
   return html`<div class="naming">

@@ -21,7 +21,7 @@ export interface NameInput {
 export function nameInput(field: NameInput): TemplateResult {
   const text = ({ target }: Event) => (target as HTMLInputElement).value;
   const onKey = (event: KeyboardEvent) => {
-    if (event.isComposing || (event.key !== 'Enter' && event.key !== 'Escape')) return;
+    if (event.key !== 'Enter' && event.key !== 'Escape') return;
     event.preventDefault();
     if (event.key === 'Enter') field.given(text(event), true);
     else field.ended();

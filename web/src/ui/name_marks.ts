@@ -14,6 +14,9 @@ import type { Vec } from '../geometry/vec';
 /** Sizes of a line of text, CSS pixels. The width of a character is that of wide fonts. */
 const TEXT = { character: 7.4, height: 14 } as const;
 
+/** Characters of a name. A longer one would lie over most of the picture. */
+const MOST = 40;
+
 /** The radius of a dot with its shadow, CSS pixels. */
 const DOT = 11;
 
@@ -27,7 +30,7 @@ export function nameMarks(model: EditorModel): SVGTemplateResult {
     dots.filter((dot) => dot.handle !== handle || isLine(handle)).map(({ at }) => at);
   return svg`${document.project.handles.map((handle) => {
     const isNamed = named.includes(handle.id);
-    const text = isNamed ? capital(model.worded(nameWords(handle))) : numberOf(handle);
+    const text = isNamed ? short(capital(model.worded(nameWords(handle)))) : numberOf(handle);
     if (text === null) return nothing;
     const size = { width: TEXT.character * text.length, height: TEXT.height };
     const at = toStage(camera, anchor(handle));
@@ -35,6 +38,11 @@ export function nameMarks(model: EditorModel): SVGTemplateResult {
     const [x, y] = clearPlace(places, size, others(handle), DOT, model.stage);
     return svg`<text class="name ${isNamed ? '' : 'number'}" x=${x} y=${y}>${text}</text>`;
   })}`;
+}
+
+function short(name: string): string {
+  const signs = [...name];
+  return signs.length > MOST ? `${signs.slice(0, MOST - 1).join('')}…` : name;
 }
 
 const capital = (name: string): string => name.charAt(0).toUpperCase() + name.slice(1);

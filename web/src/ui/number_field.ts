@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Dispatch, NumberChange } from '../editor/events';
+import { typedNumber } from '../editor/typed_number';
 import type { EditorModel } from '../editor/view_model';
 import { say, type Wording } from '../texts/wording';
 import { untyped } from './untyped';
@@ -27,16 +28,6 @@ export const PLACE = { unit: 'px', step: 1, digits: 1, digitKeys: true } as cons
 
 /** Limit of typed pixels and degrees, far beyond any picture. */
 const MOST = 1e6;
-
-/** Commas between thousands, as the editor itself writes them. */
-const THOUSANDS = /^-?[1-9]\d{0,2}(,\d{3})+(\.\d*)?$/;
-
-/** A number as people write it, with a point or a comma. */
-export function numberOf(text: string): number {
-  const plain = text.trim().replace('−', '-');
-  if (plain === '') return Number.NaN;
-  return Number(THOUSANDS.test(plain) ? plain.replaceAll(',', '') : plain.replace(',', '.'));
-}
 
 const expected = ({ label, least, most }: FieldLook, value: number): Wording => {
   if (least !== undefined && most !== undefined) return say('panel.takesRange', label, least, most);
@@ -76,7 +67,7 @@ export function numberField(
   const commit = (event: Event) => {
     event.stopPropagation();
     const input = event.target as HTMLInputElement;
-    const value = numberOf(input.value);
+    const value = typedNumber(input.value);
     if (input.value !== shared && value >= least && value <= most) {
       set({ to: value });
       return;

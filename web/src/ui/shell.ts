@@ -45,7 +45,7 @@ export function shell(
   const { posable } = model;
   const studying = study !== null && model.study.page !== null && !posable;
   return html`${room(model)}
-  <div class="shell" lang=${language} dir=${model.rtl ? 'rtl' : 'ltr'} tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
+  <div class="shell ${model.timeline?.lead ? 'of-keys' : ''}" lang=${language} dir=${model.rtl ? 'rtl' : 'ltr'} tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
     ${posable ? nothing : topBar(model, dispatch, exportPages)}
     <div class="middle ${studying ? `studying on-${model.study.page}` : ''}">
       ${stage(model, dispatch, canvas, studying ? study.marks(model) : nothing)} ${model.picture ? nothing : emptyStage(model, dispatch)}
@@ -63,7 +63,7 @@ export function shell(
   ${model.disabled ? disabledStage(model) : nothing}`;
 }
 
-/** The height of the element if the page sets none: that of the picture, or enough for the editor. */
+/** The default height of the element: that of the picture, or enough for the editor. */
 function room({ posable, picture }: EditorModel): TemplateResult {
   if (!posable) return html`<div .style=${`height: ${OWN_HEIGHT}px`}></div>`;
   const size = picture

@@ -3,6 +3,7 @@ import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 
 import { classMap } from 'lit-html/directives/class-map.js';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
+import { shownName } from '../texts/shown_name';
 import { crosshair, selectionBox, waitingMarks } from './aims';
 import { askedMarks } from './asked_marks';
 import { brushMarks } from './brush_marks';
@@ -70,5 +71,5 @@ const stageLabel = (model: EditorModel): string =>
 /** The label of the picture. In an editor people may open other pictures than the one that the page describes. */
 function pictureLabel({ picture, posable, alt, texts }: EditorModel): string {
   if (!picture) return texts.stage.noPicture;
-  return (posable && alt) || texts.stage.picture(picture.name);
+  return (posable && alt) || texts.stage.picture(shownName(picture.name));
 }

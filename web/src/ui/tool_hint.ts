@@ -14,7 +14,7 @@ export function toolHint(model: EditorModel, dispatch: Dispatch): TemplateResult
   const { draft, document, picture } = model;
   // A notice with an action stays until it is answered, so hints appear above it.
   const silent = !model.notice || model.notice.action !== undefined;
-  // The bar of the brush is there.
+  // The bar of the brush is shown.
   const idle = !model.brush && !model.readonly && silent && !model.hint && !model.preview;
   if (!idle || picture === null || draft !== null || document.selection.length > 0) return nothing;
   const words = wordsOf(model)[model.tool];
@@ -27,7 +27,7 @@ export function toolHint(model: EditorModel, dispatch: Dispatch): TemplateResult
   </p>`;
 }
 
-/** Tools that a person has who has not drawn anything yet. */
+/** Tools available to a person who has not drawn anything yet. */
 const BEGINNERS: readonly ToolName[] = ['select', 'point'];
 
 const suggestButton = (model: EditorModel, dispatch: Dispatch): TemplateResult => html`<button

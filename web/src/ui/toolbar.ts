@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import type { CommandName } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
+import { shownName } from '../texts/shown_name';
 import { commandButton, type Look } from './command_button';
 import { exportMenu } from './export/menu';
 import type { ExportPages } from './export_pages';
@@ -47,7 +48,7 @@ export function topBar(model: EditorModel, dispatch: Dispatch, pages: ExportPage
 }
 
 function title({ picture, unsaved, kept, texts }: EditorModel): TemplateResult {
-  const name = picture?.name ?? '';
+  const name = shownName(picture?.name ?? '');
   const { toolbar: words, names } = texts;
   const state = unsaved ? (kept ? words.unsavedKept : words.unsaved) : '';
   const tip = names.parts([name, unsaved ? words.noFile : '', kept ? words.kept : ''].filter(Boolean));

@@ -73,7 +73,7 @@ function dismissIn(shell: Element, event: Event): void {
   if (held && shown.length > 0) event.preventDefault();
 }
 
-/** Whether a button's tooltip is visible. Before it fades in there is nothing to dismiss. */
+/** Whether a button's tooltip is visible. Before it fades in, nothing needs to be dismissed. */
 function isShown(button: Element): boolean {
   const { content, opacity } = getComputedStyle(button, '::after');
   return content !== 'none' && Number(opacity) > 0;

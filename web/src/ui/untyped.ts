@@ -2,9 +2,9 @@
 import { noChange } from 'lit-html';
 import { Directive, directive, type PropertyPart } from 'lit-html/directive.js';
 
-/** Whether an element is a text field. */
+/** Whether an element is a text field. Those of numbers are too. */
 export const isField = (element: Element | null): boolean =>
-  element?.matches('input:not([type=checkbox])') === true;
+  element?.matches('input:is([type=text], [type=url])') === true;
 
 /** Fields with typed text that is not committed yet. */
 const typed = new WeakSet<EventTarget>();

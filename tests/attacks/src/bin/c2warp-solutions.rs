@@ -1,6 +1,6 @@
 //! Solves projects, one in each line of the standard input, on opaque pictures of their size.
 //!
-//! A line of the output has the hash of the weights, and the bits of the posed places of a grid of points. If the
+//! A line of the output has the hash of the weights, and the bits of the posed positions of a grid of points. If the
 //! project is refused, it has the code of the error. `tests/browser/edits.spec.ts` compares it with WebAssembly.
 
 use std::fmt::Write as _;

@@ -41,12 +41,21 @@ pub(super) fn read(folder: &SceneFolder) -> Reading {
     assert_eq!(at, all.len());
     let corners: Vec<usize> = numbers("triangles").into_iter().map(|corner| corner as usize).collect();
     let triangles = corners.chunks(3).map(|t| [t[0], t[1], t[2]]).collect();
-    Reading { rest, triangles, weights, bones: Box::new(move |moment| bones(&armature, moment)), is_upward: false }
+    let name = |value: &Value| value["name"].as_str().unwrap().to_owned();
+    let names = armature["bone"].as_array().unwrap().iter().map(name).collect();
+    let rate = armature["frameRate"].as_f64().unwrap();
+    let seconds = |clip: &Value| clip["duration"].as_f64().unwrap() / rate * clip["scale"].as_f64().unwrap();
+    let clips = armature["animation"].as_array().unwrap().iter().map(|clip| (name(clip), seconds(clip))).collect();
+    let bones = Box::new(move |moment| bones(&armature, moment));
+    Reading { rest, triangles, weights, names, clips, bones, is_upward: false }
 }
 
 fn bones(armature: &Value, moment: Moment) -> Vec<DAffine2> {
     let rate = armature["frameRate"].as_f64().unwrap();
-    let animation = moment.map(|(clip, time)| (&armature["animation"][clip], time * rate));
+    let animation = moment.map(|(clip, time)| {
+        let animation = &armature["animation"][clip];
+        (animation, time * rate / animation["scale"].as_f64().unwrap())
+    });
     let root = armature["bone"][0]["name"].clone();
     let local = |bone: &Value| {
         assert!(bone["name"] == root || bone["parent"] == root);

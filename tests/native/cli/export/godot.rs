@@ -77,15 +77,16 @@ pub(super) fn read(folder: &SceneFolder) -> Reading {
         }
     }
     assert!(weights.iter().all(|row| (1..=4).contains(&row.len())), "Godot takes four bones");
-    let animations: Vec<Vec<Track>> = all
-        .iter()
-        .filter(|section| section.attribute("type") == "Animation")
-        .map(|section| (0..).map_while(|at| Track::new(section, at)).collect())
-        .collect();
+    let names = bones.iter().map(|bone| bone.path.rsplit('/').next().unwrap().to_owned()).collect();
+    let of_clips = || all.iter().filter(|section| section.attribute("type") == "Animation");
+    let text = |section: &Section, property: &str| section.properties[property].trim_matches('"').to_owned();
+    let clips = of_clips().map(|clip| (text(clip, "resource_name"), clip.numbers("length")[0])).collect();
+    let animations: Vec<Vec<Track>> =
+        of_clips().map(|section| (0..).map_while(|at| Track::new(section, at)).collect()).collect();
     let posed = move |moment: Moment| {
         bones.iter().map(|bone| bone.posed(moment.map(|(clip, time)| (&animations[clip][..], time)))).collect()
     };
-    Reading { rest, triangles, weights, bones: Box::new(posed), is_upward: false }
+    Reading { rest, triangles, weights, names, clips, bones: Box::new(posed), is_upward: false }
 }
 
 struct Bone {

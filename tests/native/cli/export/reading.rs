@@ -1,9 +1,19 @@
 //! A rig as read from a file, in the places of the picture: pixels, y down.
 
+use std::collections::BTreeMap;
+
 use glam::{DAffine2, DVec2};
 
 /// The pose of the bones, or that at a time of a clip.
 pub(super) type Moment = Option<(usize, f64)>;
+
+/// The bones and clips of a rig by their names.
+pub(super) struct Listing {
+    /// The places of the bones in the pose of the project.
+    pub(super) bones: BTreeMap<String, DVec2>,
+    /// How long clips last, in seconds.
+    pub(super) clips: BTreeMap<String, f64>,
+}
 
 /// A rig as read from a file.
 pub(super) struct Reading {
@@ -12,6 +22,10 @@ pub(super) struct Reading {
     pub(super) triangles: Vec<[usize; 3]>,
     /// For each vertex its bones with a place that each of them carries, and weights.
     pub(super) weights: Vec<Vec<(usize, DVec2, f64)>>,
+    /// The names of the bones.
+    pub(super) names: Vec<String>,
+    /// How long clips last, in seconds, by their names.
+    pub(super) clips: BTreeMap<String, f64>,
     /// The bones at a moment.
     pub(super) bones: Box<dyn Fn(Moment) -> Vec<DAffine2>>,
     /// Whether y goes up in the file.
@@ -26,6 +40,15 @@ impl Reading {
             if self.is_upward { DVec2::new(sum.x, -sum.y) } else { sum }
         };
         self.weights.iter().map(place).collect()
+    }
+
+    pub(super) fn listing(self) -> Listing {
+        let place = |bone: &DAffine2| {
+            let DVec2 { x, y } = bone.translation;
+            DVec2::new(x, if self.is_upward { -y } else { y })
+        };
+        let places = (self.bones)(None);
+        Listing { bones: self.names.into_iter().zip(places.iter().map(place)).collect(), clips: self.clips }
     }
 }
 

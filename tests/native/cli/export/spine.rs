@@ -31,7 +31,19 @@ pub(super) fn read(folder: &SceneFolder) -> Reading {
         at += 1 + 4 * count;
     }
     let triangles = corners.chunks(3).map(|t| [t[0], t[1], t[2]]).collect();
-    Reading { rest, triangles, weights, bones: Box::new(move |moment| bones(&file, moment)), is_upward: true }
+    let name = |bone: &Value| bone["name"].as_str().unwrap().to_owned();
+    let names = file["bones"].as_array().unwrap().iter().map(name).collect();
+    let clips =
+        file["animations"].as_object().unwrap().iter().map(|(name, clip)| (name.clone(), seconds(clip))).collect();
+    let bones = Box::new(move |moment| bones(&file, moment));
+    Reading { rest, triangles, weights, names, clips, bones, is_upward: true }
+}
+
+/// The time of the last key: the runtime ends the clip there.
+fn seconds(animation: &Value) -> f64 {
+    let tracks = animation["bones"].as_object().unwrap().values().flat_map(|bone| bone.as_object().unwrap().values());
+    let times = tracks.flat_map(|keys| keys.as_array().unwrap()).map(|key| key["time"].as_f64().unwrap_or(0.0));
+    times.fold(0.0, f64::max)
 }
 
 fn bones(file: &Value, moment: Moment) -> Vec<DAffine2> {

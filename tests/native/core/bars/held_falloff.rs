@@ -85,7 +85,7 @@ fn pull_towards_held_boundary_is_as_smooth_as_between_handles() {
 }
 
 #[test]
-fn handles_near_one_another_and_near_a_held_boundary_reach_their_places() {
+fn close_handles_and_handles_near_a_held_boundary_are_reached() {
     let outline = &outlines()[0];
     let places = [(200.0, 200.0), (212.0, 200.0), (200.0, 250.0), (374.0, 200.0)].map(DVec2::from);
     let handle = |(k, rest): (u32, DVec2)| {

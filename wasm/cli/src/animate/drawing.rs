@@ -1,7 +1,8 @@
 //! The frames of a film, drawn on all cores.
 //!
-//! Poses are found one after another, because one may continue another. A batch of frames is drawn on all cores while
-//! the batch before is encoded, so memory does not grow with the film. The result does not depend on the cores.
+//! Poses are computed one after another, because each may continue the previous one. A batch of frames is drawn on all
+//! cores while the previous batch is encoded, so memory does not grow with the film. The result does not depend on the
+//! number of cores.
 
 use std::num::NonZero;
 use std::sync::Mutex;
@@ -16,7 +17,7 @@ use crate::error::CliError;
 use crate::progress;
 use crate::project::LoadedProject;
 
-/// Frames of a batch per core: enough that no core waits long for the others.
+/// Frames of a batch per core: enough to keep all cores busy.
 const FRAMES_PER_CORE: usize = 2;
 
 /// A solved project, and the times of its clip to draw.
@@ -58,7 +59,7 @@ impl<'a> Drawing<'a> {
         Ok(extent)
     }
 
-    /// All of the picture at the scale of the film. It has the colours of all frames.
+    /// The whole picture at the scale of the film. It has the colours of all frames.
     pub(super) fn picture_at_rest(&self) -> Result<Vec<u8>, CliError> {
         let drawing = c2warp::Drawing::at_rest(&self.picture, self.options);
         drawing.map(|drawing| drawing.warped(&self.picture).rgba).map_err(|reason| self.loaded.refused(reason))

@@ -71,10 +71,10 @@ fn range(text: &str) -> Result<Range<f64>, String> {
     times.ok_or_else(|| "expected two times in seconds like 0.5..1.2".to_owned())
 }
 
-/// What is written, checked before the work starts.
+/// The outputs, checked before the work starts.
 enum Target {
     Film(Container, Output),
-    Frames(Sequence),
+    Frames(Vec<Output>),
     Sheet { output: Output, json: Output, image: String },
 }
 
@@ -101,7 +101,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         plays: if times.repeats() { Plays::Endlessly } else { Plays::Once },
         profile: loaded.profile().map(<[u8]>::to_vec),
     };
-    let targets = targets(&loaded, arguments, &film)?;
+    let targets = targets(arguments, &film)?;
 
     let solution = loaded.solve_filled()?;
     let options = ResampleOptions {
@@ -117,7 +117,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     }
     targets.into_iter().try_for_each(|target| match target {
         Target::Film(container, output) => write_film(&mut drawing, container, &film, arguments.matte, output),
-        Target::Frames(sequence) => write_frames(&mut drawing, &sequence, &loaded),
+        Target::Frames(frames) => write_frames(&mut drawing, frames, loaded.profile()),
         Target::Sheet { output, json, image } => {
             let mut text = String::new();
             write(&mut drawing, output, |writer| {
@@ -146,16 +146,15 @@ fn clip<'a>(loaded: &'a LoadedProject, name: Option<&str>) -> Result<&'a Clip, C
     }
 }
 
-fn targets(loaded: &LoadedProject, arguments: &Arguments, film: &Film) -> Result<Vec<Target>, CliError> {
+fn targets(arguments: &Arguments, film: &Film) -> Result<Vec<Target>, CliError> {
     let mut targets = Vec::new();
     if let Some(path) = &arguments.output {
         targets.push(match Sequence::named(path) {
             Some(sequence) => {
-                // The first frame stands for the others.
-                loaded.output(&sequence.path(0))?;
-                Target::Frames(sequence)
+                let frames = 0..film.frames as usize;
+                Target::Frames(frames.map(|frame| Output::open(&sequence.path(frame))).collect::<Result<_, _>>()?)
             }
-            None => Target::Film(container(path, film.rate)?, loaded.output(path)?),
+            None => Target::Film(container(path, film.rate)?, Output::open(path)?),
         });
     }
     if let Some(path) = &arguments.sheet {
@@ -165,19 +164,14 @@ fn targets(loaded: &LoadedProject, arguments: &Arguments, film: &Film) -> Result
         }
         // A sheet that is too large is refused without a place to write it to.
         Sheet::new(film.clone(), io::sink()).map_err(CliError::write(path))?;
-        let (output, json) = (loaded.output(path)?, loaded.output(&path.with_extension("json"))?);
-        if let Some(Target::Film(_, film)) = targets.first()
-            && output.is_same(film)
-        {
-            return Err(CliError::SheetOverFilm { path: path.clone() });
-        }
+        let (output, json) = (Output::open(path)?, Output::open(&path.with_extension("json"))?);
         let image = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         targets.push(Target::Sheet { output, json, image });
     }
     Ok(targets)
 }
 
-/// The container by the extension of a path.
+/// The container format, chosen by the extension of a path.
 fn container(path: &Path, rate: f64) -> Result<Container, CliError> {
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
@@ -217,7 +211,7 @@ fn write_film(
     }
 }
 
-/// Writes all frames by an encoder that begins an output.
+/// Writes all frames with the encoder of an output.
 fn write(
     drawing: &mut Drawing<'_>,
     output: Output,
@@ -256,12 +250,12 @@ fn encode(drawing: &mut Drawing<'_>, mut encoder: Box<dyn Encoder + '_>) -> Resu
     encoder.finish().map_err(Failure::Output)
 }
 
-fn write_frames(drawing: &mut Drawing<'_>, sequence: &Sequence, loaded: &LoadedProject) -> Result<(), CliError> {
-    let profile = loaded.profile();
+fn write_frames(drawing: &mut Drawing<'_>, frames: Vec<Output>, profile: Option<&[u8]>) -> Result<(), CliError> {
+    let mut frames = frames.into_iter();
     drawing.draw(
         |Warped { width, height, rgba, .. }| encode_png([width, height], &rgba, profile).map_err(io::Error::other),
-        |frame, png| {
-            let output = loaded.output(&sequence.path(frame))?;
+        |_, png| {
+            let output = frames.next().expect("every frame has an output");
             output.write(|writer| writer.write_all(&png?))
         },
         |error| error,

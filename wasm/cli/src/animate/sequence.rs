@@ -12,7 +12,7 @@ pub(super) struct Sequence {
 }
 
 impl Sequence {
-    /// The names that a path with one `%d` or `%04d` in its last part stands for. It must end with `.png`.
+    /// Parses a path with one `%d` or `%04d` in its last part. It must end with `.png`.
     pub(super) fn named(path: &Path) -> Option<Self> {
         let name = path.file_name()?.to_str()?;
         let (before, rest) = name.split_once('%')?;

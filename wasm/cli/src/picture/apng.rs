@@ -1,6 +1,7 @@
 //! The first frame of an animated PNG whose default picture is not part of the animation.
 //!
-//! Such a default picture is for programs without animations, and often says only that. Browsers never show it.
+//! Such a default picture is for programs that do not support animation, and often only says so. Browsers never show
+//! it.
 
 use std::io::Cursor;
 

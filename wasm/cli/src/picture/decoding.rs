@@ -1,4 +1,4 @@
-//! Decodes the pixels of a picture. A decoder that panics at damaged bytes refuses them.
+//! Decodes the pixels of a picture. If a decoder panics on damaged bytes, the picture is rejected.
 
 use std::{
     cell::Cell,
@@ -18,13 +18,14 @@ thread_local! {
 /// Decodes the pixels of a picture.
 ///
 /// # Errors
-/// Those of the decoder, and [`ImageError::Decoding`] if it panics. Nothing is printed then.
+/// The errors of the decoder, and [`ImageError::Decoding`] if it panics. A panic prints nothing.
 pub(super) fn decoded(decoder: impl ImageDecoder, format: ImageFormat) -> ImageResult<DynamicImage> {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {
         let usual = take_hook();
         set_hook(Box::new(move |panic| {
-            if !IS_DECODING.get() {
+            // WebAssembly ends at a panic.
+            if !IS_DECODING.get() || cfg!(panic = "abort") {
                 usual(panic);
             }
         }));

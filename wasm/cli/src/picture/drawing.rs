@@ -1,5 +1,5 @@
-//! Draws the pixels of an SVG drawing, and keeps it. Nothing outside the file is loaded but fonts of the system, and
-//! these only for a drawing with text.
+//! Renders an SVG drawing, and keeps it. Only fonts of the system are loaded from outside the file, and only for
+//! drawings with text.
 
 use std::path::Path;
 
@@ -11,13 +11,13 @@ use super::PictureFile;
 use super::encoding::{self, NoText};
 use crate::error::{self, CliError};
 
-/// The longer side of pictures of small drawings: handles need room. As in the editor.
+/// The longer side of pictures of small drawings, as in the editor: handles need room.
 const LEAST_SIDE: f64 = 1024.0;
-/// The longer side of pictures of large drawings. As in the editor.
+/// The longer side of pictures of large drawings, as in the editor.
 const MOST_SIDE: f64 = 4096.0;
 
-/// Renders a drawing at the size of the project's picture, or of the least to the most side. A drawing of another shape
-/// than the project's gets that width and a height of its own. Tells on standard error which parts are left out.
+/// Renders a drawing at the size of the project's picture, or between the least and the greatest side. A drawing with
+/// other proportions gets the project's width and its own height. Reports on standard error which parts are left out.
 pub(super) fn rendered(bytes: Vec<u8>, path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
     let refused = |reason| CliError::Drawing { path: path.to_owned(), reason };
     if bytes.len() > MAX_BYTES {
@@ -29,7 +29,7 @@ pub(super) fn rendered(bytes: Vec<u8>, path: &Path, size: Option<(u32, u32)>) ->
     })?;
     let drawing = read(&text).map_err(refused)?;
     for remark in drawing.remarks() {
-        error::tell(format_args!("{}: {remark}", path.display()));
+        error::print(format_args!("{}: {remark}", path.display()));
     }
     let (width, height) = size_in_pixels(drawing.size(), size);
     Picture::check_size(width, height).map_err(CliError::refused(path))?;

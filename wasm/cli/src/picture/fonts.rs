@@ -2,12 +2,12 @@
 
 use c2warp_vector::fontdb::{Database, Family, Query};
 
-/// Families in place of generic ones that the system lacks.
+/// Replacements for generic families that the system lacks.
 const SERIF: &[&str] = &["DejaVu Serif", "Liberation Serif", "Noto Serif"];
 const SANS: &[&str] = &["DejaVu Sans", "Liberation Sans", "Noto Sans"];
 const MONOSPACE: &[&str] = &["DejaVu Sans Mono", "Liberation Mono", "Noto Sans Mono"];
 
-/// All fonts of the system. Generic families have one wherever there is any font.
+/// All fonts of the system. Every generic family has a font if the system has any.
 pub(super) fn of_system() -> Database {
     let mut fonts = Database::new();
     fonts.load_system_fonts();

@@ -3,14 +3,14 @@
 //! Decoders fill missing parts with grey and report no error, so the file must be checked. Segments are skipped by
 //! their length. Scan data ends at the next marker, because it never contains one.
 //!
-//! Some cameras write no marker "end of image", or data of their own in its place. Such a file is complete if its scans
-//! are. Scan data has no length, so a decoder must find out: see [`probes`].
+//! Some cameras omit the marker "end of image", or write their own data instead. Such a file is complete if its scans
+//! are complete. Scan data has no length, so a decoder must find out: see [`probes`].
 
 use std::collections::HashMap;
 
 const START_OF_SCAN: u8 = 0xda;
 const END_OF_IMAGE: u8 = 0xd9;
-/// Each decodes to other blocks. Decoders take missing bits for 0.
+/// Each probe decodes to different blocks. Decoders take missing bits for 0.
 const FILLERS: [&[u8]; 2] = [&[0x33; 64], &[0xcc; 64]];
 
 /// The end of a JPEG file.
@@ -51,9 +51,9 @@ pub(super) fn end(file: &[u8]) -> End {
     last_scan.map_or(End::Missing, End::Unmarked)
 }
 
-/// Files that end with a marker. They decode alike if the last scan of an unmarked file has all of its data.
+/// Files that end with a marker. They decode to the same pixels if the last scan of an unmarked file is complete.
 ///
-/// In all but the first file, filler follows the scan. Decoders ignore it once they have decoded every block.
+/// In all files but the first, filler follows the scan. Decoders ignore it after they have decoded every block.
 pub(super) fn probes(file: &[u8], end_of_scan: usize) -> [Vec<u8>; 3] {
     let [one, other] = FILLERS;
     [&[], one, other].map(|filler| [&file[..end_of_scan], filler, &[0xff, END_OF_IMAGE]].concat())
@@ -74,8 +74,8 @@ fn next_marker(file: &[u8], from: usize) -> Option<(usize, u8)> {
     }
 }
 
-/// Returns the contents of the segment whose marker starts at a position, and the position behind it. `None` if the
-/// file ends before.
+/// Returns the contents of the segment whose marker starts at a position, and the position after it. `None` if the file
+/// ends earlier.
 fn segment(file: &[u8], marker: usize) -> Option<(&[u8], usize)> {
     let length = marker + 1 + file[marker + 1..].iter().position(|&byte| byte != 0xff)? + 1;
     let size = usize::from(u16::from_be_bytes([*file.get(length)?, *file.get(length + 1)?])).max(2);
@@ -87,9 +87,10 @@ fn is_frame(code: u8) -> bool {
     matches!(code, 0xc0..=0xcf) && !matches!(code, 0xc4 | 0xc8 | 0xcc)
 }
 
-/// The low bits that no scan has given yet, for each component of the frame and each of its 64 coefficients.
+/// The low bits that no scan has provided yet, for each component of the frame and each of its 64 coefficients.
 ///
-/// A sequential scan gives all bits. A progressive one gives some coefficients, without their lowest bits at first.
+/// A sequential scan provides all bits. A progressive scan provides some coefficients, at first without their lowest
+/// bits.
 #[derive(Default)]
 struct MissingBits {
     components: HashMap<u8, [u8; 64]>,

@@ -3,7 +3,7 @@
 
 use super::encoding;
 
-/// Bytes of a file that [`name`] looks at.
+/// Bytes of a file that [`name`] examines.
 pub(super) const SIGNATURE_BYTES: usize = 256;
 
 const SIGNATURES: &[(&[u8], &str)] = &[
@@ -22,16 +22,16 @@ const SIGNATURES: &[(&[u8], &str)] = &[
     (GZIP, "a compressed file"),
 ];
 
-/// First bytes of a file that gzip compressed (RFC 1952), such as a drawing in .svgz.
+/// First bytes of gzip files (RFC 1952), such as drawings in .svgz.
 pub(super) const GZIP: &[u8] = b"\x1f\x8b\x08";
 
-/// By brands of ISO base media files (ISO/IEC 14496-12, section 4.3). AVIF files may name brands of HEIC as well.
+/// Names by brands of ISO base media files (ISO/IEC 14496-12, section 4.3). AVIF files may name brands of HEIC as well.
 const BRANDS: &[(&[&[u8; 4]], &str)] = &[
     (&[b"avif", b"avis"], "an AVIF picture"),
     (&[b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1"], "a HEIC picture"),
 ];
 
-/// First words of SVG drawings. Letter case does not matter.
+/// The beginnings of SVG drawings, in any letter case.
 const DRAWINGS: &[&str] = &["<?xml", "<!--", "<!doctype svg", "<svg"];
 
 /// Returns the type of a file by its first [`SIGNATURE_BYTES`], with an article.

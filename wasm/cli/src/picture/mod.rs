@@ -1,10 +1,11 @@
 //! Reads a picture file as upright, straight RGBA with its colour profile.
 //!
-//! The contents decide the type, not the name. The size is checked before any pixel is decoded. As in the editor, the
-//! orientation recorded by the camera is applied. The colour profile is not applied but kept, so that no colour is
+//! The contents determine the type, not the name. The size is checked before any pixel is decoded. As in the editor,
+//! the orientation recorded by the camera is applied. The colour profile is kept but not applied, so that no colour is
 //! lost. `web/docs/pictures.md` compares the command with the editor.
 
 mod apng;
+mod bounds;
 mod decoding;
 mod drawing;
 mod encoding;
@@ -24,13 +25,13 @@ use c2warp_vector::{Drawing, MAX_BYTES};
 use flate2::bufread::GzDecoder;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
 
-use crate::error::CliError;
+use crate::error::{self, CliError};
 use crate::input;
 
 /// Memory limit of decoders: enough for the largest picture at 16 bits per channel and a decoder's own copy.
 const DECODER_BYTES: u64 = 2 << 30;
 
-/// A larger drawing is refused by its size.
+/// Larger drawings are rejected by their size.
 const MAX_DRAWING_BYTES: u64 = MAX_BYTES as u64 + 1;
 
 /// A decoded picture.
@@ -40,9 +41,9 @@ pub(crate) struct PictureFile {
     /// The ICC profile of RGB colours. `None` for sRGB, and for CMYK, because decoding converts it to RGB.
     pub(crate) profile: Option<Vec<u8>>,
     pub(crate) format: ImageFormat,
-    /// The bytes of the file. A PNG of the pixels for a drawing.
+    /// The bytes of the file; for a drawing, a PNG of its pixels.
     pub(crate) bytes: Vec<u8>,
-    /// The drawing that the pixels are of.
+    /// The drawing that was rendered to the pixels.
     pub(crate) drawing: Option<Drawing>,
 }
 
@@ -71,7 +72,8 @@ pub(crate) fn read_from(file: impl Read, path: &Path, size: Option<(u32, u32)>) 
             jpeg::End::Unmarked(end_of_scan) => return read_unmarked(path, jpeg::probes(&bytes, end_of_scan)),
             jpeg::End::Missing => return Err(truncated(path)),
         },
-        ImageFormat::WebP => webp::clear_stale_flags(&mut bytes),
+        ImageFormat::WebP => webp::mend(&mut bytes),
+        ImageFormat::Png if bounds::remove_large_profiles(&mut bytes) => warn_of_large_profile(path),
         _ => {}
     }
     decode(path, format, bytes)
@@ -94,7 +96,7 @@ fn decode(path: &Path, format: ImageFormat, bytes: Vec<u8>) -> Result<PictureFil
     Ok(PictureFile { pixels, profile, format, bytes, drawing: None })
 }
 
-/// A file by its type.
+/// A picture file, by type.
 enum Contents {
     Pixels(ImageFormat, Vec<u8>),
     Drawing(Vec<u8>),
@@ -123,6 +125,13 @@ fn pixels(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<Pixels, CliE
         image.apply_orientation(orientation);
     }
     let described = if format == ImageFormat::Png { profile::png_profile(Cursor::new(bytes)) } else { None };
+    let embedded = embedded.filter(|profile| {
+        let is_small = profile.len() <= bounds::MAX_PROFILE_BYTES;
+        if !is_small {
+            warn_of_large_profile(path);
+        }
+        is_small
+    });
     let profile = described.or_else(|| profile::rgb_profile(embedded?));
     Ok((image.into_rgba8(), profile))
 }
@@ -163,6 +172,11 @@ fn unpacked(file: impl Read, path: &Path) -> Result<Option<Vec<u8>>, CliError> {
     }
     unpacked.by_ref().take(MAX_DRAWING_BYTES).read_to_end(&mut bytes).map_err(damaged)?;
     Ok(Some(bytes))
+}
+
+fn warn_of_large_profile(path: &Path) {
+    let most = bounds::MAX_PROFILE_BYTES >> 20;
+    error::print(format_args!("{}: the colour profile has more than {most} MiB, and is left out", path.display()));
 }
 
 fn truncated(path: &Path) -> CliError {

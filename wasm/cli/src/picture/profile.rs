@@ -10,12 +10,12 @@ use moxcms::{
     ToneReprCurve,
 };
 
-/// The gAMA value that approximates sRGB, times 100,000. Without cHRM it counts as sRGB, as in browsers.
+/// The gAMA value that approximates sRGB, times 100,000. Without cHRM, it counts as sRGB, as in browsers.
 const SRGB_GAMMA: u32 = 45_455;
 
 /// Returns the RGB profile for the embedded profile `icc`.
 ///
-/// `None` if `icc` describes other colours than RGB and grey, or a grey without a curve.
+/// `None` if `icc` describes colours other than RGB and grey, or a grey without a curve.
 pub(crate) fn rgb_profile(icc: Vec<u8>) -> Option<Vec<u8>> {
     // The field "data colour space" of the header (ICC.1, section 7.2.6).
     match icc.get(16..20)? {

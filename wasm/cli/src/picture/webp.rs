@@ -1,7 +1,8 @@
-//! Stale flags of WebP files.
+//! Mends WebP files that browsers read, but the decoder here does not.
 //!
 //! The header VP8X announces the chunks that follow. Some programs remove a chunk but leave its flag. Browsers read
-//! such files, but the decoder here refuses them.
+//! such files, but this decoder rejects them. It would also allocate the length that a chunk claims, even beyond the
+//! end of the file.
 
 use std::ops::Range;
 
@@ -14,11 +15,17 @@ const EXIF: u8 = 0x08;
 const XMP: u8 = 0x04;
 const ANIMATION: u8 = 0x02;
 
-/// Clears the flags of a WebP file that announce missing chunks.
-pub(super) fn clear_stale_flags(file: &mut [u8]) {
+/// Hides the metadata that a WebP file lacks in part, and clears the flags that announce missing chunks.
+pub(super) fn mend(file: &mut [u8]) {
     if file.get(12..16) != Some(b"VP8X") || file.len() < FIRST_CHUNK {
         return;
     }
+    let is_cut = |(name, contents): &(&[u8], Range<usize>)| {
+        [b"ICCP", b"EXIF", b"XMP "].iter().any(|metadata| name == *metadata) && contents.end > file.len()
+    };
+    let cut: Vec<usize> = chunks(file).filter(is_cut).map(|(_, contents)| contents.start - 8).collect();
+    // Decoders ignore chunks of unknown names.
+    cut.into_iter().for_each(|at| file[at..at + 4].fill(b'_'));
     let has = |names: &[&[u8; 4]]| chunks(file).any(|(name, _)| names.iter().any(|wanted| name == *wanted));
     let mut stale = 0;
     for (flag, is_stale) in [
@@ -48,13 +55,13 @@ fn chunks(file: &[u8]) -> impl Iterator<Item = (&[u8], Range<usize>)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{FLAGS, clear_stale_flags};
+    use super::{FLAGS, mend};
 
     /// Returns the flags that remain in front of empty chunks.
     fn flags_kept(flags: u8, names: &[&[u8; 4]]) -> u8 {
         let chunks: Vec<u8> = names.iter().flat_map(|name| [&name[..], &[1, 0, 0, 0, 7, 0]].concat()).collect();
         let mut file = [&b"RIFF\0\0\0\0WEBPVP8X\x0a\0\0\0"[..], &[flags], &[0; 9], &chunks].concat();
-        clear_stale_flags(&mut file);
+        mend(&mut file);
         file[FLAGS]
     }
 
@@ -66,6 +73,16 @@ mod tests {
         assert_eq!(flags_kept(0x12, &[b"ANIM", b"ANMF"]), 0x12);
         assert_eq!(flags_kept(0x12, &[b"ANIM", b"VP8 "]), 0);
         let mut short = b"RIFF\0\0\0\0WEBPVP8X".to_vec();
-        clear_stale_flags(&mut short);
+        mend(&mut short);
+    }
+
+    #[test]
+    fn metadata_that_the_file_lacks_is_hidden() {
+        for (length, flags) in [(2_u8, 0x08), (3, 0)] {
+            let mut file =
+                [&b"RIFF\0\0\0\0WEBPVP8X\x0a\0\0\0\x08"[..], &[0; 9], b"EXIF", &[length, 0, 0, 0, 7, 7]].concat();
+            mend(&mut file);
+            assert_eq!(file[FLAGS], flags, "{length}");
+        }
     }
 }

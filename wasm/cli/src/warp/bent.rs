@@ -7,9 +7,10 @@ use c2warp_vector::BentOptions;
 
 use super::Arguments;
 use crate::error::CliError;
+use crate::output::Output;
 use crate::project::LoadedProject;
 
-/// Whether a path is that of an SVG file.
+/// Whether a path names an SVG file.
 pub(super) fn is_svg(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"))
 }
@@ -22,7 +23,7 @@ pub(super) fn run(arguments: &Arguments, loaded: &LoadedProject) -> Result<(), C
         return Err(CliError::OfPixels { option });
     }
     let drawing = loaded.drawing().ok_or_else(|| CliError::NoDrawing { path: path.clone() })?;
-    let output = loaded.output(path)?;
+    let output = Output::open(path)?;
     let solution = loaded.solve()?;
     let pose = posed.pose(loaded, &solution)?;
     let options = BentOptions { scale: posed.scale, grow: posed.grow };

@@ -1,11 +1,13 @@
-//! Many pictures of one project, or many projects, each with a result of its own in a folder.
+//! Many pictures of one project, or many projects, each with its own result in a folder.
 //!
-//! An input that fails is named with its reason on standard error, and the others go on. Pictures and solutions that
-//! several inputs share are read and solved once: poses, clips and colours do not matter to a solution.
+//! Inputs that fail are reported on standard error, and the others continue. Pictures and solutions that several inputs
+//! share are read and solved once: a solution does not depend on poses, clips and colours.
 //!
-//! Memory: each thread holds one picture with its result. As many pictures and solutions are kept for the next inputs.
+//! Memory: each thread holds one picture with its result. The same number of pictures and solutions is kept for the
+//! next inputs.
 
 use std::collections::HashMap;
+use std::ffi::OsString;
 use std::fs;
 use std::io::{self, Write};
 use std::num::NonZero;
@@ -18,7 +20,8 @@ use c2warp::{Solution, SolveKey};
 use super::Arguments;
 use super::targets::Targets;
 use crate::error::{self, CliError};
-use crate::fitting::{FittingProject, stem};
+use crate::files;
+use crate::fitting::{Fit, FittingProject, stem};
 use crate::picture::{self, PictureFile};
 use crate::project::{LoadedProject, ProjectFile};
 use crate::shared::Shared;
@@ -27,28 +30,22 @@ use crate::workers;
 /// One result.
 struct Job {
     project: PathBuf,
-    /// A picture in place of the project's own.
+    /// A picture that replaces the project's own.
     image: Option<PathBuf>,
-    output: PathBuf,
-    stmap: Option<PathBuf>,
+    /// The name of the result, without its folder.
+    name: OsString,
+    /// Taken by the thread that works on it.
+    targets: Mutex<Option<Targets>>,
 }
 
-impl Job {
-    /// The input that names the result.
-    fn input(&self, of: &Batch<'_>) -> &Path {
-        match &self.image {
-            Some(image) if of.has_many_images => image,
-            _ => &self.project,
-        }
-    }
-}
-
-/// What the jobs share.
+/// Data shared by the jobs.
 struct Batch<'a> {
     arguments: &'a Arguments,
     has_many_images: bool,
     projects: Shared<PathBuf, FittingProject>,
-    /// By path, and by the size at which a drawing is rendered.
+    /// Projects from pipes, which can only be read once.
+    piped: HashMap<PathBuf, Arc<FittingProject>>,
+    /// Pictures by path, and by the size at which a drawing is rendered.
     pictures: Shared<(PathBuf, (u32, u32)), PictureFile>,
     solutions: Shared<SolveKey, Solution>,
 }
@@ -60,46 +57,44 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
     if !has_many_images && images.len() > 1 {
         return Err(CliError::ManyOfBoth);
     }
-    let jobs: Vec<Job> = if has_many_images {
-        images.into_iter().map(|image| arguments.job(&projects[0], Some(image.clone()), &image)).collect()
-    } else {
-        projects.iter().map(|path| arguments.job(path, images.first().cloned(), path)).collect()
-    };
     for folder in [Some(&arguments.output), arguments.stmap.as_ref()].into_iter().flatten() {
         fs::create_dir_all(folder).map_err(CliError::write(folder))?;
     }
     let threads = arguments.threads();
     let kept = threads.get();
-    let batch = Batch {
+    let mut batch = Batch {
         arguments,
         has_many_images,
         projects: Shared::new(kept),
+        piped: HashMap::new(),
         pictures: Shared::new(kept),
         solutions: Shared::new(kept),
     };
     if has_many_images {
-        // An error about the only project is told once.
+        // An error about the only project is reported once.
         batch.project(&projects[0])?;
     }
     let failed = AtomicBool::new(false);
-    let tell = |reason: CliError| {
-        error::tell(reason);
+    let report = |reason: CliError| {
+        error::print(reason);
         failed.store(true, Ordering::Relaxed);
     };
-    let jobs = batch.with_own_results(jobs, tell);
+    projects.iter().chain(&images).for_each(|path| files::note_input(path));
+    batch.note_own_pictures(&images);
+    let jobs = batch.jobs(&images, report);
     let origins = Mutex::new(vec![None; jobs.len()]);
     workers::each(threads, &jobs, |index, job| match batch.work(job) {
         Ok(origin) => origins.lock().unwrap_or_else(PoisonError::into_inner)[index] = Some(origin),
-        Err(reason) => tell(reason),
+        Err(reason) => report(reason),
     });
     if arguments.drawing.grow {
         let origins = origins.into_inner().unwrap_or_else(PoisonError::into_inner);
         print_origins(&jobs, &origins).map_err(CliError::Print)?;
     }
-    if failed.into_inner() { Err(CliError::Told) } else { Ok(()) }
+    if failed.into_inner() { Err(CliError::Reported) } else { Ok(()) }
 }
 
-/// The pictures, and in place of a folder its files by name. Hidden files are left out, and folders within it.
+/// The pictures; a folder stands for its files, sorted by name. Hidden files and subfolders are left out.
 fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
     let mut files = Vec::new();
     for path in paths {
@@ -120,43 +115,63 @@ fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
     Ok(files)
 }
 
-impl Arguments {
-    /// A result with the name of an input.
-    fn job(&self, project: &Path, image: Option<PathBuf>, named: &Path) -> Job {
-        let name = |folder: &PathBuf, extension: &str| {
-            let mut name = stem(named).into_os_string();
-            name.push(extension);
-            folder.join(name)
-        };
-        let output = name(&self.output, ".png");
-        let stmap = self.stmap.as_ref().map(|folder| name(folder, ".exr"));
-        Job { project: project.to_owned(), image, output, stmap }
-    }
-}
-
 impl Batch<'_> {
-    /// The jobs without those whose result has the name of another one.
-    fn with_own_results(&self, jobs: Vec<Job>, tell: impl Fn(CliError)) -> Vec<Job> {
-        let mut first: HashMap<PathBuf, PathBuf> = HashMap::new();
-        let is_own = |job: &Job| {
-            let input = job.input(self).to_owned();
-            if let Some(other) = first.get(&job.output) {
-                tell(CliError::SameResult { path: input, other: other.clone() });
-                return false;
+    /// Registers the pictures that projects name, so that no result replaces one before it is read. Unreadable projects
+    /// are reported later.
+    fn note_own_pictures(&mut self, images: &[PathBuf]) {
+        for path in self.arguments.projects() {
+            if !path.is_file() {
+                if let Ok(project) = self.project(path) {
+                    self.piped.insert(path.clone(), project);
+                }
+            } else if (images.is_empty() || self.arguments.fit == Some(Fit::Alpha))
+                && let Ok(picture) = ProjectFile::read(path).and_then(|file| file.own_picture_path())
+            {
+                files::note_input(&picture);
             }
-            first.insert(job.output.clone(), input);
-            true
+        }
+    }
+
+    /// A job for each input. Inputs whose result would replace another file are reported and left out.
+    fn jobs(&self, images: &[PathBuf], report: impl Fn(CliError)) -> Vec<Job> {
+        let projects = self.arguments.projects();
+        let inputs: Vec<(&PathBuf, Option<&PathBuf>)> = if self.has_many_images && !images.is_empty() {
+            images.iter().map(|image| (&projects[0], Some(image))).collect()
+        } else {
+            projects.iter().map(|project| (project, images.first())).collect()
         };
-        jobs.into_iter().filter(is_own).collect()
+        let mut named: HashMap<PathBuf, &PathBuf> = HashMap::new();
+        let mut jobs = Vec::new();
+        for (project, image) in inputs {
+            let input = image.filter(|_| self.has_many_images).unwrap_or(project);
+            let result = |folder: &PathBuf, extension: &str| {
+                let mut name = stem(input).into_os_string();
+                name.push(extension);
+                folder.join(name)
+            };
+            let output = result(&self.arguments.output, ".png");
+            let stmap = self.arguments.stmap.as_ref().map(|folder| result(folder, ".exr"));
+            match Targets::open(&output, stmap.as_deref()) {
+                Ok(targets) => {
+                    let name = output.file_name().unwrap_or_default().to_owned();
+                    let (project, image, targets) = (project.clone(), image.cloned(), Mutex::new(Some(targets)));
+                    jobs.push(Job { project, image, name, targets });
+                    named.insert(output, input);
+                }
+                Err(CliError::OverOutput { other, .. }) if named.contains_key(&other) => {
+                    report(CliError::SameResult { path: input.clone(), other: named[&other].clone() });
+                }
+                Err(reason) => report(reason),
+            }
+        }
+        jobs
     }
 
     fn work(&self, job: &Job) -> Result<[i32; 2], CliError> {
         let loaded = self.open(job)?;
         self.arguments.drawing.check(&loaded)?;
-        if loaded.is_picture(&job.output) {
-            return Err(CliError::OverPicture { path: job.output.clone() });
-        }
-        let targets = Targets::open(&loaded, &job.output, job.stmap.as_deref())?;
+        let targets = job.targets.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let targets = targets.expect("a job is worked on once");
         let key = SolveKey::new(&loaded.project, &loaded.picture()?).map_err(|reason| loaded.refused(reason))?;
         let solution = self.solutions.get(key, || loaded.solve_filled())?;
         Ok(targets.write(&loaded, &solution, &self.arguments.drawing, NonZero::<usize>::MIN)?.origin)
@@ -180,6 +195,9 @@ impl Batch<'_> {
     }
 
     fn project(&self, path: &Path) -> Result<Arc<FittingProject>, CliError> {
+        if let Some(project) = self.piped.get(path) {
+            return Ok(Arc::clone(project));
+        }
         self.projects.get(path.to_owned(), || {
             let fit = self.arguments.fit;
             FittingProject::new(ProjectFile::read(path)?, fit, self.has_many_images)
@@ -191,8 +209,8 @@ impl Batch<'_> {
 fn print_origins(jobs: &[Job], origins: &[Option<[i32; 2]>]) -> io::Result<()> {
     let mut stdout = io::stdout().lock();
     for (job, origin) in jobs.iter().zip(origins) {
-        if let (Some([left, top]), Some(name)) = (origin, job.output.file_name()) {
-            writeln!(stdout, "{left},{top} {}", name.to_string_lossy())?;
+        if let Some([left, top]) = origin {
+            writeln!(stdout, "{left},{top} {}", job.name.to_string_lossy())?;
         }
     }
     stdout.flush()

@@ -7,10 +7,10 @@ use c2warp::{Drawing, Picture};
 
 use crate::workers;
 
-/// Bands of a part: enough to draw long without waiting, few enough that all cores end together.
+/// Bands of a part: enough to avoid waiting, and few enough that all cores finish at about the same time.
 const BANDS: u32 = 4;
 
-/// The RGBA of the whole result, drawn with up to so many threads. The bytes are those of [`Drawing::warped`].
+/// The RGBA of the whole result, drawn with up to `threads` threads. The bytes equal those of [`Drawing::warped`].
 pub(super) fn rgba(drawing: &Drawing, picture: &Picture<'_>, threads: NonZero<usize>) -> Vec<u8> {
     let (width, height) = (drawing.width(), drawing.height());
     let rows = BANDS * Drawing::BAND_ROWS;

@@ -16,28 +16,20 @@ use crate::posed_drawing::PosedDrawing;
 use crate::project::LoadedProject;
 
 /// The outputs for one picture, checked before the work starts.
+#[derive(Debug)]
 pub(super) struct Targets {
     picture: Output,
     stmap: Option<Output>,
 }
 
 impl Targets {
-    pub(super) fn open(loaded: &LoadedProject, picture: &Path, stmap: Option<&Path>) -> Result<Self, CliError> {
+    pub(super) fn open(picture: &Path, stmap: Option<&Path>) -> Result<Self, CliError> {
         check_extension(picture, ImageFormat::Png)?;
-        let output = loaded.output(picture)?;
-        let stmap = stmap.map(|path| {
-            check_extension(path, ImageFormat::OpenExr)?;
-            let stmap = loaded.output(path)?;
-            // The map must differ from the picture.
-            if stmap.is_same(&output) {
-                return Err(CliError::SameOutput { path: path.to_owned() });
-            }
-            Ok(stmap)
-        });
-        Ok(Self { picture: output, stmap: stmap.transpose()? })
+        stmap.map_or(Ok(()), |path| check_extension(path, ImageFormat::OpenExr))?;
+        Ok(Self { picture: Output::open(picture)?, stmap: stmap.map(Output::open).transpose()? })
     }
 
-    /// Draws a solved picture with up to so many threads, and writes it. Returns the rectangle of the result.
+    /// Draws a solved picture with up to `threads` threads, and writes it. Returns the rectangle of the result.
     pub(super) fn write(
         self,
         loaded: &LoadedProject,
@@ -65,7 +57,7 @@ impl Targets {
     }
 }
 
-/// Returns an error if the extension belongs to another type than `written`.
+/// Returns an error if the extension does not match the type `written`.
 fn check_extension(path: &Path, written: ImageFormat) -> Result<(), CliError> {
     match ImageFormat::from_path(path) {
         Ok(format) if format != written => Err(CliError::OutputType { path: path.to_owned(), format, written }),

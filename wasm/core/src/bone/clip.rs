@@ -1,10 +1,10 @@
 //! Clips a straight span of a bar or polygon to the domain (section V-D).
 //!
-//! Cost: for each span a look at every edge of the outline. If the outline is held, also for each pixel of the span a
-//! look at the edges near it.
+//! Cost: each span is tested against every edge of the outline. If the outline is held, each pixel of the span is also
+//! tested against the edges near it.
 //!
-//! Limits: parts shorter than [`SHORTEST`] are dropped. Between two steps an obstacle may come slightly nearer than the
-//! clearance of a held outline.
+//! Limits: parts shorter than [`SHORTEST`] are dropped. Between two steps, an obstacle may come slightly closer than
+//! the clearance of a held outline.
 
 use glam::DVec2;
 
@@ -22,14 +22,13 @@ use crate::{
 const SHORTEST: f64 = OUTLINE_TOLERANCE;
 /// Distance from an end at which to test that the line is inside, over [`SHORTEST`]: beyond the tolerance at a corner.
 const AT_END: f64 = 8.0;
-/// A part that ends this near to the end of its span, in pixels, stays connected to the joint there. So a bar stays one
-/// body if its corner sticks out by less than anyone sees. As two bodies that keep clear of each other, it would cost
-/// hundreds of sites.
+/// A part that ends this near to the end of its span, in pixels, stays connected to the joint there. So a bar remains
+/// one body if its corner sticks out invisibly. Two separate bodies would cost hundreds of sites.
 const CONNECTED: f64 = 0.5;
-/// Greatest number of steps along a segment: as many as the diagonal of the largest picture takes at a held outline's
+/// Maximum number of steps along a segment: enough for the diagonal of the largest picture at a held outline's
 /// clearance.
 const MAX_STEPS: f64 = std::f64::consts::SQRT_2 * MAX_SIDE as f64 / HELD_CLEARANCE;
-/// Bisections that find the crossing of the outline to the last digits.
+/// Number of bisections that find the crossing of the outline to the last digits.
 const BISECTIONS: usize = 60;
 
 /// A part of a span.
@@ -109,7 +108,7 @@ fn clip_to_domain(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) 
     parts
 }
 
-/// The fraction nearest to `failing` at which a condition holds, as it does at `holding`.
+/// The fraction nearest to `failing` at which a condition holds. The condition holds at `holding`.
 fn bisect(holds: impl Fn(f64) -> bool, mut holding: f64, mut failing: f64) -> f64 {
     for _ in 0..BISECTIONS {
         let middle = f64::midpoint(holding, failing);
@@ -118,7 +117,7 @@ fn bisect(holds: impl Fn(f64) -> bool, mut holding: f64, mut failing: f64) -> f6
     holding
 }
 
-/// The parts of a segment in the domain that are no nearer to the outline than `clearance`, as fractions of the
+/// The parts of a segment in the domain that are at least `clearance` away from the outline, as fractions of the
 /// segment.
 fn clip_to_clearance(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Vec<[f64; 2]> {
     // The tolerance leaves room for rounding.

@@ -1,6 +1,6 @@
 //! A bone as a line segment embedded in the navigation mesh, for intrinsic distances to it (section III-A).
 //!
-//! Cost: to embed, a look at every triangle of the navigation mesh; for a distance, the windows in the triangles of the
+//! Cost: embedding visits every triangle of the navigation mesh; a distance visits the windows in the triangles of the
 //! bone.
 
 use glam::DVec2;

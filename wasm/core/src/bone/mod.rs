@@ -1,11 +1,12 @@
 //! Bones: the straight parts of bar and polygon handles in the domain (section V-D).
 //!
 //! A bar or polygon is cut at its corners (`cut`), where it meets another, and where it leaves the domain (`clip`). The
-//! parts in the domain are bones. Each bone moves by one map (`motion`), so a straight bar stays straight between its
-//! sites too. Bones that meet share a joint, and all bones that are connected by joints form a body (`skeleton`).
+//! parts in the domain are bones. Each bone moves by one map (`motion`), so a straight bar also remains straight
+//! between its sites. Bones that meet share a joint, and all bones that are connected by joints form a body
+//! (`skeleton`).
 //!
-//! The handles that meet in a joint may ask for different positions. The joint goes to their mean, and each handle
-//! bends there. If they agree, nothing bends.
+//! The handles that meet in a joint may require different positions. The joint then moves to their mean, and each
+//! handle bends there. If they agree, nothing bends.
 //!
 //! Cost: see `cut` and `clip`; for a pose, O(1) for each bone.
 
@@ -29,8 +30,8 @@ pub use polyline::OutsidePart;
 pub(crate) use polyline::Polyline;
 pub(crate) use skeleton::Skeleton;
 
-/// Points this near to a bone, in pixels, lie on it. Rounding is far smaller, and the least distance of handles far
-/// greater.
+/// Points this close to a bone, in pixels, lie on it. Rounding errors are far smaller, and the minimum distance between
+/// handles is far greater.
 const ON_BONE: f64 = 1e-6;
 
 /// A point on the polyline of a handle.
@@ -60,10 +61,10 @@ pub(crate) struct Bone {
     /// The joints at the ends.
     pub(crate) joints: [u32; 2],
     /// Offset of each end from its joint along the segment, as a fraction of the segment. The outline may cut off a
-    /// little and leave the bone connected.
+    /// short part and leave the bone connected.
     pub(crate) beyond: [f64; 2],
     /// Offset of each end from its joint across the segment, in pixels. Bones of one joint may end beside each other,
-    /// and do so in a pose.
+    /// at rest and in a pose.
     pub(crate) beside: [f64; 2],
     /// Number of the body that the bone belongs to.
     pub(crate) body: u32,
@@ -87,9 +88,9 @@ impl Bone {
 
     /// How far a point is from the bone, in square pixels, and the gradient.
     ///
-    /// It is zero on the bone alone, C², and about the squared distance far away. A point within [`ON_BONE`] lies on
-    /// the bone. Near a joint, rounding decides which of two bones is nearer, and gradients relative to so little are
-    /// noise.
+    /// It is zero only on the bone, C², and about the squared distance far away. A point within [`ON_BONE`] lies on the
+    /// bone. Near a joint, rounding determines which of two bones is nearer, and gradients relative to such small
+    /// distances are noise.
     pub(crate) fn falloff(&self, p: DVec2) -> (f64, DVec2) {
         let [a, b] = self.rest;
         let length = self.length();

@@ -9,7 +9,7 @@ use glam::DVec2;
 use super::{Bone, mean_position, segment_ends, skeleton::Skeleton};
 use crate::project::{Handle, Rotation, Shape};
 
-/// A bone posed to a length below this, in pixels, has no length. Its direction would be rounding.
+/// A posed bone shorter than this, in pixels, counts as having no length, because its direction would be noise.
 const NO_LENGTH: f64 = 1e-9;
 
 /// The map of a bone: it moves `rest` to `posed`, and rotates and stretches around it.

@@ -147,8 +147,8 @@ impl Skeleton {
         }
     }
 
-    /// Whether all indices and numbers are valid for a number of handles, for skeletons read from bytes. The corners of
-    /// the handles are checked by [`fits`](Self::fits).
+    /// Whether all indices and numbers are valid for a given number of handles, for skeletons read from bytes.
+    /// [`fits`](Self::fits) checks the corners of the handles.
     pub(crate) fn is_consistent(&self, handles: usize) -> bool {
         let anchor = |anchor: &Anchor| (anchor.handle as usize) < handles && anchor.fraction.is_finite();
         self.bones.iter().all(|bone| {
@@ -164,8 +164,8 @@ impl Skeleton {
         self.bones.iter().map(|bone| of_body[bone.body as usize] > 1).collect()
     }
 
-    /// Whether the straight line between two points crosses a bone, ends included. A bone through one of them does not
-    /// count.
+    /// Whether the straight line between two points crosses a bone, including its ends. A bone through one of the
+    /// points does not count.
     pub(crate) fn separates(&self, p: DVec2, q: DVec2) -> bool {
         self.bones.iter().any(|bone| {
             let [a, b] = bone.rest;

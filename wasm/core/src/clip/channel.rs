@@ -17,7 +17,7 @@ pub(super) struct Knot {
 #[derive(Debug)]
 pub(super) struct Channel {
     knots: Vec<Knot>,
-    /// The period in which knots repeat. Without it, the first and last value go on to both sides.
+    /// The period in which knots repeat. Without it, the first and last values extend to both sides.
     period: Option<f64>,
 }
 
@@ -38,9 +38,9 @@ impl Channel {
         Self { knots, period }
     }
 
-    /// Returns the value at a time within the period. Outer `None`: there are no knots.
+    /// Returns the value at a time within the period. The outer `None` means that there are no knots.
     pub(super) fn at(&self, time: f64) -> Option<Option<f64>> {
-        let following = self.knots.partition_point(|knot| knot.time <= time) as isize;
+        let following = self.following(time);
         let Some(before) = self.knot(following - 1) else {
             return self.knots.first().map(|knot| knot.value);
         };
@@ -58,7 +58,22 @@ impl Channel {
         }))
     }
 
-    /// A knot by its number. In a period, numbers go on before the first knot and after the last one.
+    /// Like [`at`](Self::at), but between two whole numbers the value jumps at the second knot.
+    pub(super) fn stepped_at(&self, time: f64) -> Option<Option<f64>> {
+        let following = self.following(time);
+        let whole = |number| self.knot(number).and_then(|knot| knot.value).filter(|value| value.fract() == 0.0);
+        match (whole(following - 1), whole(following)) {
+            (Some(before), Some(_)) => Some(Some(before)),
+            _ => self.at(time),
+        }
+    }
+
+    /// The number of the first knot after a time.
+    fn following(&self, time: f64) -> isize {
+        self.knots.partition_point(|knot| knot.time <= time) as isize
+    }
+
+    /// A knot by its number. With a period, numbers continue before the first knot and after the last one.
     fn knot(&self, number: isize) -> Option<Knot> {
         let count = self.knots.len() as isize;
         match self.period {
@@ -78,7 +93,7 @@ impl Channel {
         Some((Stretch { length, rate }, before.ease))
     }
 
-    /// The slope at a knot for the smooth stretches beside it. Values come to rest at the ends, and beside holds.
+    /// The slope at a knot for the smooth stretches beside it. It is 0 at the ends, and beside holds.
     fn slope(&self, number: isize) -> f64 {
         let (Some((before, ease_before)), Some((after, ease_after))) = (self.stretch(number - 1), self.stretch(number))
         else {
@@ -126,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_go_on_unless_the_channel_repeats() {
+    fn values_beyond_the_ends_are_constant_unless_the_channel_repeats() {
         let knots = [(1.0, 10.0, Ease::Linear), (3.0, 20.0, Ease::Linear)];
         let once = channel(&knots, None);
         assert_eq!([0.0, 1.0, 2.0, 3.0, 4.0].map(|time| value(&once, time)), [10.0, 10.0, 15.0, 20.0, 20.0]);
@@ -167,6 +182,26 @@ mod tests {
         assert_eq!(between, 6.0, "from the last knot to the first");
     }
 
+    #[test]
+    fn whole_numbers_step_at_the_next_knot() {
+        let knots = [(1.0, 0.0), (2.0, 2.0), (3.0, -1.0)];
+        for ease in [Ease::Smooth, Ease::Linear, Ease::Hold] {
+            let channel = channel(&knots.map(|(time, value)| (time, value, ease)), Some(PERIOD));
+            let at = |time: f64| channel.stepped_at(time).unwrap().unwrap();
+            assert_eq!([0.0, 1.0, 1.9, 2.0, 2.9, 3.0, 3.9].map(at), [-1.0, 0.0, 0.0, 2.0, 2.0, -1.0, -1.0]);
+        }
+    }
+
+    #[test]
+    fn fractions_do_not_step() {
+        let fractions = channel(&[(0.0, 0.5, Ease::Linear), (1.0, 2.0, Ease::Linear)], None);
+        assert_eq!(
+            [0.0, 0.5, 1.0].map(|time| fractions.stepped_at(time).flatten()),
+            [Some(0.5), Some(1.25), Some(2.0)]
+        );
+        assert_eq!(channel(&[], None).stepped_at(0.5), None);
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -190,7 +225,7 @@ mod tests {
         #[test]
         fn smooth_values_have_a_continuous_rate(knots in knots(), repeats: bool) {
             let smooth: Vec<_> = knots.iter().map(|&(time, value, _)| (time, value, Ease::Smooth)).collect();
-            // A jump at the seam is what such knots ask for.
+            // Such knots require a jump at the seam.
             prop_assume!(!(repeats && smooth.len() > 1 && smooth[0].0 == 0.0 && smooth[smooth.len() - 1].0 == PERIOD));
             let channel = channel(&smooth, repeats.then_some(PERIOD));
             let at = |time: f64| value(&channel, if repeats { time.rem_euclid(PERIOD) } else { time });

@@ -2,7 +2,7 @@
 
 use crate::project::Looping;
 
-/// Returns the time within a clip, from 0 to its duration. A time that is not finite is the beginning.
+/// Returns the time within a clip, from 0 to its duration. A non-finite time counts as the beginning.
 pub(super) fn time_in_clip(time: f64, duration: f64, looping: Looping) -> f64 {
     if !time.is_finite() {
         return 0.0;
@@ -17,7 +17,7 @@ pub(super) fn time_in_clip(time: f64, duration: f64, looping: Looping) -> f64 {
     }
 }
 
-/// Returns the remainder of a division, from 0 to below `period`.
+/// Returns the remainder of a division by `period`, at least 0 and less than `period`.
 fn remainder(time: f64, period: f64) -> f64 {
     let remainder = time.rem_euclid(period);
     // A tiny negative time rounds to the period itself.

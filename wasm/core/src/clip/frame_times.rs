@@ -10,9 +10,9 @@ use crate::{
 
 /// The times of the frames of a film: a clip, or a part of it, at a steady rate.
 ///
-/// Frame k is k / rate after the beginning. A film that repeats ends one frame before it begins again. One that
-/// alternates goes there and back, and has both ends once. One that runs once ends with the end of its part, even if
-/// that comes a little sooner or later than the rate asks for.
+/// Frame k is k / rate after the beginning. A film that repeats ends one frame before it starts again. A film that
+/// alternates runs forwards and backwards, and shows each end once. A film that runs once ends at the end of its part,
+/// even if that is slightly earlier or later than the rate implies.
 ///
 /// ```
 /// use c2warp::{clip::FrameTimes, project::{Clip, Looping}};
@@ -31,7 +31,7 @@ pub struct FrameTimes {
 }
 
 impl FrameTimes {
-    /// Takes the frames a second, and the part of the clip to show, in seconds. `None` is all of it.
+    /// Takes the frame rate, and the part of the clip to show, in seconds. `None` is the whole clip.
     ///
     /// # Errors
     /// - [`Error::FrameRate`] for a rate of 0 or less, or above [`MAX_FRAME_RATE`].
@@ -78,7 +78,7 @@ impl FrameTimes {
         self.seconds.len() as u32
     }
 
-    /// Whether the film begins again after its last frame.
+    /// Whether the film repeats after its last frame.
     #[must_use]
     pub fn repeats(&self) -> bool {
         self.repeats
@@ -138,7 +138,7 @@ mod tests {
             assert!(matches!(refused, Error::FrameRange { .. }), "{from} to {to}: {refused}");
         }
         let refused = FrameTimes::new(&clip, 30.0, Some(0.5..3.0)).unwrap_err();
-        let expected = "clip “nod”: expected a range from 0 to 1.5 seconds, the end after the beginning, found 0.5..3";
+        let expected = "clip “nod”: expected a range within 0 to 1.5 seconds that ends after it begins, found 0.5..3";
         assert_eq!(refused.to_string(), expected);
     }
 
@@ -191,7 +191,7 @@ mod tests {
         }
 
         #[test]
-        fn all_of_a_clip_is_its_widest_part((clip, rate, _) in film()) {
+        fn whole_clip_is_its_widest_range((clip, rate, _) in film()) {
             let all = FrameTimes::new(&clip, rate, None);
             prop_assert_eq!(all, FrameTimes::new(&clip, rate, Some(0.0..clip.duration)));
         }

@@ -1,11 +1,11 @@
 //! Keyframes: the pose of handles at a time of a [`Clip`].
 //!
-//! Each value of a handle, such as one coordinate of a corner, is a function of time of its own. `smooth` stretches are
-//! monotone cubics: C¹ through keys, without overshoot. In clips that repeat they are C¹ across the seam, too.
+//! Each value of a handle, such as one coordinate of a corner, is a separate function of time. `smooth` stretches are
+//! monotone cubics: C¹ through keys, without overshoot. In clips that repeat, they are also C¹ across the seam.
 //!
 //! Source: Fritsch and Butland, "A Method for Constructing Local Monotone Piecewise Cubic Interpolants" (1984).
 //!
-//! A pose takes time linear in the number of keys. Only the four basic operations are used: the bits are the same on
+//! A pose takes time linear in the number of keys. Only the four basic operations are used, so the bits are the same on
 //! every platform.
 //!
 //! [`Playback`] poses a solution along a clip. [`FrameTimes`] are the times of a film's frames.
@@ -26,8 +26,9 @@ use crate::project::{Clip, Handle, Key, Rotation, Track};
 impl Clip {
     /// The poses of handles at a time in seconds, in the order of `handles`.
     ///
-    /// Any time is valid: [`looping`](Self::looping) says what follows the end. Handles without a track, and values
-    /// without a key, are as in `handles`. A rotation that goes on to an automatic one stays until then.
+    /// Any time is valid: [`looping`](Self::looping) defines times after the end. Handles without a track, and values
+    /// without a key, are as in `handles`. A rotation before an automatic one does not change until then. Neither does
+    /// a whole depth before another one.
     ///
     /// ```
     /// use c2warp::project::{Clip, Ease, Handle, Key, Looping, Track};
@@ -64,28 +65,31 @@ impl Clip {
 
 /// Writes the values of a track at a time into a pose.
 fn write_values(track: &Track, time: f64, period: Option<f64>, pose: &mut HandlePose) {
-    let at = |value: &dyn Fn(&Key) -> Option<Option<f64>>| {
+    let channel = |value: &dyn Fn(&Key) -> Option<Option<f64>>| {
         let knot = |key: &Key| Some(Knot { time: key.time, value: value(key)?, ease: key.ease });
-        Channel::new(track.keys.iter().filter_map(knot).collect(), period).at(time)
+        Channel::new(track.keys.iter().filter_map(knot).collect(), period)
     };
-    let number = |value: &dyn Fn(&Key) -> Option<f64>| at(&|key| value(key).map(Some)).flatten();
+    let number = |value: &dyn Fn(&Key) -> Option<f64>| channel(&|key| value(key).map(Some)).at(time).flatten();
 
     for (index, corner) in pose.posed.iter_mut().enumerate() {
         let coordinate = |axis: usize| number(&|key| Some(key.posed.as_ref()?.get(index)?[axis]));
         corner.x = coordinate(0).unwrap_or(corner.x);
         corner.y = coordinate(1).unwrap_or(corner.y);
     }
-    let rotation = at(&|key| {
+    let rotation = channel(&|key| {
         key.rotation.map(|rotation| match rotation {
             Rotation::Degrees(degrees) => Some(degrees),
             Rotation::Auto => None,
         })
-    });
+    })
+    .at(time);
     if let Some(rotation) = rotation {
         pose.rotation = rotation.map_or(Rotation::Auto, Rotation::Degrees);
     }
     pose.scale = number(&|key| key.scale).unwrap_or(pose.scale);
-    pose.depth = number(&|key| key.depth).unwrap_or(pose.depth);
+    // By degrees, two parts could change their order twice between two keys.
+    let depth = channel(&|key| key.depth.map(Some)).stepped_at(time).flatten();
+    pose.depth = depth.unwrap_or(pose.depth);
 }
 
 #[cfg(test)]
@@ -109,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_turns_and_depths_move_together() {
+    fn corners_and_turns_move_together_and_depths_step() {
         let keys = [
             Key::new(0.0, Ease::Linear).posed_at([[0.0, 0.0], [4.0, 0.0]]).turned(0.0).at_depth(0.0),
             Key::new(2.0, Ease::Linear).posed_at([[2.0, 2.0], [2.0, 6.0]]).turned(720.0).at_depth(1.0),
@@ -117,7 +121,8 @@ mod tests {
         let clip = Clip::new("swing", 2.0, Looping::Alternate).with_tracks([Track::new("arm", keys)]);
         let [there, back] = [0.5, 3.5].map(|time| clip.at(time, &[bar()]).remove(0));
         assert_eq!(there.posed, [[0.5, 0.5].into(), [3.5, 1.5].into()]);
-        assert_eq!((there.rotation, there.depth, there.scale), (Rotation::Degrees(180.0), 0.25, 2.0));
+        assert_eq!((there.rotation, there.depth, there.scale), (Rotation::Degrees(180.0), 0.0, 2.0));
         assert_eq!(there, back);
+        assert_eq!(clip.at(2.0, &[bar()])[0].depth, 1.0);
     }
 }

@@ -1,20 +1,21 @@
 //! Poses of a solution along a clip, without the jumps of the rigid mode.
 //!
-//! The rigid mode ends in one of several minima, and handles that move a little can lead to another one: the picture
-//! would jump between two frames. So the clip is followed from its beginning in steps of 1/60 s. A step usually has the
-//! plain pose of its handles. Where that is farther from the step before than the handles account for, the pose of the
-//! step before is continued to the nearest minimum, and taken if that is no jump. The same rule leads from the last
-//! step before a time to that time. Only coarse poses are followed: a pose is refined when it is shown. A pose depends
-//! on the clip and the time alone, not on the times asked for before.
+//! The rigid mode converges to one of several minima. A small move of the handles can lead to another minimum, and the
+//! picture would jump between two frames. So the clip is followed from its beginning in steps of 1/60 s. A step usually
+//! has the plain pose of its handles. If that pose differs more from the previous step than the handles account for,
+//! the previous pose is continued to the nearest minimum. The continued pose is used unless it jumps too. The same rule
+//! applies from the last step before a time to that time. Only coarse poses are followed: a pose is refined when it is
+//! shown. A pose depends only on the clip and the time, not on earlier requests.
 //!
-//! A clip that repeats is followed for two seconds before, and its beginning continues that end. So it does not jump at
-//! its seam if rounds end in the same minimum.
+//! A clip that repeats is first followed for two seconds before its beginning, which then continues that end. So it
+//! does not jump at its seam if rounds end in the same minimum.
 //!
-//! Cost: a plain pose for each step that is passed for the first time, twice to ten times as much for a step that is
-//! continued. The first pose of a clip that repeats takes two seconds of steps. Later a pose near any step takes one or
-//! two poses. Memory: a byte a step, and up to 64 MiB of motions.
+//! Cost: a plain pose for each step that is passed for the first time. A continued step costs two to ten times as much.
+//! The first pose of a clip that repeats takes two seconds of steps. After that, a pose near any step takes one or two
+//! poses. Memory: one byte per step, and up to 64 MiB of motions.
 //!
-//! Known limits: a minimum that vanishes makes the picture jump. So does a seam where no two rounds end alike.
+//! Known limits: a minimum that vanishes makes the picture jump. So does a seam if no two rounds end in the same
+//! minimum.
 
 use super::clock;
 use crate::{
@@ -24,16 +25,16 @@ use crate::{
     project::{Blend, Clip, Handle},
 };
 
-/// Steps a second: the frames of most screens, and a multiple of the rates of most films.
+/// Steps per second: the frame rate of most screens, and a multiple of most films' frame rates.
 const STEPS_PER_SECOND: f64 = 60.0;
 
 /// Steps before the seam that lead to the beginning of a clip that repeats: two seconds, over several rounds if it is
-/// shorter. With more, the first look at a clip takes longer after each edit. With one round, a strip whose end turns
+/// shorter. With more, the first frame of a clip takes longer after each edit. With one round, a strip whose end turns
 /// in a second and a half jumps at its seam.
 const LEADING_STEPS: usize = 120;
 
-/// A pose is no jump if no site is farther from where it was, or from where the handles carry it, than they move times
-/// this factor, plus the tolerance.
+/// Sites may move farther than the handles carry them by this factor of the handles' move, plus the tolerance. Larger
+/// moves are jumps.
 const LEVER: f64 = 4.0;
 /// Tolerance of a step as a fraction of the scene's extent: descents may stop an iteration earlier or later.
 const TOLERANCE: f64 = 4e-3;
@@ -68,7 +69,7 @@ pub struct Playback {
     handles: Vec<Handle>,
     /// The steps from the beginning that are known.
     steps: Vec<Step>,
-    /// Every so many continued steps are kept.
+    /// Interval between continued steps that are kept.
     stride: usize,
     /// The motions of the last step that was computed.
     last: Option<(usize, Option<Vec<Motion>>)>,
@@ -77,13 +78,13 @@ pub struct Playback {
 /// How the pose of a step is found.
 #[derive(Debug)]
 enum Step {
-    /// It is the plain pose of the handles, if they have one.
+    /// The plain pose of the handles, if it exists.
     Plain,
-    /// It continues that of the step before. Motions of some steps are kept.
+    /// A continuation of the previous step's pose. Motions of some steps are kept.
     Continued(Option<Vec<Motion>>),
 }
 
-/// The motions of handles after those of a step, and whether they continue these.
+/// The motions of handles after those of a step, and whether they continue the step's motions.
 struct Followed {
     motions: Vec<Motion>,
     is_continued: bool,
@@ -114,7 +115,7 @@ impl Playback {
     /// The pose at any time in seconds.
     ///
     /// # Errors
-    /// Those of [`Poser::pose`] for the handles at that time.
+    /// The errors of [`Poser::pose`] for the handles at that time.
     pub fn pose(&mut self, time: f64, blend: Blend) -> Result<Pose, Error> {
         let time = clock::time_in_clip(time, self.clip.duration, self.clip.looping);
         let handles = self.handles(time);
@@ -151,7 +152,7 @@ impl Playback {
         self.known_step(step)
     }
 
-    /// The motions that a clip that repeats ends with, before it begins again. `None` for another clip.
+    /// The motions at the end of a clip that repeats. `None` for other clips.
     fn lead(&self) -> Option<Vec<Motion>> {
         if !self.clip.looping.repeats() {
             return None;
@@ -191,7 +192,7 @@ fn step_time(step: usize) -> f64 {
     step as f64 / STEPS_PER_SECOND
 }
 
-/// The plain motions of handles; where these jump from the ones `before`, those that continue them.
+/// The plain motions of handles, or the motions that continue `before` if the plain ones jump.
 fn follow(poser: &Poser, handles: &[Handle], before: Option<&[Motion]>) -> Result<Followed, Error> {
     let plain = poser.coarse_motions(handles)?;
     if let Some(before) = before {

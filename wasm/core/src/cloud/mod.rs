@@ -7,7 +7,7 @@
 //!
 //! Limits: all results are approximate. If there is an outline or a mesh, use that.
 //!
-//! - Distances are some per cent too long, however dense the points are.
+//! - Distances are a few per cent too long, however dense the points are.
 //! - Weights jump a little where the set of the k nearest points changes.
 //! - A symmetric cloud may get asymmetric cells.
 
@@ -55,8 +55,8 @@ impl PointCloud {
     ///
     /// Positions are in pixels, each coordinate from −1,000,000 to 1,000,000. Handles must be at least 0.01 px apart.
     ///
-    /// The paper gives no number of neighbours; 8 is usual. With fewer, distances get longer. With more, links bridge
-    /// gaps.
+    /// The paper does not specify the number of neighbours; 8 is common. Fewer neighbours lengthen distances. More
+    /// neighbours create links across gaps.
     ///
     /// # Errors
     /// [`Error::CloudNeighbours`], [`Error::CloudPoint`], [`Error::CloudDuplicate`].
@@ -107,8 +107,7 @@ impl PointCloud {
         self.graph.neighbours(point)
     }
 
-    /// Lengths of the shortest paths along links from a point to every point, in pixels; infinite if no path leads
-    /// there.
+    /// Lengths of the shortest paths along links from a point to every point, in pixels; infinite if no path exists.
     ///
     /// Dijkstra's algorithm, O(n log n).
     ///
@@ -119,7 +118,7 @@ impl PointCloud {
         self.graph.distances(&self.points, point)
     }
 
-    /// Whether a position belongs to the domain that the cloud represents. Its distance to the nearest point must be at
+    /// Whether a position belongs to the domain that the cloud represents. Its distance to the nearest point may be at
     /// most the length of that point's longest link.
     #[must_use]
     pub fn contains(&self, p: DVec2) -> bool {

@@ -1,11 +1,11 @@
 //! Cells and Algorithm 1 over the points of a cloud (sections IV-A and V-B).
 //!
-//! While some cell is larger than its site's support may reach, the farthest point of the worst cell becomes a site.
+//! While a cell is larger than the greatest support of its site, the farthest point of the worst cell becomes a site.
 //!
 //! Cost: for each insertion one run of Dijkstra's algorithm and a pass over all points.
 //!
-//! Limits: a point becomes a site at most once, so this ends. If the points are too sparse for close handles, all
-//! points around them become sites: the paper's "failure" of the insertion.
+//! Limits: a point becomes a site at most once, so the algorithm terminates. If the points are too sparse for close
+//! handles, all points around them become sites: the paper's "failure" of the insertion.
 
 use super::PointCloud;
 use crate::{
@@ -132,7 +132,7 @@ impl<'a> CloudPartition<'a> {
     }
 }
 
-/// The greatest number and its index; of ties, the first.
+/// The largest number and its index; of ties, the first.
 fn greatest(ranks: impl Iterator<Item = f64>) -> (f64, usize) {
     ranks.enumerate().fold((f64::NEG_INFINITY, 0), |best, (at, rank)| if rank > best.0 { (rank, at) } else { best })
 }

@@ -20,18 +20,18 @@ use crate::{
 };
 
 /// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on the pose of the handles. It accepts only
-/// poses that its own [`poser`](Self::poser) made.
+/// poses from its own [`poser`](Self::poser).
 #[derive(Debug, Clone)]
 pub struct CloudSolution {
     weights: SparseWeights,
     solved: SolvedSites,
-    /// Number of points of the caller.
+    /// Number of the caller's points.
     points: usize,
     /// Rounds: the score of the worst cell before each.
     scores: Vec<f64>,
-    /// The cloud of the caller. `cloud` has short links around handles, so it contains less.
+    /// The caller's cloud. `cloud` has short links around handles, so it covers less.
     original: PointCloud,
-    /// The cloud with the handles as further points.
+    /// The cloud with the handles as additional points.
     cloud: PointCloud,
 }
 
@@ -74,7 +74,8 @@ impl CloudSolution {
         Ok(Self { weights, solved, scores, points: original.points.len(), original: original.clone(), cloud })
     }
 
-    /// The weights of the cloud's points in the caller's order, then those of handles between them: points × sites.
+    /// The weights of the cloud's points in the caller's order, followed by those of handles between points: points ×
+    /// sites.
     #[must_use]
     pub fn weights(&self) -> &SparseWeights {
         &self.weights
@@ -115,7 +116,7 @@ impl CloudSolution {
         &self.scores
     }
 
-    /// Makes poses of this solution.
+    /// Computes poses of this solution.
     #[must_use]
     pub fn poser(&self) -> &Poser {
         &self.solved.poser
@@ -124,7 +125,7 @@ impl CloudSolution {
     /// The pose of a project's handles, with the project's blend: see [`Poser::pose`].
     ///
     /// # Errors
-    /// Those of [`Poser::pose`].
+    /// The errors of [`Poser::pose`].
     pub fn pose(&self, project: &Project) -> Result<Pose, Error> {
         self.solved.pose(project)
     }
@@ -162,7 +163,7 @@ impl CloudSolution {
     /// The posed position of a position at rest (eq. 1), in pixels; `None` outside the cloud.
     ///
     /// # Panics
-    /// If another solution's poser made the pose.
+    /// If the pose comes from another solution's poser.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
         self.solved.expect_own(pose);
@@ -172,7 +173,7 @@ impl CloudSolution {
     /// The posed positions of the cloud's points, in the caller's order.
     ///
     /// # Panics
-    /// If another solution's poser made the pose.
+    /// If the pose comes from another solution's poser.
     #[must_use]
     pub fn posed_points(&self, pose: &Pose) -> Vec<DVec2> {
         self.solved.expect_own(pose);

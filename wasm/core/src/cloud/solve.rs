@@ -12,9 +12,9 @@ use crate::{
 /// The project's picture, domain and number of samples are ignored.
 ///
 /// # Errors
-/// - Those of [`Solver::begin`](crate::Solver::begin) and [`Solver::advance`](crate::Solver::advance) that concern
+/// - The errors of [`Solver::begin`](crate::Solver::begin) and [`Solver::advance`](crate::Solver::advance) that concern
 ///   handles and settings.
-/// - [`Error::Unsupported`] for bars, polygons, a held boundary, stiff and displaced places.
+/// - [`Error::Unsupported`] for bars, polygons, a fixed boundary, stiffness and displacements.
 pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
     let input = SolveInput::new(project)?;
     input.check_points_only()?;
@@ -23,7 +23,7 @@ pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolutio
 }
 
 impl SolveInput {
-    /// Refuses bars, polygons, a held boundary, stiff and displaced places, as a point cloud supports none of them.
+    /// Rejects bars, polygons, a fixed boundary, stiffness and displacements, because point clouds do not support them.
     ///
     /// # Errors
     /// [`Error::Unsupported`].
@@ -36,14 +36,14 @@ impl SolveInput {
             return Err(unsupported("fix_boundary".into(), "a fixed boundary of a point cloud"));
         }
         if self.weighting.continuity != Continuity::Exact {
-            let feature = "two continuous derivatives on a point cloud, which has no exact distances";
+            let feature = "a point cloud with two continuous derivatives";
             return Err(unsupported("weighting.continuity".into(), feature));
         }
         if !self.stiffness.is_soft() {
-            return Err(unsupported("stiffness".into(), "a stiff place of a point cloud"));
+            return Err(unsupported("stiffness".into(), "a stiff area of a point cloud"));
         }
         if self.displacement.is_some() {
-            return Err(unsupported("displacement".into(), "a displaced place of a point cloud"));
+            return Err(unsupported("displacement".into(), "a displacement of a point cloud"));
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! The posed course of lines at rest, for marks on the picture.
 //!
-//! Within a triangle the map of the mesh is affine. A line bends in the triangles that it crosses, so it is divided
+//! Within a triangle the map of the mesh is affine. A line bends in every triangle that it crosses, so it is subdivided
 //! first.
 //!
 //! Cost: that of [`rest_points`](super::inverse::rest_points), and linear in the triangles for each point beside the
@@ -10,8 +10,8 @@ use glam::DVec2;
 
 use super::{inverse::rest_points, locate::locate_near};
 
-/// The posed course of each line, at points no farther apart than `step` at rest. Beside the mesh its nearest part
-/// continues.
+/// The posed course of each line, at points no farther apart than `step` at rest. Beside the mesh, its nearest part is
+/// continued.
 pub(super) fn posed_lines(
     rest: &[DVec2],
     posed: &[DVec2],

@@ -1,7 +1,7 @@
-//! Creases: the places where a pose visibly turns the picture over.
+//! Creases: the areas that a pose visibly flips.
 //!
-//! A crease is made of folded triangles that share vertices. One that covers less than [`VISIBLE_AREA`] is left out:
-//! nobody sees it, and the picture around it looks smooth.
+//! A crease is made of folded triangles that share vertices. Creases smaller than [`VISIBLE_AREA`] are left out: they
+//! are invisible, and the picture around them looks smooth.
 //!
 //! Cost: n log n for n folded triangles.
 
@@ -16,21 +16,21 @@ use crate::{
     rank::{descending, sort_by_rank},
 };
 
-/// The least area of a crease in square image pixels: two pixels each way.
+/// The least area of a crease in square image pixels: two by two pixels.
 const VISIBLE_AREA: f64 = 4.0;
 
-/// A place where the posed picture is turned over.
+/// An area in which the posed picture is flipped.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Crease {
     /// The box around it, in image pixels.
     pub bounds: Bounds,
-    /// The area that is turned over, in square image pixels.
+    /// The flipped area, in square image pixels.
     pub area: f64,
     /// Its triangles.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// The visible creases of some folded triangles, from the largest.
+/// The visible creases formed by folded triangles, largest first.
 pub(super) fn creases(posed: &[DVec2], folded: &[[u32; 3]]) -> Vec<Crease> {
     let mut creases: Vec<Crease> = connected(folded)
         .into_iter()

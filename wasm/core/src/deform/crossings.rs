@@ -1,13 +1,13 @@
 //! Crossings: the regions in which one part of a posed picture covers another.
 //!
-//! Two triangles cover each other if they overlap in the pose and not at rest. A crossing is a connected set of such
-//! pairs: from one pair, steps across an edge of either triangle lead to all others. The first triangles of all pairs
+//! Two triangles cover each other if they overlap in the pose but not at rest. A crossing is a connected set of such
+//! pairs: steps across an edge of either triangle lead from one pair to all others. The first triangles of all pairs
 //! belong to one part, the second ones to the other. So a whole crossing can be ordered at once.
 //!
-//! Every crossing contains a triangle on the border of the mesh, from which the search starts. Parts that cover each
-//! other by a fold in the middle of the picture alone are not found.
+//! Every crossing contains a triangle on the border of the mesh, from which the search starts. Parts that only cover
+//! each other at a fold inside the picture are not found.
 //!
-//! Cost: a grid over all triangles, some tests for each triangle on the border, and some for each pair of a crossing.
+//! Cost: a grid over all triangles, and a few tests for each triangle on the border and for each pair of a crossing.
 
 use glam::DVec2;
 
@@ -17,7 +17,7 @@ use crate::{
     rows::Rows,
 };
 
-/// In place of a neighbour that a triangle lacks.
+/// Marks a missing neighbour of a triangle.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// The neighbours of the triangles of a mesh.
@@ -25,16 +25,16 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(crate) struct Adjacency {
     /// Triangles × 3: the triangles beyond each edge.
     neighbours: Vec<[u32; 3]>,
-    /// Triangles with an edge that has none.
+    /// Triangles with an edge on the border.
     border: Vec<u32>,
 }
 
 /// One region in which a part of the picture covers another.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Crossing {
-    /// Pairs of triangles that overlap: one of the one part, one of the other.
+    /// Pairs of overlapping triangles, one from each part.
     pub(crate) pairs: Vec<[u32; 2]>,
-    /// Whether the parts change places within the region, as in a crumpled picture. No order holds for all of it.
+    /// Whether the parts swap sides within the region, as in a crumpled picture. No order holds for the whole region.
     pub(crate) is_tangled: bool,
 }
 
@@ -69,7 +69,7 @@ impl Adjacency {
         Self { neighbours, border }
     }
 
-    /// The crossings of a pose, in an order that depends on the mesh alone.
+    /// The crossings of a pose, in an order that depends only on the mesh.
     pub(crate) fn crossings(&self, mesh: PosedMesh<'_>) -> Vec<Crossing> {
         let grid = Grid::new(mesh);
         let mut search = Search { adjacency: self, mesh, known: Vec::new(), found: Vec::new() };
@@ -91,7 +91,7 @@ impl Adjacency {
     }
 }
 
-/// A pair that a search has found, below its lesser triangle.
+/// A pair that a search has found, stored at its lesser triangle.
 #[derive(Debug, Clone, Copy)]
 struct Known {
     greater: u32,
@@ -109,7 +109,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds the crossing that a pair belongs to, if it is one and not known.
+    /// Finds the crossing that a pair belongs to, if it is a new crossing.
     fn explore(&mut self, t: u32, u: u32) {
         if !self.covers(t, u) || self.known(t, u).is_some() {
             return;
@@ -151,7 +151,8 @@ impl Search<'_> {
         self.known.get(a.min(b) as usize)?.iter().find(|known| known.greater == a.max(b)).copied()
     }
 
-    /// Whether two triangles overlap in the pose and not at rest. Those with a common vertex belong to one part.
+    /// Whether two triangles overlap in the pose but not at rest. Triangles with a common vertex belong to the same
+    /// part.
     fn covers(&self, a: u32, b: u32) -> bool {
         let [first, second] = [a, b].map(|t| self.mesh.triangles[t as usize]);
         if first.iter().any(|vertex| second.contains(vertex)) {
@@ -162,7 +163,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether two triangles have a common area, by the separating axis theorem. Triangles without an area have none.
+/// Whether two triangles have a common area, by the separating axis theorem. Degenerate triangles do not have one.
 fn overlap([a, b]: [Corners; 2]) -> bool {
     let ([low_a, high_a], [low_b, high_b]) = (bounds(a), bounds(b));
     if (high_a.cmple(low_b) | high_b.cmple(low_a)).any() {
@@ -182,7 +183,7 @@ fn overlap([a, b]: [Corners; 2]) -> bool {
     !has_separator(a) && !has_separator(b)
 }
 
-/// Triangles by the cells of a grid that their bounding boxes touch.
+/// A grid whose cells list the triangles that touch them by their bounding boxes.
 struct Grid {
     low: DVec2,
     side: f64,
@@ -224,7 +225,7 @@ impl Grid {
         (top..rows).flat_map(move |row| (left..right).map(move |column| row * columns + column))
     }
 
-    /// The triangles in the cells that one touches, some of them more than once.
+    /// The triangles in the cells that a triangle touches; some may occur more than once.
     fn near(&self, triangle: Corners) -> impl Iterator<Item = u32> + '_ {
         let bounds = bounds(triangle);
         let is_finite = bounds[0].is_finite() && bounds[1].is_finite();

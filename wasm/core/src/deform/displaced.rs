@@ -1,8 +1,9 @@
-//! The picture after a brush has moved its places, before the handles pose it.
+//! The picture after a brush has displaced it, before the handles pose it.
 //!
-//! The displaced vertices are kept: a drag of handles evaluates no spline.
+//! The displaced vertices are cached, so dragging handles evaluates no spline.
 //!
-//! Cost: sixteen control points for each vertex once, then a blend of the present pose and its parts that cross.
+//! Cost: sixteen control points for each vertex once, then a blend of the present pose and the search for crossing
+//! parts.
 
 use std::{borrow::Cow, cell::OnceCell, sync::Arc};
 
@@ -15,11 +16,11 @@ use super::{
 use crate::{error::Error, pose::DisplacementField, project::Displacement};
 
 impl PosedPicture {
-    /// Displaces the picture as a brush does, or no longer. The present pose and later ones are those of a solution of
-    /// a project with this displacement.
+    /// Displaces the picture, or resets the displacement. The present pose and later ones equal those of a solution
+    /// with this displacement.
     ///
     /// # Errors
-    /// [`Error::Project`] for sides out of range, or another number of values. The picture then stays.
+    /// [`Error::Project`] for sides out of range, or a wrong number of values. The picture then does not change.
     pub fn set_displacement(&mut self, displacement: Option<&Displacement>) -> Result<(), Error> {
         displacement.map_or(Ok(()), Displacement::check)?;
         let picture = self.poser.picture();

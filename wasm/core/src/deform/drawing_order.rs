@@ -1,21 +1,21 @@
 //! The drawing order of triangles where a posed picture covers itself: from the farthest to the nearest.
 //!
 //! The depth of handles spreads as motions do: by harmonic weights to the virtual sites (eq. 4), by weights to the
-//! vertices (eq. 1). A triangle has the mean of its corners' depths. Nearer triangles are drawn later; equally deep
-//! ones keep the order of the mesh.
+//! vertices (eq. 1). The depth of a triangle is the mean of its corners' depths. Nearer triangles are drawn later;
+//! equally deep ones keep the order of the mesh.
 //!
-//! By that order alone, triangles of one limb would show through another one where the depths of both meet. So each
+//! With only this order, triangles of one limb would show through another limb of similar depth. So each
 //! [crossing](super::crossings) is ordered as a whole: the part with the greater mean depth lies in front. At equal
-//! depths it is the part with more triangles that are drawn later. All pairs of triangles in crossings are then sorted
-//! topologically.
+//! depths, the part with more triangles that are drawn later lies in front. All pairs of triangles in crossings are
+//! then sorted topologically.
 //!
-//! A depth buffer keeps one triangle of a pixel, but soft edges need all of them.
+//! A depth buffer keeps only one triangle per pixel, but soft edges need all of them.
 //!
 //! Cost: linear in the stored weights, a sort of the triangles, and the search for crossings.
 //!
-//! Limits: triangles are not split where they intersect. A ring of parts, each in front of the next, has no order: one
-//! of them shows through. Depths are rounded to [`DEPTH_STEPS`] depth steps, so that rounding decides nothing where
-//! many triangles are equally deep.
+//! Limits: triangles are not split where they intersect. A cycle of parts, each in front of the next, has no valid
+//! order: one of them shows through. Depths are rounded to [`DEPTH_STEPS`] depth steps, so that rounding does not
+//! matter if many triangles are equally deep.
 
 use std::borrow::Cow;
 
@@ -27,7 +27,8 @@ use super::{
 };
 use crate::{pose::Motion, rows::Rows, weight::SparseWeights};
 
-/// Depth steps from the farthest site to the nearest. Even, so that no boundary between steps lies half way.
+/// Depth steps from the farthest site to the nearest. The number is even, so that no boundary between steps lies half
+/// way.
 const DEPTH_STEPS: f64 = 1024.0;
 /// Depths that differ by less than this fraction of the greatest are equal: rounding of 32 bits.
 const SAME_DEPTH: f64 = 1e-6;
@@ -37,7 +38,7 @@ pub(crate) fn depths(motions: &[Motion]) -> Vec<f64> {
     motions.iter().map(|motion| motion.depth).collect()
 }
 
-/// How a pose is drawn.
+/// The drawing order of a pose.
 #[derive(Debug)]
 pub(crate) struct DrawnPose<'a> {
     /// The triangles in drawing order.
@@ -106,7 +107,7 @@ impl DepthOrder {
         DrawnPose { triangles: drawn, crossed: Bounds::new(&crossed), crossings }
     }
 
-    /// The triangles with each crossing ordered as a whole; `None` where the order by depth does so.
+    /// The triangles with each crossing ordered as a whole; `None` if the order by depth already does this.
     fn with_whole_parts(&self, triangles: &[[u32; 3]], crossings: &[Crossing]) -> Option<Vec<u32>> {
         let order = self.order(triangles.len());
         let ranks = ranks(&order);
@@ -177,7 +178,7 @@ fn sorted(triangles: &[[u32; 3]], step: impl Fn(&[u32; 3]) -> usize) -> Vec<u32>
     sorted
 }
 
-/// The place of each triangle in an order.
+/// The position of each triangle in an order.
 pub(crate) fn ranks(order: &[u32]) -> Vec<u32> {
     let mut ranks = vec![0; order.len()];
     for (&t, rank) in order.iter().zip(0..) {
@@ -186,13 +187,13 @@ pub(crate) fn ranks(order: &[u32]) -> Vec<u32> {
     ranks
 }
 
-/// Whether the triangle in front is drawn after the one behind it, for all pairs of them.
+/// Whether the triangle in front is drawn after the one behind it, for all pairs.
 pub(crate) fn satisfies(ranks: &[u32], pairs: &[[u32; 2]]) -> bool {
     pairs.iter().all(|&[front, back]| ranks[front as usize] > ranks[back as usize])
 }
 
-/// The triangles in their order, except that each comes after all that lie behind it in a pair. A depth-first search,
-/// which ignores the pair that closes a ring.
+/// The triangles in their order, except that each comes after all triangles that lie behind it in a pair. Uses a
+/// depth-first search that ignores pairs that close a cycle.
 pub(crate) fn topological(order: &[u32], pairs: &[[u32; 2]]) -> Vec<u32> {
     let backs = Rows::from_pairs(order.len(), || pairs.iter().map(|&[front, back]| (front as usize, back)));
     let mut drawn = Vec::with_capacity(order.len());

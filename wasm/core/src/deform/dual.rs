@@ -9,19 +9,19 @@
 //! y = Σ w_i p̄_i y_i / Σ w_i p̄_i
 //! ```
 //!
-//! a mean with complex weights, so it does not depend on the origin. Stretches enter through the y_i alone: at each
-//! point a motion counts as the rotation by θ_i that takes the point to y_i.
+//! a mean with complex weights, so it does not depend on the origin. Stretches only affect the y_i: at each point, a
+//! motion counts as the rotation by θ_i that takes the point to y_i.
 //!
 //! Guaranteed: equal motions blend to that motion; a site with all the weight moves its point; a point that all
 //! motions take to one place goes there. Without stretches, and with angles within 240° of one another, a point moves
-//! by a rigid motion. Two motions with a common pivot turn it about that pivot. The result depends smoothly (C²) on
-//! places, weights and angles, through any number of turns.
+//! by a rigid motion. Two motions with a common pivot rotate the point about that pivot. The result depends smoothly
+//! (C²) on positions, weights and angles, through any number of turns.
 //!
 //! Limits: weights change from point to point, and with them the rigid motion, so a picture still bends. Beyond 240°
 //! the sum P = Σ w p may come near 0, where no choice of a rigid motion is continuous: as one of two angles makes a
-//! full turn, the blend has to follow it at one weight and return at another. From |P|² = 1/4 to 0 the result changes
-//! over to the linear blend, which shrinks what it rotates. Angles a whole turn apart (P = 0 at equal weights) are
-//! the same rotation, whose linear blend is rigid.
+//! full turn, the blend has to follow it at one weight and return at another. From |P|² = 1/4 to 0, the result changes
+//! over to the linear blend, which shrinks rotated parts. Angles a whole turn apart (P = 0 at equal weights) are the
+//! same rotation, whose linear blend is rigid.
 //!
 //! Cost: one complex and one matrix product for each site that moves the point, and one division.
 
@@ -31,7 +31,7 @@ use glam::{DMat2, DVec2};
 
 use crate::pose::{Motion, turn};
 
-/// The blend is rigid from this |P|² on: cos² of 60°, the least for angles within 240°.
+/// The blend is rigid above this |P|²: cos² of 60°, the least for angles within 240°.
 const RIGID: f64 = 0.25;
 
 /// A motion with half its rotation. Complex numbers are vectors, with [`DVec2::rotate`] as product.
@@ -68,13 +68,13 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    /// The posed place of p.
+    /// The posed position of p.
     pub(super) fn place(&self, p: DVec2) -> DVec2 {
         self.place_along(p, &[]).0
     }
 
-    /// The posed place of p, and its derivatives along the variables that `changes` holds the derivatives of the sums
-    /// for.
+    /// The posed position of p, and its derivatives along the variables that `changes` holds the derivatives of the
+    /// sums for.
     fn place_along<const N: usize>(&self, p: DVec2, changes: &[Self; N]) -> (DVec2, [DVec2; N]) {
         let Self { posed, half, moved } = *self;
         // The rigid blend minus the linear one, times P̄.
@@ -92,8 +92,8 @@ impl Sums {
     }
 }
 
-/// The posed place of p and the Jacobian there, from each site's weight and its gradient. `slopes` are those of p
-/// itself, which depends on the place that weights are of.
+/// The posed position of p and the Jacobian there, from each site's weight and its gradient. `slopes` are those of p
+/// itself, which depends on the point at which weights are evaluated.
 pub(super) fn mapped<'a>(
     p: DVec2,
     slopes: DMat2,
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_jumps_as_angles_go_round_and_round() {
+    fn result_is_continuous_through_many_turns() {
         let (step, radius) = (0.002, 100.0);
         for weight in [0.02, 0.3, 0.5, 0.501, 0.9] {
             // One site rotates beside one at rest, and two rotate in opposite directions.
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn the_derivative_is_that_of_the_place() {
+    fn jacobian_is_the_derivative_of_the_position() {
         // Weights of three sites that change from point to point, and sum to 1.
         let weights = |p: DVec2| {
             let raw = [0.3 + 0.001 * p.x, 0.5 - 0.0007 * p.y, 0.2 + 0.000_01 * p.x * p.y];

@@ -1,4 +1,4 @@
-//! The guard against folds: the farthest pose on a way that folds no more triangles than allowed.
+//! The fold guard: the farthest pose on a way that folds no more triangles than allowed.
 //!
 //! Cost: one pose and one pass over all triangles for each of [`STEPS`], and for the end of the way.
 
@@ -7,16 +7,16 @@ use super::{handle_pose::HandlePose, way::Way};
 /// Bisections: the result is within 2⁻⁸ of the way.
 const STEPS: i32 = 8;
 
-/// How far a way is allowed.
+/// The allowed part of a way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoldLimit {
-    /// Of the way: 1 if all of it is allowed.
+    /// The fraction of the way: 1 if the whole way is allowed.
     pub fraction: f64,
-    /// The poses of all handles there.
+    /// The poses of all handles at that fraction.
     pub poses: Vec<HandlePose>,
 }
 
-/// The farthest poses on a way that begins with allowed ones.
+/// The farthest poses on a way whose start is allowed.
 pub(super) fn fold_limit(way: &dyn Way, is_allowed: &mut dyn FnMut(&[HandlePose]) -> bool) -> FoldLimit {
     if is_allowed(way.end()) {
         return FoldLimit { fraction: 1.0, poses: way.end().to_vec() };

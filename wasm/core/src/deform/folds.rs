@@ -1,6 +1,6 @@
-//! Folds: the triangles that a pose turns over.
+//! Folds: the triangles that a pose flips.
 //!
-//! Triangles of the skirt do not count: these slivers turn over where the outline merely bends.
+//! Triangles of the skirt do not count: these slivers flip wherever the outline bends.
 //!
 //! Cost: linear in the triangles; 20,000 take a fraction of a millisecond.
 
@@ -13,7 +13,7 @@ use super::triangle::{corners, doubled_area};
 pub(crate) struct FoldingMesh(Vec<[u32; 3]>);
 
 impl FoldingMesh {
-    /// Those of a mesh whose first `samples` vertices lie in the domain. Triangles without an area are left out.
+    /// The triangles of a mesh whose first `samples` vertices lie in the domain. Degenerate triangles are left out.
     pub(crate) fn new(rest: &[DVec2], triangles: &[[u32; 3]], samples: usize) -> Self {
         let inner = triangles.iter().filter(|triangle| triangle.iter().all(|&vertex| (vertex as usize) < samples));
         let oriented = |&[a, b, c]: &[u32; 3]| match doubled_area(corners(rest, [a, b, c])) {
@@ -24,7 +24,7 @@ impl FoldingMesh {
         Self(inner.filter_map(oriented).collect())
     }
 
-    /// The triangles that are turned over.
+    /// The flipped triangles.
     pub(crate) fn folded<'a>(&'a self, posed: &'a [DVec2]) -> impl Iterator<Item = [u32; 3]> + 'a {
         self.0.iter().copied().filter(|&triangle| doubled_area(corners(posed, triangle)) < 0.0)
     }
@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn neither_rest_nor_a_rotation_folds() {
+    fn rest_and_rotations_do_not_fold() {
         assert_eq!(count(&TRIANGLES, 4, SQUARE), 0);
         assert_eq!(count(&TRIANGLES, 4, SQUARE.map(|p| -p)), 0);
     }

@@ -1,10 +1,10 @@
-//! The handles that force creases: those without which the picture would not turn over there.
+//! The handles that force creases: without them, the picture would not fold there.
 //!
-//! Candidates are the handles with the greatest influence on the triangles of a crease. Each of them is released by
-//! itself: it then follows the others, see [`free_pose`](super::free_pose). A handle forces a crease if that relieves
-//! it: if much of what was turned over is not. If no handle relieves it alone, all candidates force it together.
+//! Candidates are the handles with the greatest influence on the triangles of a crease. Each of them is released
+//! separately: it then follows the others, see [`free_pose`](super::free_pose). A handle forces a crease if its release
+//! flattens much of the crease. If no single release flattens it, all candidates force it together.
 //!
-//! Neither the order of handles nor a motion of all of them together matters, but for rounding.
+//! Except for rounding, the result does not depend on the order of handles, nor on a common motion of all of them.
 //!
 //! Cost: a pose for each of at most [`MOST_RELEASED`] handles, and a pass over the triangles of the creases.
 
@@ -22,17 +22,17 @@ const CANDIDATES: usize = 6;
 const LEAST_INFLUENCE: f64 = 0.1;
 /// Influences with a smaller relative difference are tied.
 const TIE: f64 = 1e-9;
-/// Handles that are released, those of the largest creases first.
+/// Maximum number of released handles, those of the largest creases first.
 pub(super) const MOST_RELEASED: usize = 10;
-/// A handle relieves a crease if at least this share of its area is not turned over without it.
+/// A handle relieves a crease if its release unfolds at least this share of the crease's area.
 const LEAST_RELIEF: f64 = 0.25;
-/// Of handles that relieve a crease, those count that do this share of what the best one does.
+/// Of the handles that relieve a crease, only those count that achieve this share of the best result.
 const NEAR_BEST: f64 = 0.5;
 
 /// The handles that force some creases, from the one that forces most of the area.
 ///
 /// `influences` has for each crease the influence of each handle. `released` poses the vertices without a handle; it
-/// returns `None` if there is no such pose.
+/// returns `None` if that pose does not exist.
 pub(super) fn forcing(
     creases: &[Crease],
     influences: &[Vec<f64>],
@@ -74,7 +74,7 @@ pub(super) fn forcing(
     shares.into_iter().map(|(_, handle)| handle).collect()
 }
 
-/// The handles of the greatest influences. Tied ones are candidates together.
+/// The handles with the greatest influences. Tied handles are candidates together.
 fn candidates(influence: &[f64]) -> Vec<usize> {
     let mut handles: Vec<usize> = (0..influence.len()).filter(|&handle| influence[handle] > 0.0).collect();
     sort_by_rank(&mut handles, |&handle| [descending(influence[handle]), handle as i64]);
@@ -84,7 +84,7 @@ fn candidates(influence: &[f64]) -> Vec<usize> {
     handles
 }
 
-/// The share of a crease's area that a pose does not turn over.
+/// The share of a crease's area that a pose does not flip.
 fn relief(crease: &Crease, posed: &[DVec2]) -> f64 {
     let folded = crease.triangles.iter().map(|&triangle| (-doubled_area(corners(posed, triangle))).max(0.0) / 2.0);
     1.0 - folded.sum::<f64>() / crease.area
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn poses_that_cannot_be_made_relieve_nothing() {
+    fn invalid_poses_relieve_no_crease() {
         let folds = creases(&[DVec2::ZERO, DVec2::new(0.0, 4.0), DVec2::new(4.0, 0.0)], &[[0, 1, 2]]);
         assert_eq!(forcing(&folds, &[vec![1.0]], |_| None), [0]);
         assert!(forcing(&[], &[], |_| None).is_empty());

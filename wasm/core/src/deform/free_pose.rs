@@ -1,8 +1,8 @@
-//! Where a handle would be posed if it followed the others.
+//! The pose of a handle if it followed the others.
 //!
-//! It takes the rigid motion that fits the others best, near ones most. These are moving least squares (Schaefer,
-//! McPhail, Warren, "Image deformation using moving least squares", 2006). A motion of all handles
-//! together moves the free pose alike, and the order of handles does not matter but for rounding.
+//! The handle takes the rigid motion that best fits the others, with near handles weighted most. These are moving least
+//! squares (Schaefer, McPhail, Warren, "Image deformation using moving least squares", 2006). A common motion of all
+//! handles moves the free pose in the same way. The order of handles does not matter, except for rounding.
 //!
 //! Cost: linear in the corners of all handles.
 
@@ -11,7 +11,7 @@ use glam::DVec2;
 use super::handle_pose::HandlePose;
 use crate::project::{Handle, Rotation};
 
-/// Nearer corners count as if they were so far away, in square pixels.
+/// Squared distances are at least this, in square pixels.
 const LEAST_SQUARE: f64 = 1e-6;
 
 /// The pose of the handle `of` that follows those of the handles `by`. `None` if there are none.
@@ -27,7 +27,7 @@ pub(super) fn free_pose(handles: &[Handle], of: usize, by: impl Fn(usize) -> boo
     let turns = || others().filter(|other| matches!(other.rotation, Rotation::Degrees(_)) && is_point(other));
     let rotation = match handle.rotation {
         Rotation::Auto => Rotation::Auto,
-        // Where others turn by hand, the motion of their places tells nothing about it.
+        // The motion of their positions does not reveal manual turns of other handles.
         Rotation::Degrees(_) if turns().next().is_some() => {
             Rotation::Degrees(mean(turns().map(|other| (nearness(other, rest), degrees(other)))))
         }
@@ -41,7 +41,7 @@ pub(super) fn free_pose(handles: &[Handle], of: usize, by: impl Fn(usize) -> boo
     })
 }
 
-/// A corner at rest and posed, and how much it counts.
+/// A corner at rest and posed, and its weight.
 struct Moved {
     rest: DVec2,
     posed: DVec2,
@@ -53,7 +53,7 @@ fn moved(handle: &Handle, near: DVec2) -> impl Iterator<Item = Moved> + '_ {
     corners.map(move |(&rest, &posed)| Moved { rest, posed, weight: weight(rest, near) })
 }
 
-/// The inverse fourth power of the distance: the nearest handles count by far the most.
+/// The inverse fourth power of the distance, so the nearest handles dominate.
 fn weight(p: DVec2, near: DVec2) -> f64 {
     p.distance_squared(near).max(LEAST_SQUARE).powi(-2)
 }
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_handle_alone_follows_nothing() {
+    fn single_handle_has_no_free_pose() {
         assert_eq!(free_pose(&[at([1.0, 2.0], [3.0, 4.0])], 0, |_| true), None);
         let two = [at([1.0, 2.0], [3.0, 4.0]), at([5.0, 5.0], [5.0, 6.0])];
         assert_eq!(free_pose(&two, 0, |_| false), None);
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn a_turned_handle_takes_the_turn_of_those_that_are_turned_too() {
+    fn turned_handle_follows_the_turn_of_other_handles() {
         let turned = |handle: Handle, degrees: f64| handle.turned(degrees);
         let handles = [
             turned(at([0.0, 0.0], [0.0, 0.0]), 170.0),

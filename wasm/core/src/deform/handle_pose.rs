@@ -1,10 +1,10 @@
-//! The pose of one handle, without its name and its rest place.
+//! The pose of one handle, without its name and its rest position.
 
 use glam::DVec2;
 
 use crate::project::{Handle, Rotation};
 
-/// Where a handle is posed: the part of a [`Handle`] that changes during a drag.
+/// The pose of a handle: the part of a [`Handle`] that changes during a drag.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HandlePose {
     /// The posed corners in image pixels: one for a point, more for a bar or polygon.
@@ -17,15 +17,15 @@ pub struct HandlePose {
     pub depth: f64,
 }
 
-/// Numbers of a handle before its corners.
+/// Number of values of a handle before its corners.
 const HEAD: usize = 4;
 
 impl HandlePose {
-    /// The poses in a flat array, which crosses the border to another language in one piece. `None` for an array that
-    /// ends within a handle.
+    /// Reads poses from a flat array, the format used to pass them to other languages. `None` if the array ends within
+    /// a handle.
     ///
-    /// Each handle has the number n of its corners (1 for a point), rotation, scale, depth, and n × 2 coordinates. The
-    /// rotation is in degrees, and NaN is automatic.
+    /// Each handle consists of its number n of corners (1 for a point), rotation, scale, depth, and n × 2 coordinates.
+    /// The rotation is in degrees, or NaN if automatic.
     #[must_use]
     pub fn from_numbers(mut numbers: &[f64]) -> Option<Vec<Self>> {
         let mut poses = Vec::new();
@@ -44,8 +44,7 @@ impl HandlePose {
         self.posed.len() > 1
     }
 
-    /// Writes the pose into a handle. Returns `false`, and changes nothing, if the handle has another number of
-    /// corners.
+    /// Writes the pose into a handle. Returns `false`, and changes nothing, if the numbers of corners differ.
     pub(crate) fn write_to(&self, handle: &mut Handle) -> bool {
         let posed = handle.shape.posed_mut();
         let fits = posed.len() == self.posed.len();

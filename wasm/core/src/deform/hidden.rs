@@ -1,13 +1,13 @@
 //! The points of the picture that another part of it hides.
 //!
-//! Cost: two passes over the triangles, whatever the number of points.
+//! Cost: two passes over the triangles, independent of the number of points.
 
 use glam::DVec2;
 
 use super::{Bounds, inverse::rest_points};
 
-/// Points that are drawn closer than this to each other at rest belong to one part: a fraction of the picture's
-/// diagonal. Small folds hide nothing.
+/// Points closer than this to each other at rest belong to one part, as a fraction of the picture's diagonal. So small
+/// folds hide nothing.
 const SAME_PART: f64 = 0.02;
 
 /// For each point at rest, whether another part of the picture is drawn over it. The skirt, which is partly
@@ -30,7 +30,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_point_is_hidden_where_a_later_part_is_drawn_over_it() {
+    fn point_below_a_later_part_is_hidden() {
         let square = |x: f64| [[x, 0.0], [x + 4.0, 0.0], [x + 4.0, 4.0], [x, 4.0]].map(DVec2::from);
         let rest = [square(0.0), square(20.0)].concat();
         // The second square covers the right half of the first one.

@@ -1,6 +1,6 @@
 //! The inverse of the drawn mesh at many points: which point of the picture is drawn at each.
 //!
-//! Within a triangle the map of the mesh is affine, so its inverse is exact. Triangles are taken in drawing order,
+//! Within a triangle the map of the mesh is affine, so its inverse is exact. Triangles are visited in drawing order,
 //! and the last one around a point covers the others. [`locate`](super::locate) does the same for single points.
 //!
 //! Cost: linear in the triangles, and for each in the points within its range of y, found by binary search.

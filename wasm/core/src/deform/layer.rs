@@ -1,12 +1,12 @@
 //! The points of the picture under the corners of a drawing, all on one layer.
 //!
-//! Where parts of the picture cover each other, later corners belong to the part that the first one was set on. Another
-//! part may be drawn over it there.
+//! Where parts of the picture cover each other, later corners belong to the same part as the first one. Another part
+//! may be drawn over it there.
 //!
-//! From one corner to the next, a straight line is followed through the triangles of the posed mesh. Where the line
-//! leaves the part before the corner, there are two cases. A part that begins after the first one has ended belongs to
-//! the same layer, like a second leg beyond a gap. A part that begins before covers the first one, which is then
-//! continued beyond its border.
+//! A straight line is followed through the triangles of the posed mesh from each corner to the next. If the line leaves
+//! the part before the corner, there are two cases. A part that begins after the first one has ended belongs to the
+//! same layer, like a second leg beyond a gap. A part that begins before covers the first one, which is then continued
+//! beyond its border.
 //!
 //! Cost: linear in the triangles for each corner.
 
@@ -28,7 +28,7 @@ pub(super) struct Layers<'a> {
     pub(super) drawn: &'a [[u32; 3]],
 }
 
-/// A place in a triangle of the posed mesh.
+/// A position in a triangle of the posed mesh.
 #[derive(Clone, Copy)]
 struct Spot {
     triangle: u32,
@@ -38,7 +38,7 @@ struct Spot {
 /// The end of a straight line through the posed mesh.
 struct Walk {
     at: Spot,
-    /// Of the line: 1 if it arrives.
+    /// The fraction of the line: 1 at its end.
     fraction: f64,
 }
 
@@ -71,7 +71,7 @@ impl Layers<'_> {
         places.iter().map(located).collect()
     }
 
-    /// The triangles that bend around a place, the last drawn first.
+    /// The bending triangles around a point, last drawn first.
     fn spots(&self, posed: DVec2) -> Vec<Spot> {
         let around = |&(_, &triangle): &(usize, &[u32; 3])| {
             self.bends(triangle) && barycentric(corners(self.mesh.posed, triangle), posed).is_some()
@@ -102,7 +102,7 @@ impl Layers<'_> {
         Correspondence::new(interpolate(both[0], [u, v, 1.0 - u - v]), posed, both)
     }
 
-    /// Follows a straight line from triangle to triangle, as far as neither the border nor a fold ends it.
+    /// Follows a straight line from triangle to triangle, until the border or a fold ends it.
     fn walk(&self, from: Spot, to: DVec2) -> Walk {
         let along = to - from.posed;
         let at = |triangle: u32, fraction: f64| {
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn the_part_of_the_first_corner_is_continued_where_another_covers_its_end() {
+    fn part_of_the_first_corner_is_continued_below_another_part() {
         let (rest, posed, triangles) = covered();
         assert_near(&under(&rest, &posed, &triangles, &[[0.5, 0.5], [5.0, 0.5]]), &[[0.5, 0.5], [5.0, 0.5]]);
     }

@@ -1,28 +1,28 @@
-//! Whether a part of the picture lies in front of what it crosses, by the depths of the handles.
+//! Whether a part of the picture lies in front of the parts that it crosses, by the depths of the handles.
 //!
 //! Cost: the sites over each triangle of the crossings.
 
 use super::crossings::Crossing;
 use crate::weight::SparseWeights;
 
-/// The selected handles move the one part of a crossing if its mean share of their motion exceeds that of the other
-/// part by this. A crossing of two parts that both follow them, or neither of them, does not concern them.
+/// The selected handles move one part of a crossing if its mean share of their motion exceeds that of the other part by
+/// this. Crossings are ignored if both parts follow the selected handles, or neither does.
 const SHARE: f64 = 0.25;
-/// Mean depths that differ by less than this are equal. Edits change depths by hundredths at least.
+/// Mean depths that differ by less than this are equal. Edits change depths by at least a hundredth.
 const SAME_DEPTH: f64 = 1e-4;
 
-/// How a part lies to the parts that it crosses: as it does to the foremost of them.
+/// The order of a part relative to the foremost of the parts that it crosses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Lead {
     /// Behind at least one of them.
     Behind,
-    /// Equally deep as at least one of them, and behind none.
+    /// As deep as at least one of them, and not behind any.
     Level,
-    /// In front of all, or of none, if it crosses nothing.
+    /// In front of all of them, also if it crosses nothing.
     Front,
 }
 
-/// `depths` and `shares` are those of the sites. A share is 1 for a site that moves as the selected handles do.
+/// `depths` and `shares` have one entry per site. A share is 1 for a site that moves as the selected handles do.
 pub(super) fn lead(
     triangles: &[[u32; 3]],
     weights: &SparseWeights,

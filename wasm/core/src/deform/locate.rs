@@ -1,7 +1,7 @@
-//! Single points between rest and pose: the point of the picture that is drawn at a place, and the way back.
+//! Maps single points between rest and pose: from a posed point to the point of the picture drawn there, and back.
 //!
-//! Within a triangle the map of the mesh is affine, so its inverse is exact. Triangles are searched from the last
-//! drawn to the first, which finds the visible one where the picture covers itself.
+//! Within a triangle the map of the mesh is affine, so its inverse is exact. Triangles are searched from the last drawn
+//! to the first, which finds the visible triangle if the picture covers itself.
 //!
 //! Cost: linear in the triangles, nearly all of which are ruled out by their bounding box.
 
@@ -9,13 +9,13 @@ use glam::DVec2;
 
 use super::triangle::{Corners, barycentric, corners, interpolate, nearest_similarity};
 
-/// A point of the picture and the place that it is drawn at, in pixels.
+/// A point of the picture and its drawn position, in pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Correspondence {
     /// The point at rest.
     pub rest: DVec2,
-    /// The place in the posed picture.
+    /// The position in the posed picture.
     pub posed: DVec2,
     /// Rotation, in degrees, of the similarity nearest to the map from rest to pose.
     pub rotation: f64,
@@ -24,14 +24,14 @@ pub struct Correspondence {
 }
 
 impl Correspondence {
-    /// That of two places in a triangle with these corners at rest and posed.
+    /// The located point in a triangle with these corners at rest and posed.
     pub(super) fn new(rest: DVec2, posed: DVec2, [from, to]: [Corners; 2]) -> Self {
         let (rotation, scale) = nearest_similarity(from, to);
         Self { rest, posed, rotation, scale }
     }
 }
 
-/// The triangles whose bounding box is no farther than `slack` from a place, the last drawn first.
+/// The triangles whose bounding box is at most `slack` away from a point, last drawn first.
 pub(super) fn triangles_near<'a>(
     drawn: &'a [[u32; 3]],
     points: &'a [DVec2],
@@ -49,21 +49,20 @@ pub(super) fn triangles_near<'a>(
     drawn.iter().rev().copied().filter(is_near)
 }
 
-/// The last drawn triangle around a place, and the barycentric coordinates there.
+/// The last drawn triangle around a point, and the barycentric coordinates there.
 pub(super) fn triangle_at(drawn: &[[u32; 3]], points: &[DVec2], at: DVec2) -> Option<([u32; 3], [f64; 3])> {
     triangles_near(drawn, points, at, 0.0)
         .find_map(|triangle| Some((triangle, barycentric(corners(points, triangle), at)?)))
 }
 
-/// The point of the picture that is drawn at a place; `None` beside the picture.
+/// The point of the picture that is drawn at a point; `None` beside the picture.
 pub(super) fn locate(rest: &[DVec2], posed: &[DVec2], drawn: &[[u32; 3]], at: DVec2) -> Option<Correspondence> {
     let (triangle, coordinates) = triangle_at(drawn, posed, at)?;
     let both = [rest, posed].map(|points| corners(points, triangle));
     Some(Correspondence::new(interpolate(both[0], coordinates), at, both))
 }
 
-/// Like [`locate`]; beside the picture the similarity at the vertex nearest to the place continues. `None` without
-/// triangles.
+/// Like [`locate`]; beside the picture, the similarity at the nearest vertex is continued. `None` without triangles.
 pub(super) fn locate_near(rest: &[DVec2], posed: &[DVec2], drawn: &[[u32; 3]], at: DVec2) -> Option<Correspondence> {
     if let Some(inside) = locate(rest, posed, drawn, at) {
         return Some(inside);
@@ -83,7 +82,7 @@ pub(super) fn locate_near(rest: &[DVec2], posed: &[DVec2], drawn: &[[u32; 3]], a
     Some(similar(Correspondence::new(rest[vertex], posed[vertex], both), at))
 }
 
-/// The point that is drawn at a place if the similarity of another point continues there.
+/// The point that is drawn at a point if the similarity of another point is continued there.
 pub(super) fn similar(near: Correspondence, at: DVec2) -> Correspondence {
     let (sin, cos) = libm::sincos(-near.rotation.to_radians());
     let back = DVec2::new(cos, sin) / near.scale.max(f64::EPSILON);

@@ -1,23 +1,23 @@
-//! The blended map on the processor (sections III and IV-B, eq. 1): from the motions of all sites to the posed place of
-//! every point, and back. The shader `web/src/render/warp.vert.glsl` is the only other implementation.
+//! The blended map on the processor (sections III and IV-B, eq. 1): from the motions of all sites to the posed position
+//! of every point, and back. The shader `web/src/render/warp.vert.glsl` is the only other implementation.
 //!
 //! For every point:
 //!
 //! - `pose`: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of `dual`.
-//! - `drawing_order`: the triangles from the farthest to the nearest. `crossings`: where parts cover each other.
-//! - `locate`, `inverse`: the point of the picture that is drawn at one place, or at many.
+//! - `drawing_order`: the triangles from the farthest to the nearest. `crossings`: regions where parts cover each
+//!   other.
+//! - `locate`, `inverse`: the point of the picture that is drawn at one point, or at many points.
 //!
 //! For the editor:
 //!
-//! - `posed_picture`: all of it for one solution, without the solution itself.
-//! - `displaced`: the picture after a brush has moved its places.
+//! - `posed_picture`: all of this for one solution, without the solution itself.
+//! - `displaced`: the picture after a brush has displaced it.
 //! - `layer`: the points under a drawing, all on one layer where the picture covers itself.
-//! - `placement`: where a handle can be placed. `hidden`, `lead`: the handles that lie behind another
-//!   part, and parts that lie in front.
-//! - `folds`, `creases`: where the picture turns over.
-//! - `way`, `fold_guard`: how far handles go before the picture folds. `rounding` is the editor's.
-//! - `forcing`, `free_pose`, `unfolding`: the handles that force folds, and the nearest pose without.
-//! - `reach`, `coverage`, `bounds`, `borders`, `course`: what the overlays and other marks show.
+//! - `placement`: positions for handles. `hidden`, `lead`: handles behind another part, and parts in front of others.
+//! - `folds`, `creases`: flipped triangles and areas.
+//! - `way`, `fold_guard`: how far handles can move before the picture folds. `rounding`: the rounding of the editor.
+//! - `forcing`, `free_pose`, `unfolding`: the handles that force folds, and the nearest pose without folds.
+//! - `reach`, `coverage`, `bounds`, `borders`, `course`: data for overlays and other marks.
 //!
 //! Cost: a blend visits the supports over each vertex; everything else is linear in the mesh.
 

@@ -1,5 +1,5 @@
-//! Where a handle can be placed: on the part of the picture that bends. The skirt around it, on which soft edges are
-//! drawn, holds no handles.
+//! Positions for handles: on the part of the picture that bends. Handles cannot be placed on the skirt around it, which
+//! holds the soft edges.
 //!
 //! Cost: linear in the triangles.
 
@@ -10,12 +10,11 @@ use super::{
     triangle::{Corners, barycentric, corners, interpolate},
 };
 
-/// Least barycentric coordinate of a place on the border of a triangle: far enough inside that rounding does not lead
-/// out.
+/// Least barycentric coordinate of a position on the border of a triangle: far enough inside to be safe from rounding.
 const INWARDS: f64 = 0.05;
 
-/// The place itself if it bends. On a triangle of the skirt beside the part that bends, and up to `within` away from
-/// that part, the nearest place that bends; `None` farther away. The first `samples` vertices bend.
+/// Returns the position itself if it bends. On the skirt beside the bending part, and up to `within` away from it,
+/// returns the nearest position that bends; `None` farther away. The first `samples` vertices bend.
 pub(super) fn placement(
     [rest, posed]: [&[DVec2]; 2],
     drawn: &[[u32; 3]],
@@ -46,12 +45,12 @@ pub(super) fn placement(
     Some(Correspondence::new(interpolate(both[0], coordinates), place, both))
 }
 
-/// The place of a triangle nearest to a point.
+/// The position in a triangle nearest to a point.
 #[derive(Debug, Clone, Copy)]
 struct Nearest {
     /// Barycentric; on the border moved [`INWARDS`].
     coordinates: [f64; 3],
-    /// From the point to the border; 0 inside.
+    /// Distance from the point to the border; 0 inside.
     distance: f64,
 }
 
@@ -98,14 +97,14 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_bends_is_kept_however_near_the_border() {
+    fn bending_position_near_the_border_is_kept() {
         let found = at(11.99, 0.5, 0.0).expect("inside");
         assert_eq!(found.posed, DVec2::new(11.99, 0.5));
         assert!(found.rest.distance(DVec2::new(0.995, 0.25)) < 1e-9 && (found.scale - 2.0).abs() < 1e-9, "{found:?}");
     }
 
     #[test]
-    fn a_place_on_the_rim_moves_a_little_inside_the_border() {
+    fn position_on_the_skirt_moves_just_inside_the_border() {
         let found = at(13.0, 1.0, 0.0).expect("the skirt");
         assert!(found.posed.x > 11.8 && found.posed.x < 12.0, "{found:?}");
         assert!((found.rest.x - (found.posed.x - 10.0) / 2.0).abs() < 1e-9, "{found:?}");
@@ -113,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_beside_the_picture_moves_no_farther_than_the_radius() {
+    fn position_beside_the_picture_moves_at_most_by_the_radius() {
         assert_eq!(at(9.5, 1.0, 0.4), None);
         assert!(at(9.5, 1.0, 0.6).is_some_and(|found| found.posed.x > 10.0));
         assert_eq!(at(9.0, 3.0, 1.3), None);
@@ -122,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_under_the_rim_is_kept() {
+    fn position_under_the_skirt_is_kept() {
         let mut covered = posed();
         // The skirt folds back over the square.
         covered[4] = DVec2::new(10.0, 1.0);

@@ -1,8 +1,8 @@
-//! The posed place of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual). Where a brush
-//! has displaced the picture, sites take p + d(p) in place of p: p′ = Σ w_i(p) T_i(p + d(p)).
+//! The posed position of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual). Where a
+//! brush has displaced the picture, sites take p + d(p) instead of p: p′ = Σ w_i(p) T_i(p + d(p)).
 //!
-//! `web/src/render/warp.vert.glsl` is the only other implementation. Cost: some floating-point operations for each site
-//! that moves the point.
+//! `web/src/render/warp.vert.glsl` is the only other implementation. Cost: a few floating-point operations for each
+//! site that moves the point.
 
 use std::{ops::Add, sync::Arc};
 
@@ -23,12 +23,12 @@ pub struct Pose {
     rest: Arc<[DVec2]>,
     motions: Vec<Motion>,
     maps: Vec<SiteMap>,
-    /// One for each site, for the rigid blend.
+    /// One motion per site, for the rigid blend.
     duals: Option<Vec<Dual>>,
     displacement: Option<Arc<DisplacementField>>,
 }
 
-/// T_i in the form that vertices are mapped with, contiguous in memory.
+/// T_i in the form used to map vertices, contiguous in memory.
 #[derive(Debug, Clone, Copy)]
 struct SiteMap {
     rest: DVec2,
@@ -36,37 +36,37 @@ struct SiteMap {
     linear: DMat2,
 }
 
-/// The posed place of a point, and the local change of area.
+/// The posed position of a point, and the local change of area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Mapped {
-    /// The posed place, p′.
+    /// The posed position, p′.
     pub posed: DVec2,
     /// Determinant of the Jacobian: the factor by which areas grow, negative where the picture is inverted.
     pub det: f64,
 }
 
 impl Poser {
-    /// The pose of handles, given in any order. Their rest places matter for the turns of bars and polygons alone.
+    /// The pose of handles, given in any order. Their rest positions only matter for the turns of bars and polygons.
     ///
     /// # Errors
     /// - [`Error::PoseMismatch`] if the number of handles differs from the solved one;
     /// - [`Error::PoseMissing`] if a solved handle is not among them;
     /// - [`Error::PoseShape`] for a handle of another kind or number of corners;
-    /// - [`Error::Project`] for a handle that no project may have, such as one with a scale of 0;
+    /// - [`Error::Project`] for an invalid handle, such as one with a scale of 0;
     /// - [`Error::PoseNotFinite`] for numbers that overflow;
     /// - [`Error::PoserBytes`] if the poser was read from bytes whose bars contradict its handles.
     pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
         Ok(self.pose_of(self.motions(handles)?, blend))
     }
 
-    /// The pose of motions of all sites.
+    /// The pose from the motions of all sites.
     pub(crate) fn pose_of(&self, motions: Vec<Motion>, blend: Blend) -> Pose {
         let displacement = self.displacement().cloned();
         Pose { displacement, ..Pose::new(Arc::clone(self.rest()), motions, blend) }
     }
 
-    /// Whether a pose is of the sites of this poser.
+    /// Whether a pose belongs to the sites of this poser.
     pub(crate) fn has_made(&self, pose: &Pose) -> bool {
         // The poser that made it may be another copy of the same bytes.
         Arc::ptr_eq(&pose.rest, self.rest()) || pose.rest == *self.rest()
@@ -88,7 +88,7 @@ impl Pose {
         Self { rest, motions, maps, duals, displacement: None }
     }
 
-    /// T_i(p) for one site: where it alone would take a point, in pixels.
+    /// T_i(p) for one site: where this site alone would move a point, in pixels.
     ///
     /// # Panics
     /// If `site` is out of bounds.
@@ -98,28 +98,28 @@ impl Pose {
         posed + linear * (p - rest)
     }
 
-    /// The place of a point before the sites move it, in pixels: p + d(p), where a brush has displaced the picture.
+    /// The position of a point before the sites move it, in pixels: p + d(p) if a brush has displaced the picture.
     #[must_use]
     pub fn displaced(&self, p: DVec2) -> DVec2 {
         self.displacement.as_ref().map_or(p, |field| field.place(p))
     }
 
-    /// Whether some places are displaced.
+    /// Whether any part is displaced.
     pub(crate) fn displaces(&self) -> bool {
         self.displacement.is_some()
     }
 
-    /// The posed place of a point, in pixels, from the sites that move it and their weights, for example a row of
-    /// [`SparseWeights`]. A point without weights stays where it is [displaced](Self::displaced) to.
+    /// The posed position of a point, in pixels, from the sites that move it and their weights, for example a row of
+    /// [`SparseWeights`]. A point without weights remains at its [displaced](Self::displaced) position.
     ///
     /// # Panics
-    /// If the solution has no such site.
+    /// If a site does not exist in the solution.
     #[must_use]
     pub fn blended(&self, p: DVec2, weights: impl IntoIterator<Item = (usize, f64)>) -> DVec2 {
         self.blended_place(self.displaced(p), weights)
     }
 
-    /// The posed place of a point that is displaced to a place.
+    /// The posed position of a point with a given displaced position.
     pub(crate) fn blended_place(&self, p: DVec2, weights: impl IntoIterator<Item = (usize, f64)>) -> DVec2 {
         let weights = weights.into_iter();
         if let Some(duals) = &self.duals {
@@ -129,12 +129,12 @@ impl Pose {
         weights.map(|(site, weight)| weight * self.moved(site, p)).reduce(Add::add).unwrap_or(p)
     }
 
-    /// The posed place of a point, in pixels, and the determinant of the Jacobian there, from the influences of
-    /// [`Solution::influences_at`](crate::Solution::influences_at). A point without influences stays where it is
-    /// [displaced](Self::displaced) to.
+    /// The posed position of a point, in pixels, and the determinant of the Jacobian there, from the influences of
+    /// [`Solution::influences_at`](crate::Solution::influences_at). A point without influences remains at its
+    /// [displaced](Self::displaced) position.
     ///
     /// # Panics
-    /// If the solution has no such site.
+    /// If a site does not exist in the solution.
     #[must_use]
     pub fn map(&self, p: DVec2, influences: &[Influence]) -> Mapped {
         let (p, slopes) = match &self.displacement {
@@ -160,29 +160,29 @@ impl Pose {
         Mapped { posed, det: derivative.determinant() }
     }
 
-    /// The posed places of points, from the row of each in the weights.
+    /// The posed positions of points, from the row of each in the weights.
     ///
     /// # Panics
-    /// If a point has no row, or the solution has no such site.
+    /// If a point has no row, or a site does not exist in the solution.
     pub(crate) fn blend_all(&self, points: &[DVec2], weights: &SparseWeights) -> Vec<DVec2> {
         points.iter().enumerate().map(|(row, &p)| self.blended(p, weights.row(row))).collect()
     }
 
-    /// The posed places of points that are displaced to places, from the row of each in the weights.
+    /// The posed positions of points with given displaced positions, from the row of each in the weights.
     ///
     /// # Panics
-    /// As [`blend_all`](Self::blend_all).
+    /// Like [`blend_all`](Self::blend_all).
     pub(crate) fn blend_places(&self, places: &[DVec2], weights: &SparseWeights) -> Vec<DVec2> {
         places.iter().enumerate().map(|(row, &p)| self.blended_place(p, weights.row(row))).collect()
     }
 
     /// Sites × 12 for a vertex shader: a, b, c, d (the linear part takes x to (a, b) and y to (c, d)), rest x, rest
-    /// y, posed x, posed y, depth, angle, cosine and sine of half the angle. Places are in image pixels, angles in
+    /// y, posed x, posed y, depth, angle, cosine and sine of half the angle. Positions are in image pixels, angles in
     /// radians.
     ///
     /// Vertex v of the mesh, at rest at p, is moved by the sites and weights of its row,
     /// `sites[offsets[v]..offsets[v + 1]]` and `weights[offsets[v]..offsets[v + 1]]` of [`SparseWeights`]. Site i alone
-    /// would take it to y_i = posed_i + [a c; b d] (p − rest_i). A vertex without a row stays. The others go to
+    /// would take it to y_i = posed_i + [a c; b d] (p − rest_i). A vertex without a row does not move. The others go to
     ///
     /// ```text
     /// linear  p′ = Σ w_i y_i

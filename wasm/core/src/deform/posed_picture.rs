@@ -1,9 +1,9 @@
-//! A solved picture without its solution: the mesh, the weights and the poser, and every question about a pose.
+//! A solved picture without its solution: the mesh, the weights and the poser, and all queries about a pose.
 //!
-//! This is all that a page needs while handles are dragged; the solution itself stays with the thread that solves.
-//! Vertices and weights may be rounded to 32 bits, as they are for a graphics card.
+//! A page needs only this while handles are dragged; the solution itself remains in the thread that solves. Vertices
+//! and weights may be rounded to 32 bits, as they are for a graphics card.
 //!
-//! Cost: a pose takes the time of [`Poser::pose`], of blending all vertices and of finding the parts that cross.
+//! Cost: a pose includes [`Poser::pose`], blending all vertices and finding the parts that cross.
 
 use std::{borrow::Cow, cell::OnceCell};
 
@@ -58,7 +58,7 @@ pub struct PictureMesh {
 pub struct PosedPicture {
     pub(super) mesh: PictureMesh,
     pub(super) poser: Poser,
-    /// The handles as they were solved.
+    /// The solved handles.
     pub(super) handles: Vec<Handle>,
     folding: FoldingMesh,
     adjacency: Adjacency,
@@ -70,10 +70,10 @@ pub struct PosedPicture {
     order: Order,
 }
 
-/// The present pose and its vertices, and its creases once they are asked for.
+/// The present pose and its vertices, and its creases once requested.
 #[derive(Debug)]
 pub(super) struct Present {
-    /// `None` if nothing but the displacement moves the picture.
+    /// `None` if only the displacement moves the picture.
     pub(super) pose: Option<Pose>,
     pub(super) posed: Vec<DVec2>,
     pub(super) creases: OnceCell<Vec<Crease>>,
@@ -84,7 +84,7 @@ pub(super) struct Present {
 struct Order {
     /// The order of the present depths.
     by_depth: Option<(Vec<f64>, DepthOrder)>,
-    /// `None` while the order is that of the mesh.
+    /// `None` while the mesh order applies.
     triangles: Option<Vec<[u32; 3]>>,
     crossings: Vec<Crossing>,
     crossed: Option<Bounds>,
@@ -95,7 +95,7 @@ impl PosedPicture {
     /// The picture of a mesh, the poser of its solution, and the handles that were solved.
     ///
     /// # Errors
-    /// [`Error::PoserBytes`] if these are not parts of one solution.
+    /// [`Error::PoserBytes`] if these do not belong to one solution.
     pub fn new(mesh: PictureMesh, poser: Poser, handles: Vec<Handle>) -> Result<Self, Error> {
         let vertices = mesh.vertices.len();
         let is_whole = mesh.weights.len() == vertices
@@ -117,20 +117,21 @@ impl PosedPicture {
         Ok(picture)
     }
 
-    /// Poses the picture. `poses` are those of the solved handles, in their order; more may follow. Returns the
+    /// Poses the picture. `poses` are those of the solved handles, in order; additional ones are ignored. Returns the
     /// motions.
     ///
     /// # Errors
-    /// Those of [`Poser::pose`], and [`Error::PoseMismatch`] for fewer poses than handles. The present pose then stays.
+    /// The errors of [`Poser::pose`], and [`Error::PoseMismatch`] for fewer poses than handles. The present pose then
+    /// remains.
     pub fn set_pose(&mut self, poses: &[HandlePose], blend: Blend) -> Result<&Pose, Error> {
         let pose = self.pose(poses, blend)?;
         self.show(pose)
     }
 
-    /// Poses the picture as a pose of its [poser](Self::poser). Returns the motions.
+    /// Poses the picture with a pose of its [poser](Self::poser). Returns the motions.
     ///
     /// # Errors
-    /// [`Error::PoseOfAnotherSolution`]. The present pose then stays.
+    /// [`Error::PoseOfAnotherSolution`]. The present pose then remains.
     pub fn show(&mut self, pose: Pose) -> Result<&Pose, Error> {
         if !self.poser.has_made(&pose) {
             return Err(Error::PoseOfAnotherSolution);
@@ -141,7 +142,7 @@ impl PosedPicture {
         Ok(present.pose.insert(pose))
     }
 
-    /// The posed vertices of a pose. They are displaced as the picture is, not as the pose may have been.
+    /// The posed vertices of a pose. They use the displacement of the picture, not that of the pose.
     pub(super) fn blend_vertices(&self, pose: &Pose) -> Vec<DVec2> {
         pose.blend_places(self.displaced_vertices(), &self.mesh.weights)
     }
@@ -211,7 +212,7 @@ impl PosedPicture {
         self.order.version
     }
 
-    /// The place that a point of the picture goes to; `None` outside the mesh.
+    /// The posed position of a point of the picture; `None` outside the mesh.
     #[must_use]
     pub fn map(&self, rest: DVec2) -> Option<Correspondence> {
         let (triangle, coordinates) = triangle_at(self.drawn_triangles(), &self.mesh.vertices, rest)?;
@@ -219,33 +220,34 @@ impl PosedPicture {
         Some(Correspondence::new(rest, interpolate(both[1], coordinates), both))
     }
 
-    /// The places that points of the picture go to, by one walk over the mesh. See [`map`](Self::map).
+    /// The posed positions of points of the picture, found by one walk over the mesh. See [`map`](Self::map).
     #[must_use]
     pub fn map_points(&self, rest: &[DVec2]) -> Vec<Option<DVec2>> {
         rest_points(self.posed_vertices(), &self.mesh.vertices, self.drawn_triangles(), rest)
     }
 
-    /// The points of the picture that are drawn at places, by one walk over the mesh. See [`locate`](Self::locate).
+    /// The points of the picture that are drawn at given points, found by one walk over the mesh. See
+    /// [`locate`](Self::locate).
     #[must_use]
     pub fn locate_points(&self, posed: &[DVec2]) -> Vec<Option<DVec2>> {
         rest_points(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), posed)
     }
 
-    /// The posed course of lines at rest, at points no farther apart than `step` at rest. Beside the mesh its nearest
-    /// part continues.
+    /// The posed course of lines at rest, at points no farther apart than `step` at rest. Beside the mesh, its nearest
+    /// part is continued.
     #[must_use]
     pub fn posed_lines(&self, lines: &[Vec<DVec2>], step: f64) -> Vec<Vec<DVec2>> {
         posed_lines(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), lines, step)
     }
 
-    /// The point of the picture that is drawn at a place; `None` beside the picture.
+    /// The point of the picture that is drawn at a point; `None` beside the picture.
     #[must_use]
     pub fn locate(&self, posed: DVec2) -> Option<Correspondence> {
         locate(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), posed)
     }
 
-    /// The points of the picture under the corners of a drawing, all on the layer of the first one. Beside the picture
-    /// its nearest part continues. `None` without triangles.
+    /// The points of the picture under the corners of a drawing, all on the layer of the first one. Beside the picture,
+    /// its nearest part is continued. `None` without triangles.
     #[must_use]
     pub fn layer_under(&self, corners: &[DVec2]) -> Option<Vec<Correspondence>> {
         let PictureMesh { vertices: rest, triangles, samples, .. } = &self.mesh;
@@ -254,23 +256,25 @@ impl PosedPicture {
         Layers { mesh, adjacency: &self.adjacency, samples: *samples, drawn }.under(corners)
     }
 
-    /// Where a handle can be placed: at a place that bends, or at the nearest one, at most `within` pixels away.
+    /// The position for a handle: the given one if it bends, or else the nearest that does, at most `within` pixels
+    /// away.
     #[must_use]
     pub fn placement(&self, posed: DVec2, within: f64) -> Option<Correspondence> {
         let both = [&self.mesh.vertices[..], self.posed_vertices()];
         placement(both, self.drawn_triangles(), self.mesh.samples, posed, within)
     }
 
-    /// The box around all places where the present pose draws one part of the picture over another.
+    /// The box around all areas where the present pose draws one part of the picture over another.
     #[must_use]
     pub fn crossed(&self) -> Option<Bounds> {
         self.order.crossed
     }
 
-    /// How the parts that the `selected` handles move lie to the parts that they cross in the present pose.
+    /// The depth of the parts that the `selected` handles move, relative to the parts that they cross in the present
+    /// pose.
     ///
     /// # Errors
-    /// Those of [`set_pose`](Self::set_pose).
+    /// The errors of [`set_pose`](Self::set_pose).
     ///
     /// # Panics
     /// If a selected index is out of bounds.
@@ -294,14 +298,14 @@ impl PosedPicture {
         hidden([&self.mesh.vertices, self.posed_vertices()], self.drawn_triangles(), self.mesh.samples, rest)
     }
 
-    /// Whether a point at rest bends: whether it is part of the domain, and not of the skirt around it.
+    /// Whether a point at rest bends: whether it belongs to the domain, and not to the skirt around it.
     #[must_use]
     pub fn bends(&self, rest: DVec2) -> bool {
         let both = [&self.mesh.vertices[..], &self.mesh.vertices];
         placement(both, &self.mesh.triangles, self.mesh.samples, rest, 0.0).is_some_and(|place| place.posed == rest)
     }
 
-    /// The places where the present pose visibly turns the picture over, from the largest.
+    /// The visible creases of the present pose, largest first.
     #[must_use]
     pub fn creases(&self) -> &[Crease] {
         // At rest nothing is turned over.
@@ -314,7 +318,7 @@ impl PosedPicture {
     /// The number of triangles in the visible creases of any pose.
     ///
     /// # Errors
-    /// Those of [`set_pose`](Self::set_pose).
+    /// The errors of [`set_pose`](Self::set_pose).
     pub fn fold_count_of(&self, poses: &[HandlePose], blend: Blend) -> Result<usize, Error> {
         let posed = self.blend_vertices(&self.pose(poses, blend)?);
         Ok(self.creases_of(&posed).iter().map(|crease| crease.triangles.len()).sum())
@@ -324,8 +328,8 @@ impl PosedPicture {
         creases(posed, &self.folding.folded(posed).collect::<Vec<_>>())
     }
 
-    /// The farthest poses between two with at most `allowed` triangles in visible creases. Those at the start are
-    /// taken to be allowed; a pose that cannot be made is not.
+    /// The farthest poses on the way between two poses with at most `allowed` triangles in visible creases. The start
+    /// counts as allowed; poses that cannot be computed do not.
     #[must_use]
     pub fn fold_limit(&self, way: &HandleWay, blend: Blend, allowed: usize) -> FoldLimit {
         self.limit(way, blend, allowed)
@@ -341,11 +345,11 @@ impl PosedPicture {
         fold_limit(way, &mut |poses| self.fold_count_of(poses, blend).is_ok_and(|count| count <= allowed))
     }
 
-    /// How much of a move of the `selected` handles each vertex follows: 1 moves as far as they do, 0 stays.
-    /// `diagonal` is that of the picture, in pixels.
+    /// How far each vertex follows a move of the `selected` handles: 1 moves as far as they do, 0 does not move.
+    /// `diagonal` is the diagonal of the picture, in pixels.
     ///
     /// # Errors
-    /// Those of [`set_pose`](Self::set_pose).
+    /// The errors of [`set_pose`](Self::set_pose).
     ///
     /// # Panics
     /// If a selected index is out of bounds.
@@ -370,13 +374,13 @@ impl PosedPicture {
         Ok(reach(self.displaced_vertices(), &self.mesh.weights, &moved, step))
     }
 
-    /// Makes the picture as stiff as a project does. Later poses are those of a solution of it. Cost: the next pose
-    /// takes some ten times as long as others.
+    /// Sets the stiffness of a project. Later poses equal those of a solution of that project. Cost: the next pose
+    /// takes about ten times as long as others.
     pub fn set_stiffness(&mut self, project: &Project) {
         self.poser.set_stiffness(StiffnessField::new(project));
     }
 
-    /// How stiff a project makes the picture at each vertex, from 0 to 1.
+    /// The stiffness of a project at each vertex, from 0 to 1.
     pub fn stiffness(&self, project: &Project) -> impl Iterator<Item = f64> + '_ {
         let field = StiffnessField::new(project);
         self.mesh.vertices.iter().map(move |&at| field.at(at))

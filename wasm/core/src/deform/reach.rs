@@ -1,8 +1,8 @@
-//! The reach of some handles: how much of their move each vertex follows.
+//! The reach of handles: how far each vertex follows their move.
 //!
-//! Reach is the norm of the derivative of the posed place with respect to the move: the root of half the sum of its
-//! four squared entries. A vertex of reach 1 moves as far as the handles, straight or turned; at 0 it stays; above 1
-//! it swings farther than they do. Whole poses are compared, which works alike in both pose modes and for both
+//! Reach is the norm of the derivative of the posed position with respect to the move: the root of half the sum of its
+//! four squared entries. A vertex of reach 1 moves as far as the handles, straight or turned; at 0 it does not move;
+//! above 1 it swings farther than they do. Whole poses are compared, which works in both pose modes and for both
 //! blends.
 //!
 //! Cost: four blends.
@@ -14,15 +14,15 @@ use crate::weight::SparseWeights;
 
 /// Step of the central difference, as a fraction of the picture's diagonal.
 ///
-/// The rigid mode stops relaxing once an iteration gains little; one iteration more or less makes the pose jump by a
+/// The rigid mode stops relaxing once an iteration gains little; one iteration more or less shifts the pose by a
 /// fraction of a pixel. Along a drag of the sample, such jumps change the reach by 0.12 over a pixel, and by 0.014 over
 /// ten. The harmonic mode has no jumps: any step gives the same result.
 pub(super) const STEP: f64 = 0.005;
 
-/// The moves of the handles, for a step of 1, whose poses [`reach`] compares.
+/// The moves of the handles whose poses [`reach`] compares, for a step of 1.
 pub(super) const MOVES: [DVec2; 4] = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
 
-/// The reach at each place before the handles move it, from poses with the handles moved by `step` along each of
+/// The reach at each position before the handles move it, from poses with the handles moved by `step` along each of
 /// [`MOVES`].
 pub(super) fn reach(places: &[DVec2], weights: &SparseWeights, moved: &[Pose; 4], step: f64) -> Vec<f32> {
     let at = |(row, &p): (usize, &DVec2)| {

@@ -2,21 +2,21 @@
 
 use glam::DVec2;
 
-/// Numbers from here on are kept as they are: their hundredths mean nothing.
+/// Numbers of at least this size are not rounded, because their hundredths are insignificant.
 const BEYOND: f64 = 1e12;
 
-/// The nearest integer; half way, the greater one, as `Math.round` in JavaScript.
+/// The nearest integer; half way, the greater one, like `Math.round` in JavaScript.
 fn nearest_integer(value: f64) -> f64 {
     let low = value.floor();
     if value - low < 0.5 { low } else { low + 1.0 }
 }
 
-/// To hundredths of a pixel or degree; never −0.
+/// Rounds to hundredths of a pixel or degree; never −0.
 pub(super) fn rounded(value: f64) -> f64 {
     if value.abs() < BEYOND { nearest_integer(value * 100.0) / 100.0 + 0.0 } else { value }
 }
 
-/// To ten-thousandths: small steps of a small scale would be lost in hundredths.
+/// Rounds to ten-thousandths: hundredths would lose small steps of a small scale.
 pub(super) fn rounded_scale(scale: f64) -> f64 {
     nearest_integer(scale * 1e4) / 1e4
 }

@@ -15,7 +15,7 @@ pub(super) fn doubled_area([a, b, c]: Corners) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// Barycentric coordinates in a triangle of either orientation; `None` outside of it, or if it has no area.
+/// Barycentric coordinates in a triangle of either orientation; `None` outside it, or if it has no area.
 pub(super) fn barycentric([a, b, c]: Corners, p: DVec2) -> Option<[f64; 3]> {
     let area = doubled_area([a, b, c]);
     let (u, v) = ((b - p).perp_dot(c - p) / area, (c - p).perp_dot(a - p) / area);

@@ -1,10 +1,10 @@
-//! Out of folds: the handles that force them, and the nearest pose without.
+//! Unfolding: the handles that force folds, and the nearest pose without folds.
 //!
-//! The nearest pose is the farthest one without folds on a way to the present pose. The way begins at a pose without
-//! folds, the first of these: the handles that force folds where they were last without, at rest, or following the
-//! others. Then come all handles where they were, or at rest.
+//! The nearest pose is the farthest one without folds on a way to the present pose. The way begins at the first of
+//! these poses without folds: the handles that force folds at their last pose without folds, at rest, or following the
+//! others. Then come all handles at their last pose without folds, or at rest.
 //!
-//! Cost: at most some 30 poses with a pass over all triangles each, whatever the number of handles.
+//! Cost: at most about 30 poses with a pass over all triangles each, independent of the number of handles.
 
 use glam::DVec2;
 
@@ -29,7 +29,7 @@ use crate::{
 pub struct Unfolded {
     /// The poses of all handles.
     pub poses: Vec<HandlePose>,
-    /// How far the pose is on the way to the given one: 1 is all of it.
+    /// The fraction of the way to the given pose: 1 is the given pose itself.
     pub fraction: f64,
     /// The handles that may have moved, ascending.
     pub moved: Vec<usize>,
@@ -37,7 +37,7 @@ pub struct Unfolded {
 
 impl PosedPicture {
     /// The handles that force the visible creases of a pose, from the one that forces most of their area. Empty if
-    /// there are no creases. `poses` are those of the solved handles, in their order; more may follow.
+    /// there are no creases. `poses` are those of the solved handles, in order; additional ones are ignored.
     ///
     /// # Errors
     /// Those of [`set_pose`](Self::set_pose).
@@ -56,7 +56,7 @@ impl PosedPicture {
         })
     }
 
-    /// Handles: the sum of each one's weights at the corners of a crease, with those that virtual sites pass on.
+    /// For each handle, the sum of its weights at the corners of a crease, including those of virtual sites.
     fn influences(&self, crease: &Crease) -> Vec<f64> {
         let (kinds, passed) = (self.poser.kinds(), self.poser.harmonic());
         let mut of_sites = vec![0.0; kinds.len()];
@@ -85,8 +85,8 @@ impl PosedPicture {
     }
 
     /// The nearest pose without visible creases: the given one if it has none; `None` if every way from rest begins
-    /// with creases. `last` is an earlier pose without. Of both, `poses` and `last`, more may follow than the solved
-    /// handles; they stay.
+    /// with creases. `last` is an earlier pose without. Both `poses` and `last` may contain additional poses after
+    /// those of the solved handles; these do not change.
     ///
     /// # Errors
     /// Those of [`set_pose`](Self::set_pose).
@@ -148,7 +148,7 @@ fn at_rest(handle: &Handle) -> HandlePose {
     HandlePose { posed: handle.shape.rest().to_vec(), rotation, scale: 1.0, depth: handle.depth }
 }
 
-/// The turn of a handle between two poses. Corners tell that of a bar or polygon, up to whole turns.
+/// The turn of a handle between two poses. For a bar or polygon, it follows from the corners, up to whole turns.
 fn turn(rest: &[DVec2], from: &HandlePose, to: &HandlePose) -> Turn {
     let given = |pose: &HandlePose| match pose.rotation {
         Rotation::Degrees(degrees) => Some(degrees),
@@ -165,7 +165,7 @@ fn turn(rest: &[DVec2], from: &HandlePose, to: &HandlePose) -> Turn {
     Turn { from: start, to: end, is_given }
 }
 
-/// A turn with the whole turns that bring it nearest to another one.
+/// A turn plus the whole turns that bring it nearest to another turn.
 fn nearest_turn(turn: f64, near: f64) -> f64 {
     turn + 360.0 * libm::round((near - turn) / 360.0)
 }

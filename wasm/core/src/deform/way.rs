@@ -1,6 +1,6 @@
 //! The ways between two poses of the same handles, along which the [fold guard](super::fold_guard) searches.
 //!
-//! Poses on a way are rounded as the editor stores them. Cost: some operations for each corner.
+//! Poses on a way are rounded as the editor stores them. Cost: a few operations for each corner.
 
 use glam::DVec2;
 
@@ -18,10 +18,10 @@ pub(super) trait Way {
     fn at(&self, fraction: f64) -> Vec<HandlePose>;
 }
 
-/// Every handle on a way of its own: its centre moves straight, and it turns and grows steadily.
+/// Each handle moves on its own: its centre moves straight, and it turns and grows steadily.
 #[derive(Debug, Clone)]
 pub struct HandleWay {
-    /// Poses at the start, in the order of the solved handles. Others may follow.
+    /// Poses at the start, in the order of the solved handles, and possibly others.
     pub from: Vec<HandlePose>,
     /// Poses at the end.
     pub to: Vec<HandlePose>,
@@ -32,11 +32,11 @@ pub struct HandleWay {
 /// The turn of a handle on its way, in degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
-    /// At the start. For an automatic rotation, the one that was found.
+    /// The turn at the start. For an automatic rotation, the computed one.
     pub from: f64,
-    /// At the end.
+    /// The turn at the end.
     pub to: f64,
-    /// Whether the handle's rotation is a number that the turn is written to. Otherwise it stays.
+    /// Whether the handle's rotation is a number that receives the turn. Otherwise it does not change.
     pub is_given: bool,
 }
 
@@ -81,13 +81,13 @@ fn between(from: &HandlePose, to: &HandlePose, turn: Turn, fraction: f64) -> Han
 /// Some handles that turn and scale together about one centre; the others are at the end of their way.
 #[derive(Debug, Clone)]
 pub struct GroupWay {
-    /// Poses of all handles at the end, in the order of the solved handles. Others may follow.
+    /// Poses of all handles at the end, in the order of the solved handles, and possibly others.
     pub to: Vec<HandlePose>,
     /// The handles that turn and scale.
     pub members: Vec<GroupMember>,
     /// The fixed point.
     pub pivot: DVec2,
-    /// From the poses of the members, at the start and at the end.
+    /// Turn and scale at the start and at the end, relative to the poses of the members.
     pub transforms: [GroupTransform; 2],
     /// Bounds of the scale, which keep the scales of all members in range.
     pub scales: [f64; 2],
@@ -100,7 +100,7 @@ pub struct GroupMember {
     pub index: usize,
     /// Its pose before anything was turned or scaled.
     pub origin: HandlePose,
-    /// Its rotation in that pose, in degrees: for a bar or polygon, that of its corners.
+    /// Its rotation in that pose, in degrees; for a bar or polygon, the rotation of its corners.
     pub rotation: f64,
 }
 
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn an_automatic_point_turns_from_the_rotation_that_was_found() {
+    fn automatic_point_turns_from_its_computed_rotation() {
         let free = pose(&[[0.0, 0.0]], Rotation::Auto);
         let turn = Turn { from: 20.0, to: 40.0, is_given: true };
         assert_eq!(halfway(&free, &pose(&[[4.0, 0.0]], 40.0), turn), pose(&[[2.0, 0.0]], 30.0));

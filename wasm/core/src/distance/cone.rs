@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-/// Sines of angles and differences of distances in pixels count as zero below this. Rounding stays two orders of
-/// magnitude below.
+/// Sines of angles and differences of distances in pixels count as zero below this. Rounding errors are two orders of
+/// magnitude smaller.
 pub(super) const EPSILON: f64 = 1e-12;
 /// A source lies on an edge if it is at most this far from it, in pixels.
 pub(super) const ON_EDGE: f64 = 1e-9;

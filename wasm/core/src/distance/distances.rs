@@ -7,7 +7,7 @@ use crate::error::Error;
 
 /// A point of a domain with its triangle.
 ///
-/// Locating is the costly half of a distance query. Locate a point once for distances from many sources.
+/// Locating a point takes half the time of a distance query. Locate a point once for distances from many sources.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Located {
     triangle: NavTriangle,
@@ -35,7 +35,7 @@ pub struct Distances<'a> {
 }
 
 impl Distances<'_> {
-    /// The field that answers.
+    /// The distance field.
     pub(crate) fn field(&self) -> &DistanceField {
         &self.field
     }
@@ -48,7 +48,7 @@ impl Distances<'_> {
 
     /// The distance to a point, in pixels.
     ///
-    /// Returns `None` outside the domain, beyond the requested radius, and if no path leads to the point.
+    /// Returns `None` outside the domain, beyond the requested radius, and if no path to the point exists.
     #[must_use]
     pub fn to(&self, p: DVec2) -> Option<f64> {
         self.to_located(self.navigation.located(p)?)
@@ -62,8 +62,8 @@ impl Distances<'_> {
         distance.is_finite().then_some(distance)
     }
 
-    /// The vertices of the shortest path from the source to a point, both included. Returns `None` as
-    /// [`to`](Self::to) does.
+    /// The vertices of the shortest path from the source to a point, including both. Returns `None` as [`to`](Self::to)
+    /// does.
     #[must_use]
     pub fn path_to(&self, p: DVec2) -> Option<Vec<DVec2>> {
         let Located { triangle, point } = self.navigation.located(p)?;
@@ -101,7 +101,7 @@ impl Navigation {
 
     /// Computes exact distances from a point of the domain, up to a radius in pixels.
     ///
-    /// Cost: as for [`distances_from`](Self::distances_from), but for the corners within the radius only.
+    /// Cost: as for [`distances_from`](Self::distances_from), but only for the corners within the radius.
     ///
     /// # Errors
     /// [`Error::PointOutside`] if `source` is outside the domain.

@@ -16,7 +16,7 @@ use crate::segment::segment_distance;
 /// Exact intrinsic distances from one source, up to a bound. [`Propagation::field`](super::Propagation::field)
 /// computes it.
 ///
-/// Memory: 64 bytes a window. There is one window for each pair of pseudo-source and triangle in which the
+/// Memory: 64 bytes per window. There is one window for each pair of pseudo-source and triangle in which the
 /// pseudo-source may be the nearest.
 #[derive(Debug, Clone)]
 pub(crate) struct DistanceField {
@@ -38,7 +38,7 @@ impl DistanceField {
         size_of_val(&*self.triangles) + size_of_val(&*self.windows)
     }
 
-    /// The intrinsic distance to a point. It is infinite beyond the bound, and if no path leads there.
+    /// The intrinsic distance to a point. It is infinite beyond the bound, and if no path exists.
     #[inline]
     pub(crate) fn distance(&self, triangle: NavTriangle, p: DVec2) -> f64 {
         let mut best = f64::INFINITY;
@@ -81,12 +81,12 @@ impl DistanceField {
         best.filter(|path| path.distance <= self.bound)
     }
 
-    /// A lookup for points of which consecutive ones are often in the same triangle.
+    /// A lookup for points that are often in the same triangle as the previous one.
     pub(crate) fn cached_lookup(&self) -> CachedLookup<'_> {
         CachedLookup { field: self, last: None }
     }
 
-    /// The ends of all known paths to a point: the shortest one, and others that are shortest nearby.
+    /// The ends of all known paths to a point: the shortest path, and others that are shortest nearby.
     pub(crate) fn path_ends(&self, triangle: NavTriangle, p: DVec2) -> impl Iterator<Item = PathEnd> + '_ {
         let seeing = self.windows_in(triangle).iter().filter(move |window| window.sees(p));
         seeing.map(move |window| PathEnd::through(window, p))
@@ -103,7 +103,7 @@ impl DistanceField {
         Some(path.pseudo_source.lerp(end, (half - path.offset) / (path.distance - path.offset)))
     }
 
-    /// The vertices of the shortest path from the source to a point, both included; `None` beyond the bound.
+    /// The vertices of the shortest path from the source to a point, including both; `None` beyond the bound.
     pub(crate) fn path(&self, navigation: &Navigation, triangle: NavTriangle, p: DVec2) -> Option<Vec<DVec2>> {
         let mut path = self.path_end(triangle, p)?;
         let mut vertices = vec![p, path.pseudo_source];
@@ -123,8 +123,8 @@ impl DistanceField {
         before.reduce(|best, path| if path.distance < best.distance { path } else { best })
     }
 
-    /// The least distance to a point of the segment from `a` to `b` in one triangle. It is infinite beyond the bound,
-    /// and if no path leads there.
+    /// The minimum distance to a point of the segment from `a` to `b` in one triangle. It is infinite beyond the bound,
+    /// and if no path exists.
     pub(crate) fn distance_to_segment(&self, triangle: NavTriangle, a: DVec2, b: DVec2) -> f64 {
         let mut best = f64::INFINITY;
         for window in self.windows_in(triangle) {
@@ -138,8 +138,8 @@ impl DistanceField {
         if best <= self.bound { best } else { f64::INFINITY }
     }
 
-    /// Triangles with a point nearer than `radius`, ascending, each with its range of windows. A few more triangles
-    /// may be among them.
+    /// Triangles with a point nearer than `radius`, ascending, each with its range of windows. May include a few other
+    /// triangles.
     pub(crate) fn windows_within(&self, radius: f64) -> impl Iterator<Item = (u32, Range<u32>)> + '_ {
         let nearest = move |(_, windows): &(u32, Range<u32>)| self.windows[windows.start as usize].nearest < radius;
         (0..self.triangles.len()).map(|at| (self.triangles[at].0, self.range_at(at))).filter(nearest)
@@ -164,7 +164,7 @@ impl DistanceField {
     }
 }
 
-/// Looks up the windows of a triangle once for consecutive points in it.
+/// Looks up the windows of a triangle only once for consecutive points in it.
 pub(crate) struct CachedLookup<'a> {
     field: &'a DistanceField,
     /// The last triangle and its windows.

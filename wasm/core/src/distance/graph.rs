@@ -1,8 +1,8 @@
 //! The paper's approximation of intrinsic distance: Dijkstra's algorithm on a graph over the samples (section V-B).
 //!
-//! Its paths follow edges, so it overestimates by some 10 % on average, however dense the samples are. It is kept as
-//! the reference, and for point clouds: they have no outline, and nothing better. Coarse samples use the graph for
-//! adjacency only.
+//! Its paths follow edges, so it overestimates by about 10 % on average, however dense the samples are. It is kept as
+//! the reference, and for point clouds, which have no outline for an exact method. Coarse samples use the graph only
+//! for adjacency.
 //!
 //! Cost: O(n log n) for the distances from one source to n nodes.
 
@@ -23,7 +23,7 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// The graph with `nodes` nodes and the given undirected edges. Each edge must come once.
+    /// The graph with `nodes` nodes and the given undirected edges. Each edge must occur once.
     pub(crate) fn of_edges<I: Iterator<Item = (u32, u32)>>(nodes: usize, edges: impl Fn() -> I) -> Self {
         let both_ways = |(a, b): (u32, u32)| [(a as usize, b), (b as usize, a)];
         Self { neighbours: Rows::from_pairs(nodes, || edges().flat_map(both_ways)) }
@@ -60,7 +60,7 @@ impl Graph {
 
     /// Lengths of the shortest paths along edges from the node `source` to every node, in pixels.
     ///
-    /// `points` are the positions of the nodes. A length is infinite if no path leads to the node.
+    /// `points` are the positions of the nodes. A length is infinite if no path to the node exists.
     ///
     /// # Panics
     /// If there are fewer points than nodes, or if `source` is out of bounds.
@@ -69,8 +69,7 @@ impl Graph {
         self.distances_from_any(points, [(source as u32, 0.0)])
     }
 
-    /// Lengths of the shortest paths along edges to every node from any of `starts`: nodes, with the length of the way
-    /// to each.
+    /// Lengths of the shortest paths along edges to every node from any of `starts`: nodes with initial lengths.
     pub(crate) fn distances_from_any(
         &self,
         points: &[DVec2],

@@ -6,9 +6,9 @@
 //! point.
 //!
 //! [`Distances`] finds the pseudo-sources exactly. It propagates visibility windows through [`Navigation`], a
-//! triangulation of the outline alone. No samples take part, so the result does not depend on sampling. The paper
-//! approximates distances by Dijkstra's algorithm on a [graph] over the samples. It stays here as the reference, and
-//! [point clouds](crate::cloud) use it.
+//! triangulation of the outline only. No samples are involved, so the result does not depend on sampling. The paper
+//! approximates distances by Dijkstra's algorithm on a [graph] over the samples. This method is kept as the reference,
+//! and [point clouds](crate::cloud) use it.
 //!
 //! ```
 //! use c2warp::{distance::Navigation, domain::Domain, glam::DVec2};
@@ -36,7 +36,7 @@
 //! # Cost and limits
 //!
 //! Exact distances are C¹ where paths begin to bend, and have a crease where two ways around a hole are equally long.
-//! `penumbra` makes them C² at the former, and `unique` finds how far the latter are.
+//! `penumbra` makes them C² at bends, and `unique` computes the distance to the nearest crease.
 //!
 //! A distance field takes about ten windows for each corner within its bound. See also [`Navigation`].
 

@@ -1,6 +1,6 @@
 //! The navigation mesh: a triangulation of the domain's outline, without other vertices. Distances are computed on it.
 //!
-//! Cost: O(n log n) for n corners. Locating a point tests a handful of triangles.
+//! Cost: O(n log n) for n corners. Locating a point tests a few triangles.
 
 use glam::DVec2;
 
@@ -14,17 +14,18 @@ use crate::{
 
 /// Index of a triangle of the navigation mesh.
 ///
-/// Locating a point is the costly half of a distance query, so samples store their triangles.
+/// Locating a point takes half the time of a distance query, so samples store their triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NavTriangle(pub(crate) u32);
 
 /// Corners that turn by less than this (sine of the angle) are straight: no path becomes shorter by bending there.
 const STRAIGHT_SINE: f64 = 1e-12;
 
-/// A point up to this far outside its triangle, in pixels, is not moved into it: windows allow for as much.
+/// A point up to this far outside its triangle, in pixels, is not moved into it, because windows have the same
+/// tolerance.
 const OUTSIDE_SLACK: f64 = WINDOW_SLACK / 2.0;
-/// A point up to this far from a corner, in pixels, is replaced by the corner. Otherwise rounding would decide on
-/// which of the edges there it lies.
+/// A point up to this far from a corner, in pixels, is replaced by the corner. Otherwise rounding would determine which
+/// edge at the corner it lies on.
 const ON_CORNER: f64 = 1e-8;
 
 /// The navigation mesh: the constrained Delaunay triangulation of a domain's outline, with the triangles around each
@@ -88,7 +89,7 @@ impl Navigation {
         self.triangle_at(p).map(|triangle| (triangle, self.clamped_to(triangle, p)))
     }
 
-    /// The point of a triangle nearest to `p`, or the corner next to it. Usually `p` itself.
+    /// The point of a triangle nearest to `p`, or the corner next to it. This is usually `p` itself.
     pub(crate) fn clamped_to(&self, triangle: NavTriangle, p: DVec2) -> DVec2 {
         let corners = self.mesh.corners(triangle.0 as usize);
         let edges = (0..3).map(|k| (corners[k], corners[(k + 1) % 3]));

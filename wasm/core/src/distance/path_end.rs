@@ -4,7 +4,8 @@ use glam::DVec2;
 
 use super::window::Window;
 
-/// Paths tie if their lengths differ by no more than this, in pixels. It is above rounding, as the slack of windows is.
+/// Paths tie if their lengths differ by no more than this, in pixels. It exceeds rounding errors, like the slack of
+/// windows.
 const DISTANCE_TIE_PX: f64 = 1e-9;
 
 /// How the shortest path reaches a point.

@@ -1,7 +1,7 @@
 //! Penumbrae: lengthen paths beside the rays at which they begin to bend, so that distances are C² across these rays.
 //!
 //! A path from pseudo-source s bends at corner c. Let l = |c − s| and r = |p − c|. Let θ be the angle of p at c off the
-//! ray from s through c, on the lit side. A lit point is at distance F(θ) from s, one in the shadow at F(0):
+//! ray from s through c, on the lit side. A lit point is at distance F(θ) from s, a point in the shadow at F(0):
 //!
 //! ```text
 //! F(θ) = √((l + r)² − 4 l r h²),  h = sin(θ / 2).
@@ -16,8 +16,8 @@
 //! replaces h. As H is of second order at the ray, F has three continuous derivatives there. At the other side of the
 //! wedge H meets h with two.
 //!
-//! A smooth distance is the exact one plus F(H) − F(h) over all penumbrae at the point. Each summand has the jump at
-//! its own ray alone. So the sum is C² where penumbrae overlap too, as along a round outline.
+//! A smooth distance is the exact one plus F(H) − F(h) over all penumbrae at the point. Each summand only has the jump
+//! at its own ray. So the sum is also C² where penumbrae overlap, as along a round outline.
 //!
 //! Another corner that hides a part of the wedge would cut the summand off there. So w is at most the angle of the
 //! first such corner.
@@ -41,13 +41,13 @@ use super::{
 };
 use crate::rank::sort_by_rank;
 
-/// w: the greatest angle of a penumbra, in radians. Supports keep a margin of 1.25 % over their cells. At this angle no
-/// path is longer by half as much.
+/// w: the greatest angle of a penumbra, in radians. Supports keep a margin of 1.25 % over their cells. At this angle,
+/// paths are lengthened by less than half of that.
 const WIDEST: f64 = 0.4;
-/// Narrower penumbrae than this would hide in rounding.
+/// Narrower penumbrae would be lost in rounding.
 const NARROWEST: f64 = 1e-7;
 /// Paths up to this multiple of the support radius are lengthened. A path is at most w²/8 longer than the shortest path
-/// of its kind, which is 2 %. A path around the other side of a hole is longer by 10 %: see `unique`.
+/// of its kind, which is 2 %. A path around the other side of a hole is 10 % longer: see `unique`.
 const REACH: f64 = 1.04;
 
 /// The penumbrae of one distance field.
@@ -74,12 +74,12 @@ struct Penumbra {
     offset: f64,
     /// sin(w / 2).
     width: f64,
-    /// Greatest length of paths that are lengthened.
+    /// Maximum length of paths that are lengthened.
     reach: f64,
 }
 
 impl Propagation {
-    /// The penumbrae of the field that was computed last, for a support of radius `radius`.
+    /// The penumbrae of the most recent field, for a support of radius `radius`.
     ///
     /// The field must reach beyond the radius by [`Penumbrae::field_bound`].
     pub(crate) fn penumbrae(&self, navigation: &Navigation, radius: f64) -> Penumbrae {
@@ -168,7 +168,7 @@ impl Penumbrae {
         self.members[range.start as usize..range.end as usize].iter().map(|&at| &self.penumbrae[at as usize])
     }
 
-    /// Adds what the penumbrae of a range add to the distances of points.
+    /// Adds the lengthening by the penumbrae of a range to the distances of points.
     pub(crate) fn lengthen(&self, range: Range<u32>, (x, y): (&[f64], &[f64]), distances: &mut [f64]) {
         for penumbra in self.within(range) {
             for (distance, (&x, &y)) in distances.iter_mut().zip(x.iter().zip(y)) {
@@ -177,7 +177,7 @@ impl Penumbrae {
         }
     }
 
-    /// What the penumbrae of a range add to the distance of a point, with the gradient.
+    /// The lengthening of a point's distance by the penumbrae of a range, with its gradient.
     pub(crate) fn lengthening_and_gradient(&self, range: Range<u32>, p: DVec2) -> (f64, DVec2) {
         let added = self.within(range).map(|penumbra| (penumbra.lengthening(p), penumbra.gradient(p)));
         added.fold((0.0, DVec2::ZERO), |sum, one| (sum.0 + one.0, sum.1 + one.1))
@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn distances_differ_from_exact_ones_in_the_wedge_alone_and_by_little() {
+    fn distances_differ_from_exact_ones_only_in_the_wedge_and_slightly() {
         let navigation = room();
         let smooth = of(&navigation, (60.0, 120.0));
         let (source, corner) = (DVec2::new(60.0, 120.0), DVec2::splat(200.0));

@@ -1,11 +1,11 @@
 //! Computes the windows of a distance field: continuous Dijkstra over the navigation mesh.
 //!
-//! Windows and corners are processed in the order of their least distance. A window crosses its triangle, gives the
-//! opposite corner a distance, and continues through the far edges that it sees. A reflex corner becomes a
-//! pseudo-source for directions that only a path around it sees.
+//! Windows and corners are processed in the order of their minimum distance. A window crosses its triangle, assigns a
+//! distance to the opposite corner, and continues through the far edges that it sees. A reflex corner becomes a
+//! pseudo-source for directions that are only visible from paths around it.
 //!
-//! A window is dropped if a path through a known corner is shorter over all its width. All windows that remain are true
-//! paths, and every shortest path is among them.
+//! A window is dropped if a path through a known corner is shorter over its whole width. All windows that remain are
+//! true paths, and every shortest path is among them.
 //!
 //! Cost: about ten windows for each corner of the outline within the bound, some 50 ns each.
 
@@ -35,7 +35,7 @@ pub(crate) struct Propagation {
     touched: Vec<u32>,
     queue: BinaryHeap<Event>,
     pending: Vec<Crossing>,
-    /// Windows found so far, each with its triangle.
+    /// All windows so far, each with its triangle.
     found: Vec<(u32, Window)>,
     /// The triangle of each window found, and the index of the window.
     order: Vec<(u32, u32)>,
@@ -45,7 +45,7 @@ pub(crate) struct Propagation {
     steps: u64,
 }
 
-/// A corner at which shortest paths bend, and the side that only paths around it see.
+/// A corner at which shortest paths bend, and the side that is only visible from paths around it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bend {
     pub(super) corner: u32,
@@ -84,8 +84,8 @@ type Event = MinEntry<u32>;
 const CORNER_BIT: u32 = 1 << 31;
 
 impl Propagation {
-    /// Returns exact distances from `source`, a point of `triangle`, up to `bound` pixels. An infinite bound has them
-    /// all.
+    /// Returns exact distances from `source`, a point of `triangle`, up to `bound` pixels. With an infinite bound, it
+    /// has all of them.
     pub(crate) fn field(
         &mut self,
         navigation: &Navigation,
@@ -114,7 +114,7 @@ impl Propagation {
         self.bends.clear();
     }
 
-    /// The steps that all fields have taken so far: windows carried through a triangle, and corners.
+    /// The number of steps of all fields so far: windows carried through a triangle, and corners.
     pub(crate) fn steps(&self) -> u64 {
         self.steps
     }
@@ -124,7 +124,7 @@ impl Propagation {
         &self.bends
     }
 
-    /// Sorts the windows by triangle, and within each by least distance.
+    /// Sorts the windows by triangle, and within each by minimum distance.
     fn collect(&mut self, source: DVec2, bound: f64) -> DistanceField {
         // Sort the indices first: a window is long to move, and most triangles have one or two.
         self.order.clear();
@@ -212,8 +212,8 @@ impl Wavefront<'_> {
         }
     }
 
-    /// Sends a window out of triangle `from` through its edge `k`. Drops it if a path through a corner is shorter
-    /// over all its width.
+    /// Sends a window out of triangle `from` through its edge `k`. Drops it if a path through a corner is shorter over
+    /// its whole width.
     ///
     /// The window's cone must not extend beyond the edge.
     fn enter(&mut self, from: u32, k: usize, window: Window) {

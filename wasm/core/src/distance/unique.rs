@@ -1,23 +1,23 @@
 //! The distance up to which shortest paths from a source are unique: its injectivity radius.
 //!
-//! Two ways around a hole are equally long at the points of the cut locus. The nearest of them is half as far as the
-//! shortest loop around a hole is long. Both paths to it are shortest, so its triangle has a window for each.
+//! At the points of the cut locus, two ways around a hole are equally long. The distance to the nearest of them is half
+//! the length of the shortest loop around a hole. Both paths to it are shortest, so its triangle has a window for each.
 //!
 //! In a triangle, the points that two windows see are a convex polygon. The greater of two distances is convex. Its
-//! least value on the polygon is one of few candidates in closed form.
+//! least value on the polygon is one of a few candidates in closed form.
 //!
-//! Cost: a look at every pair of windows of a triangle that are nearer than the result.
+//! Cost: a test of every pair of windows of a triangle that are nearer than the result.
 
 use glam::DVec2;
 
 use super::{field::DistanceField, navigation::Navigation, window::Window};
 use crate::segment::nearest_on_segment;
 
-/// Windows meet along rays. Views that overlap by less than this, in pixels, share no more than a ray.
+/// Windows meet along rays. Views that overlap by less than this, in pixels, share only a ray.
 const OVERLAP: f64 = 1e-7;
 
 impl DistanceField {
-    /// The least distance of a point with two shortest paths. It is infinite if no such point lies within the bound.
+    /// The minimum distance of a point with two shortest paths. It is infinite if no such point lies within the bound.
     pub(crate) fn unique_radius(&self, navigation: &Navigation) -> f64 {
         let mut least = f64::INFINITY;
         for at in 0..self.triangles.len() {
@@ -37,7 +37,7 @@ impl DistanceField {
     }
 }
 
-/// The least distance up to which both windows reach a point of a triangle; infinite if they see no point in common.
+/// The minimum distance at which both windows reach a common point of a triangle; infinite if they see no common point.
 fn least_common_distance(one: &Window, other: &Window, corners: [DVec2; 3]) -> f64 {
     let mut seen: Vec<DVec2> = corners.to_vec();
     for window in [one, other] {
@@ -84,7 +84,7 @@ fn clipped(polygon: &[DVec2], source: DVec2, ray: DVec2) -> Vec<DVec2> {
     part
 }
 
-/// The points of a segment at which both windows may reach equally far. Squaring adds points at which they do not.
+/// The points of a segment at which both windows may reach equally far. Squaring adds spurious points.
 fn ties_on_segment(one: &Window, other: &Window, a: DVec2, b: DVec2) -> impl Iterator<Item = DVec2> {
     let along = b - a;
     let (from_one, from_other) = (a - one.source, a - other.source);

@@ -1,6 +1,6 @@
 //! The wedge beside a ray at which paths begin to bend: the triangles that its corner sees there.
 //!
-//! Another corner that hides a part of the wedge narrows it, so that the corner sees all of what is left.
+//! Another corner that hides a part of the wedge narrows it, so that the corner sees all the rest.
 //!
 //! Cost: the triangles of the wedge.
 
@@ -21,7 +21,7 @@ pub(super) struct Wedge<'a> {
     navigation: &'a Navigation,
     /// Triangles, each with the part of the wedge that sees it.
     seen: Vec<(u32, Cone)>,
-    /// Edges that light leaves a triangle through: the triangle, the edge, and the directions.
+    /// Edges through which light leaves a triangle: the triangle, the edge, and the directions.
     pending: Vec<(u32, usize, Cone)>,
 }
 
@@ -101,12 +101,12 @@ impl<'a> Wedge<'a> {
     }
 }
 
-/// The directions between the ray ahead and another one on the lit side.
+/// The directions between the ray ahead and another ray on the lit side.
 fn wedge_of(ahead: DVec2, lit: DVec2, other: DVec2) -> Cone {
     if ahead.perp_dot(lit) > 0.0 { Cone { first: ahead, last: other } } else { Cone { first: other, last: ahead } }
 }
 
-/// The directions in a cone narrower than π and in a wedge narrower than π / 2; `None` if these are a ray at most.
+/// The directions in a cone narrower than π and in a wedge narrower than π / 2; `None` if these are at most a ray.
 fn common(cone: Cone, wedge: Cone) -> Option<Cone> {
     let first = if cone.contains(wedge.first) { wedge.first } else { cone.first };
     let last = if cone.contains(wedge.last) { wedge.last } else { cone.last };

@@ -5,7 +5,7 @@ use glam::DVec2;
 /// Points up to this far outside a window, in pixels, count as inside.
 ///
 /// Windows meet along rays, and a point on such a ray must lie in one of them despite rounding. A path that cuts a
-/// corner by this much is shorter by at most as much.
+/// corner by this much is shorter by at most this much.
 pub(crate) const WINDOW_SLACK: f64 = 1e-9;
 
 /// A cone of directions from a pseudo-source, within one triangle.
@@ -19,7 +19,7 @@ pub(crate) struct Window {
     pub(crate) first: DVec2,
     /// Unit direction of the cone's last ray.
     pub(crate) last: DVec2,
-    /// Least distance of any point in the window. It orders the windows of a triangle.
+    /// Minimum distance of any point in the window. It orders the windows of a triangle.
     pub(crate) nearest: f64,
 }
 

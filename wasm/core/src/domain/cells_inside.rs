@@ -7,8 +7,8 @@ use glam::DVec2;
 use super::{Ring, edges};
 use crate::rank::{ascending, sort_by_rank};
 
-/// Whether the centre of each cell lies inside rings, row after row. `to_grid` maps to places where the centres have
-/// whole coordinates from 0.
+/// Whether the centre of each cell lies inside rings, row after row. `to_grid` maps to coordinates in which the centres
+/// are whole numbers from 0.
 pub(crate) fn cells_inside(rings: &[Ring], [columns, rows]: [usize; 2], to_grid: impl Fn(DVec2) -> DVec2) -> Vec<bool> {
     let mut crossings = vec![Vec::new(); rows];
     for (a, b) in rings.iter().flat_map(|ring| edges(ring)) {

@@ -2,7 +2,7 @@
 //!
 //! Pixel centres are the nodes. Nodes beyond the field lie outside. Contours are closed, simple and disjoint. Their
 //! inside is on the right in the y-down image, so outer contours have positive area and holes negative area. At
-//! saddles the mean of the four nodes decides, so a diagonal stroke one pixel wide stays connected.
+//! saddles, the mean of the four nodes determines the connection, so a diagonal stroke one pixel wide stays connected.
 //!
 //! Cost: linear in the pixels, with one byte of memory for each, besides the current contour.
 
@@ -10,22 +10,22 @@ use glam::DVec2;
 
 use super::ring::Ring;
 
-/// Least distance of a crossing from the nodes of its edge, as a fraction of the edge.
+/// Minimum distance of a crossing from the nodes of its edge, as a fraction of the edge.
 ///
 /// It keeps the crossings of a contour distinct, even if a pixel's alpha equals the threshold.
 const NODE_CLEARANCE: f64 = 1.0 / 64.0;
 /// Crossings are rounded to multiples of this many pixels, far below the effect of one step of alpha.
 ///
-/// The crossings of a picture and of its mirror image are then mirrored to the last bit.
+/// The crossings of a picture and of its mirror image are then exact mirror images.
 const CROSSING_STEP: f64 = 1.0 / 65_536.0;
 
-/// Numbers at pixels.
+/// A field of numbers at pixels.
 pub(super) trait Field {
     /// Width and height in pixels.
     fn size(&self) -> (u32, u32);
     /// The number at a pixel of the field.
     fn at(&self, x: u32, y: u32) -> f64;
-    /// The number at every pixel beyond the field. It must be below the level of every contour.
+    /// The number at every pixel outside the field. It must be below the level of every contour.
     const BEYOND: f64;
 }
 
@@ -80,7 +80,7 @@ impl<F: Field> Nodes<'_, F> {
 
     /// Follows the contour upwards through the edge between (x − 1, y), outside, and (x, y), inside.
     ///
-    /// Calls `visit` with each node that has its left neighbour outside.
+    /// Calls `visit` for each node whose left neighbour is outside.
     fn trace(&self, x: i64, y: i64, mut visit: impl FnMut(i64, i64)) -> Ring {
         let start = Cell { x: x - 1, y: y - 1 };
         let (mut cell, mut entry) = (start, Side::Bottom);

@@ -11,9 +11,9 @@ const SPECK_AREA: f64 = 4.0;
 /// In large pictures specks may be larger: this fraction of the picture's area (a 10 × 10 px spot in 10 megapixels).
 const SPECK_FRACTION: f64 = 1e-5;
 
-/// In pictures up to this area, in square pixels, no island is a speck: each pixel of a sprite is meant.
+/// In pictures up to this area, in square pixels, no island is a speck, because every pixel of a sprite is intentional.
 ///
-/// If every second pixel is an island of four corners, they are still fewer than
+/// Even if every second pixel is an island of four corners, the total is below
 /// [`MAX_CORNERS`](crate::limits::MAX_CORNERS).
 const SPRITE_AREA: f64 = 128.0 * 128.0;
 

@@ -9,28 +9,28 @@ use crate::opacity::Opacity;
 
 /// Width of the band, in pixels. The antialiased rim along the outline lies in it.
 ///
-/// A pixel of the band lies within the skirt of the mesh, which is 3 px wide: it is at most √2 times this away, and its
-/// corners another 0.7 px. So the part at rest covers all that is filled.
+/// The skirt of the mesh is 3 px wide and contains the band: pixels of the band are at most √2 times this away, and
+/// their corners another 0.7 px. So the part at rest covers everything that is filled.
 const BAND: f64 = 1.5;
 
-/// A box of a picture, and its pixels that are to be filled.
+/// A box of a picture, and the pixels to fill in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Mask {
     /// The upper left corner in the picture.
     pub(crate) origin: [u32; 2],
     pub(crate) width: u32,
     pub(crate) height: u32,
-    /// From left to right, then from top to bottom.
+    /// Pixels from left to right, then from top to bottom.
     filled: Vec<bool>,
 }
 
 impl Mask {
-    /// The pixels of rings by the even-odd rule, in a picture of a size.
+    /// The pixels of rings by the even-odd rule, in a picture of a given size.
     pub(crate) fn new(rings: &[Ring], size: (u32, u32)) -> Self {
         Self::with_band(rings, size, BAND)
     }
 
-    /// The same with a wider band. Along slanted edges it is wider still, by up to √2.
+    /// The same with a wider band. Along slanted edges, the band is up to √2 times wider.
     pub(crate) fn with_band(rings: &[Ring], (width, height): (u32, u32), band: f64) -> Self {
         let points = || rings.iter().flatten();
         let low = points().fold(DVec2::INFINITY, |low, p| low.min(*p)) - band - 1.0;
@@ -48,13 +48,13 @@ impl Mask {
         mask
     }
 
-    /// Whether a pixel of the picture is to be filled.
+    /// Whether a pixel of the picture needs filling.
     pub(crate) fn has(&self, x: u32, y: u32) -> bool {
         let (column, row) = (x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1]));
         column < self.width && row < self.height && self.filled[row as usize * self.width as usize + column as usize]
     }
 
-    /// The pixels as the only opaque ones of a picture of a size.
+    /// The alpha of a picture in which only these pixels are opaque.
     pub(crate) fn opacity(&self, (width, height): (u32, u32)) -> Opacity {
         let is_filled = |at: usize| self.has((at % width as usize) as u32, (at / width as usize) as u32);
         Opacity::of_levels((width, height), |at| if is_filled(at) { u8::MAX } else { 0 })
@@ -78,7 +78,7 @@ impl Mask {
         }
     }
 
-    /// The rows of the box from one place to another in the picture.
+    /// The rows of the box between two vertical positions in the picture.
     fn rows(&self, from: f64, to: f64) -> std::ops::Range<usize> {
         let row = |place: f64| (place - f64::from(self.origin[1])).clamp(0.0, f64::from(self.height)) as usize;
         row(from.floor())..row(to.ceil() + 1.0)

@@ -44,7 +44,7 @@ pub struct Domain {
 
 impl Domain {
     /// The domain that a project specifies. The default is the opaque part of a picture with transparency, and the
-    /// whole rectangle of any other.
+    /// whole rectangle of other pictures.
     ///
     /// # Errors
     /// The errors of [`Domain::from_alpha`] and [`Domain::from_rings`], and [`Error::RingOutsidePicture`].
@@ -52,17 +52,17 @@ impl Domain {
         Self::bounded(spec, picture, false)
     }
 
-    /// The domain of a project that names none: the opaque part of a picture with transparency, or all of another one.
+    /// The default domain of a project: the opaque part of a picture with transparency, or the whole of other pictures.
     #[must_use]
     pub fn default_spec(picture: &Picture<'_>) -> DomainSpec {
         let threshold = DomainSpec::THRESHOLD;
         if picture.has_transparency() { DomainSpec::Alpha { threshold } } else { DomainSpec::Image }
     }
 
-    /// The same domain. If its boundary is `held`, it has fewer corners where the picture's alpha bounds it.
+    /// The same domain. If its boundary is `held`, it has fewer corners along the picture's alpha.
     ///
     /// # Errors
-    /// Those of [`Domain::new`].
+    /// The errors of [`Domain::new`].
     pub(crate) fn bounded(spec: Option<&DomainSpec>, picture: &Picture, held: bool) -> Result<Self, Error> {
         let bounds = if held { &HELD } else { &FREE };
         match spec {
@@ -83,7 +83,7 @@ impl Domain {
 
     /// The region where the picture's alpha reaches `threshold` (in (0, 1]), bounded by sub-pixel contours.
     ///
-    /// An outline with more than [`MAX_CORNERS`] corners is simplified, and takes in gaps if need be: see
+    /// An outline with more than [`MAX_CORNERS`] corners is simplified, and includes gaps if necessary: see
     /// [`detail`](Self::detail).
     ///
     /// # Errors
@@ -106,8 +106,8 @@ impl Domain {
     /// The inside of the project's rings by the even-odd rule, within a picture of the given size.
     ///
     /// # Errors
-    /// The errors of [`from_rings`](Self::from_rings), but [`Error::RingOutsidePicture`] for a point outside the
-    /// picture.
+    /// The errors of [`from_rings`](Self::from_rings), except that a point outside the picture gives
+    /// [`Error::RingOutsidePicture`].
     pub(crate) fn from_polygon(rings: &[Ring], width: u32, height: u32) -> Result<Self, Error> {
         DomainSpec::check_rings(rings)?;
         check_corner_count(rings)?;
@@ -118,7 +118,7 @@ impl Domain {
     /// The inside of rings by the even-odd rule, without a picture.
     ///
     /// Points are in pixels, each coordinate from −1,000,000 to 1,000,000. Tolerances are in pixels, as for an
-    /// [`InputMesh`](crate::InputMesh). Scale rings in units of 0 to 1 up to some hundreds of pixels.
+    /// [`InputMesh`](crate::InputMesh). Scale rings with coordinates from 0 to 1 up to hundreds of pixels.
     ///
     /// ```
     /// use c2warp::{domain::Domain, glam::DVec2};
@@ -132,7 +132,7 @@ impl Domain {
     /// ```
     ///
     /// # Errors
-    /// - [`Error::Project`] for no ring, a ring of fewer than three points, or a point that is not finite.
+    /// - [`Error::Project`] for an empty list, a ring of fewer than three points, or a point that is not finite.
     /// - [`Error::RingPoint`], [`Error::RingDuplicate`], [`Error::RingFlat`] or [`Error::RingsCross`] with the ring
     ///   and point.
     /// - [`Error::RingsTooFine`] for too many points.
@@ -196,7 +196,7 @@ impl Domain {
         self.detail
     }
 
-    /// Greatest width of a gap that the domain takes in, as its outline would have too many corners; in pixels.
+    /// Maximum width of a gap that the domain includes to reduce the corners of its outline, in pixels.
     #[must_use]
     pub fn bridged_gap(&self) -> f64 {
         self.gap
@@ -225,7 +225,7 @@ fn corners(rings: &[Ring]) -> usize {
     rings.iter().map(Vec::len).sum()
 }
 
-/// Refuses rings with more corners than [`MAX_CORNERS`].
+/// Rejects rings with more corners than [`MAX_CORNERS`].
 fn check_corner_count(rings: &[Ring]) -> Result<(), Error> {
     let corners = corners(rings);
     if corners > MAX_CORNERS { Err(Error::RingsTooFine { corners }) } else { Ok(()) }

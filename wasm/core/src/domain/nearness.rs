@@ -9,7 +9,7 @@ use crate::picture::Picture;
 
 /// A picture with more cells than this is divided into larger ones.
 const MAX_CELLS: u64 = 1 << 24;
-/// Farther cells count as this far, in cells.
+/// Distances are capped at this, in cells.
 const FAR: f32 = 1e9;
 
 /// Distances in a grid of square cells.
@@ -96,12 +96,12 @@ impl Field for Within<'_> {
 /// The lower envelope of parabolas over a line.
 #[derive(Default)]
 struct Envelope {
-    /// The parabolas, by their lowest points, each with the place from which on it is the lowest.
+    /// The parabolas, by their lowest points, each with the position from which it is the lowest.
     parabolas: Vec<(usize, f64)>,
 }
 
 impl Envelope {
-    /// The least of `height[i] + (at − i)²` over all i, at each place of a line.
+    /// The least of `height[i] + (at − i)²` over all i, at each position of a line.
     fn spread<'a>(&mut self, height: &[f32], out: impl Iterator<Item = &'a mut f32>) {
         self.parabolas.clear();
         let lifted = |i: usize| f64::from(height[i]) + (i * i) as f64;

@@ -1,11 +1,11 @@
-//! The outline of a picture's opaque part, as closely as a number of corners allows.
+//! The outline of a picture's opaque part, as close as a limit of corners allows.
 //!
-//! Distances cost time and memory for each corner, and a held boundary much more. An outline with too many is first
-//! simplified within half a pixel, or within one and a half if it is held.
-//! Then it takes in ever larger gaps, until few enough corners are left. Gaps are transparent, so this changes no pixel
-//! of the picture at rest: parts on both sides of a gap bend together. The last resort is the whole picture.
+//! Distances cost time and memory for each corner, and a held boundary much more. An outline with too many corners is
+//! first simplified within half a pixel, or within one and a half if it is held. Then it includes ever larger gaps,
+//! until few enough corners remain. Gaps are transparent, so this changes no pixel of the picture at rest: parts on
+//! both sides of a gap bend together. The last resort is the whole picture.
 //!
-//! Cost: linear in the pixels, and O(n log n) in the points of the contours, for each attempt. There are at most eight.
+//! Cost: linear in the pixels, and O(n log n) in the points of the contours, for each of at most eight attempts.
 
 use super::{
     contour::{Field, contours},
@@ -31,18 +31,18 @@ use crate::{
 pub enum OutlineDetail {
     /// To a third of a pixel, or as given.
     Traced,
-    /// To half a pixel, or to one and a half if it is held, as there would be too many corners.
+    /// To half a pixel, or to one and a half if it is held, to reduce the corners.
     Simplified,
-    /// Around gaps, which belong to the domain, as there would be too many corners.
+    /// Gaps belong to the domain, to reduce the corners.
     Bridged,
-    /// The whole picture in place of its opaque part, as there would be too many corners.
+    /// The whole picture instead of its opaque part, because the outline would have too many corners.
     Picture,
 }
 
 /// How many corners an outline may have, and how far it may be from the contour.
 pub(super) struct Bounds {
     most_corners: usize,
-    /// Greatest distance of the contour from the simplified outline, in pixels, from attempt to attempt.
+    /// Maximum distance of the contour from the simplified outline, in pixels, for each attempt.
     tolerances: &'static [(f64, OutlineDetail)],
 }
 
@@ -54,20 +54,21 @@ pub(super) const FREE: Bounds = Bounds {
 };
 /// The outline of a held boundary. Each corner needs a site.
 ///
-/// The skirt draws the pixels that the last tolerance leaves out. Where alpha falls by less than a level a
-/// pixel, a contour is a staircase of whole pixels: this tolerance makes it a curve again.
+/// The skirt draws the pixels that the last tolerance leaves out. Where alpha falls by less than a level per pixel, a
+/// contour is a staircase of whole pixels: this tolerance turns it back into a curve.
 pub(super) const HELD: Bounds = Bounds {
     most_corners: MAX_HELD_OUTLINE,
     tolerances: &[(0.35, OutlineDetail::Traced), (0.5, OutlineDetail::Simplified), (1.5, OutlineDetail::Simplified)],
 };
-/// Distances of the outline from opaque pixels where it bridges gaps, in pixels, from attempt to attempt.
+/// Distances of the outline from opaque pixels where it bridges gaps, in pixels, for each attempt.
 ///
-/// Each is three times the last: the number of corners falls about as fast.
+/// Each is three times the previous one, and the number of corners falls about as fast.
 const BRIDGES: [f64; 5] = [1.5, 4.0, 12.0, 36.0, 108.0];
 /// Tolerance of an outline away from opaque pixels, over its distance from them.
 const BRIDGE_TOLERANCE: f64 = 0.25;
 
-/// Specks alone are dust if they cover less than this fraction of the picture. More are a texture, such as small print.
+/// If only specks are opaque, they count as dust below this fraction of the picture. Above, they are a texture, such as
+/// small print.
 const TEXTURE: f64 = 1e-3;
 
 /// The rings around the opaque part of a picture.

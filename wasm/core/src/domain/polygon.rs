@@ -1,7 +1,7 @@
 //! Checks of a project's rings: they must be inside the picture, simple and disjoint.
 //!
 //! Orientations are computed exactly, as in the triangulation. In addition, rings must keep [`RING_CLEARANCE`] from
-//! themselves and from one another. Samples along their edges are rounded, and must be disjoint, too.
+//! themselves and from one another. Samples along their edges are rounded, and must remain disjoint.
 //!
 //! Cost: a sweep over the edges sorted by their left ends. It is quadratic only if very many edges overlap in x.
 
@@ -17,13 +17,13 @@ use crate::{
 
 /// Least area of a ring, in square pixels.
 const MIN_AREA: f64 = 1e-6;
-/// Closer points coincide, and closer edges touch (in pixels). Consecutive edges overlap if the sine of their angle
-/// is smaller.
+/// Points closer than this coincide, and edges closer than this touch, in pixels. Consecutive edges overlap if the sine
+/// of their angle is smaller.
 ///
-/// It is twice the rounding of samples at the greatest coordinate, a million pixels.
+/// This is twice the rounding of samples at the greatest coordinate, a million pixels.
 const RING_CLEARANCE: f64 = 1e-9;
 
-/// Checks rings in a picture. Each must have at least three points, all finite.
+/// Checks rings in a picture. Each ring must have at least three points, all finite.
 ///
 /// # Errors
 /// The error of the first offending ring or pair of rings.
@@ -39,7 +39,7 @@ pub(super) fn check(rings: &[Ring], width: u32, height: u32) -> Result<(), Error
     check_rings(rings)
 }
 
-/// Checks rings anywhere. Each must have at least three points, all finite.
+/// Checks rings without a picture. Each ring must have at least three points, all finite.
 ///
 /// # Errors
 /// The error of the first offending ring or pair of rings.
@@ -141,7 +141,7 @@ fn conflict(a: &Edge, b: &Edge) -> bool {
 
 /// The side of r on the line from p through q: 1, 0 or −1, without rounding.
 ///
-/// It is a sign and no area, as the product of two tiny areas may underflow to 0.
+/// Returns a sign rather than an area, because the product of two tiny areas may underflow to 0.
 fn side(p: DVec2, q: DVec2, r: DVec2) -> f64 {
     let [p, q, r] = [p, q, r].map(|DVec2 { x, y }| Coord { x, y });
     let area = orient2d(p, q, r);

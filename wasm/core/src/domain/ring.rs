@@ -5,7 +5,7 @@ use glam::DVec2;
 /// A closed chain of at least three points. The first point is not repeated.
 ///
 /// In a [`Domain`](super::Domain), outer rings have a positive signed area and holes a negative one. Along such a
-/// ring in the y-down image, the domain is on the right. A ring from a caller may run either way.
+/// ring in the y-down image, the domain is on the right. A ring from a caller may have either orientation.
 pub type Ring = Vec<DVec2>;
 
 /// Signed area of a ring: positive for an outer ring, negative for a hole.

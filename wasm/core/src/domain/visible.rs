@@ -1,7 +1,7 @@
 //! Simplified outlines for meshes of few vertices: of the domain itself, or around all visible pixels of a picture.
 //!
-//! Visible pixels reach beyond an outline at half their alpha. So the outline around them keeps a distance that the
-//! simplification may use up, and one pixel more for the filters of graphics cards.
+//! Visible pixels extend beyond an outline at half their alpha. So the outline around them keeps a distance that the
+//! simplification may use, plus one pixel for the filters of graphics cards.
 //!
 //! Cost: linear in the pixels once, and for each outline. Known limit: parts closer than twice that distance merge.
 
@@ -31,8 +31,8 @@ impl VisiblePixels {
         Self { nearness: Nearness::new(picture, LEAST_ALPHA), area }
     }
 
-    /// The region around all visible pixels but specks, with corners as few as `tolerance` allows, in pixels. `None`
-    /// without any.
+    /// The region around all visible pixels except specks, with as few corners as `tolerance`, in pixels, allows.
+    /// `None` if no pixel is visible.
     pub(crate) fn region(&self, tolerance: f64) -> Option<Domain> {
         let within = self.nearness.within(tolerance + CLEARANCE_PX);
         let around = contours(&within, 0.0).map(|ring| self.nearness.in_pixels(ring));
@@ -42,7 +42,7 @@ impl VisiblePixels {
 }
 
 impl Domain {
-    /// The same domain with corners as few as `tolerance` allows, in pixels.
+    /// The same domain with as few corners as `tolerance`, in pixels, allows.
     pub(crate) fn simplified(&self, tolerance: f64) -> Option<Self> {
         region(self.rings(), tolerance)
     }

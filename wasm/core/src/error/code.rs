@@ -49,7 +49,7 @@ impl Error {
     /// | `canvas` | a warped picture that is too large to be drawn as a whole |
     /// | `nothing-drawn` | a covered part without a pixel |
     /// | `nothing-opaque` | a picture without an opaque region of sufficient size |
-    /// | `nothing-to-fill-from` | a domain that covers all of the picture, with a fill behind it |
+    /// | `nothing-to-fill-from` | a domain that covers the whole picture, with a fill behind it |
     /// | `no-outline` | a picture without transparency, to be fitted by its outline |
     /// | `domain` | invalid rings, or rings with too many corners |
     /// | `handle-outside` | a handle outside the domain |
@@ -63,12 +63,12 @@ impl Error {
     /// | `outline-too-long` | an outline with too many slits and spikes |
     /// | `too-many-corners` | more corners of bars and polygons than supported |
     /// | `too-many-sites` | a scene that needs more sites than supported |
-    /// | `too-much-memory` | a scene that needs more memory than a browser has |
+    /// | `too-much-memory` | a scene that is too large for the memory of a browser |
     /// | `too-much-work` | a scene that takes more steps than supported |
     /// | `held-too-fine` | a fixed boundary with too many sharp corners |
     /// | `unsupported` | a setting or handle that point clouds do not support |
-    /// | `pose` | a pose with other handles, with too large numbers, or of another solution |
-    /// | `film` | a rate, a part of a clip, or a number of frames that no film has |
+    /// | `pose` | a pose with other handles, with too large numbers, or from another solution |
+    /// | `film` | an unsupported frame rate, part of a clip, or number of frames |
     /// | `point-outside` | a point outside the domain |
     /// | `mesh` | an invalid mesh |
     /// | `cloud` | an invalid point cloud |
@@ -128,7 +128,7 @@ impl Error {
         }
     }
 
-    /// The ids of the handles in the message, in its order.
+    /// The ids of the handles in the message, in order of mention.
     #[must_use]
     pub fn handles(&self) -> Vec<&str> {
         match self {

@@ -3,12 +3,13 @@
 mod code;
 
 use crate::{
+    display_name::DisplayName,
     display_number::DisplayNumber,
     limits,
     project::{ProjectError, ShapeKind},
 };
 
-/// Why a picture, a domain, a project or a handle was refused.
+/// Why a picture, a domain, a project or a handle was rejected.
 ///
 /// [`Error::code`] is stable and meant for programs. The `Display` text is one sentence for people.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -80,7 +81,7 @@ pub enum Error {
         /// Height in pixels.
         height: u64,
     },
-    /// Nothing of the picture has opacity, so that its covered part is empty.
+    /// No pixel of the warped picture has opacity, so its covered part is empty.
     #[error("nothing is drawn: no pixel of the warped picture has opacity")]
     NothingDrawn,
     /// The project is for a picture of another size.
@@ -95,8 +96,8 @@ pub enum Error {
         /// Height of the picture.
         height: u32,
     },
-    /// A picture without transparency has no outline to line up.
-    #[error("the picture has no transparent part, and so no outline to line up with: fit its rectangle instead")]
+    /// A picture without transparency has no outline to align with.
+    #[error("the picture has no transparent part, so it has no outline to align with: fit its rectangle instead")]
     NoOutline,
     /// No pixel reaches the threshold.
     #[error(
@@ -107,9 +108,10 @@ pub enum Error {
         /// The alpha threshold, in (0, 1].
         threshold: f64,
     },
-    /// The domain covers all of the picture.
+    /// The domain covers the whole picture.
     #[error(
-        "nothing is left around the domain to fill the picture behind it from: draw domain.rings smaller, or leave out fill"
+        "the domain covers the whole picture and leaves nothing to fill it from: draw smaller domain.rings, or remove \
+         fill"
     )]
     NothingToFillFrom,
     /// Only specks reach the threshold.
@@ -198,7 +200,8 @@ pub enum Error {
     #[error(
         "handle “{id}” at ({}, {}) lies outside the domain: place it on the picture's opaque part",
         DisplayNumber(*.x),
-        DisplayNumber(*.y)
+        DisplayNumber(*.y),
+        id = DisplayName(.id)
     )]
     HandleOutside {
         /// Id of the handle.
@@ -210,22 +213,23 @@ pub enum Error {
     },
     /// A handle lies too far outside the outline of another picture.
     #[error(
-        "handle “{id}” would lie {:.0} px outside the outline of this picture, and is moved by {:.0} px at most: fit the \
-         project in another way, or move the handle first",
+        "handle “{id}” would lie {:.0} px outside the outline of this picture, but is moved by at most {:.0} px: fit \
+         the project in another way, or move the handle first",
         .distance,
-        .most
+        .most,
+        id = DisplayName(.id)
     )]
     HandleFarOutside {
         /// Id of the handle.
         id: String,
         /// Distance of the handle from the domain, in pixels.
         distance: f64,
-        /// Greatest distance that a handle is moved, in pixels.
+        /// Maximum distance that a handle is moved, in pixels.
         most: f64,
     },
     /// Two handles coincide.
     #[error("handles “{first}” and “{second}” are less than {min} px apart: move or delete one of them",
-        min = limits::MIN_SEPARATION)]
+        min = limits::MIN_SEPARATION, first = DisplayName(.first), second = DisplayName(.second))]
     HandlesTooClose {
         /// Id of one handle.
         first: String,
@@ -235,7 +239,8 @@ pub enum Error {
         distance: f64,
     },
     /// Two corners of a bar or polygon coincide.
-    #[error("corner {corner} of handle “{id}” coincides with the next corner: move or delete one of them")]
+    #[error("corner {corner} of handle “{id}” coincides with the next corner: move or delete one of them",
+        id = DisplayName(.id))]
     BarTooShort {
         /// Id of the handle.
         id: String,
@@ -253,32 +258,34 @@ pub enum Error {
     /// A handle is on a fixed boundary.
     #[error(
         "handle “{id}” is on the fixed boundary: move it at least {min} px inside, or set fix_boundary to false",
-        min = limits::HELD_CLEARANCE
+        min = limits::HELD_CLEARANCE,
+        id = DisplayName(.id)
     )]
     OnHeldBoundary {
         /// Id of the handle.
         id: String,
     },
     /// The project has too many handles.
-    #[error("the project has {count} handles, but at most {max} are supported: “{id}” is the first handle beyond",
-        max = limits::MAX_HANDLES)]
+    #[error("the project has {count} handles, but at most {max} are supported: “{id}” is the first one above the limit",
+        max = limits::MAX_HANDLES, id = DisplayName(.id))]
     TooManyHandles {
         /// Number of handles.
         count: usize,
         /// Id of the first handle beyond the limit.
         id: String,
     },
-    /// Too many point handles stand close to another one.
+    /// Too many point handles are close to another handle.
     #[error(
-        "{count} point handles stand less than {within:.3} px from another, but at most {max} are supported: “{id}” is \
-         one, move some apart"
+        "{count} point handles are less than {within:.3} px from another, but at most {max} are supported: move some \
+         of them apart, such as “{id}”",
+        id = DisplayName(.id)
     )]
     HandlesCrowded {
         /// Number of such handles.
         count: usize,
         /// The distance that counts as close, in pixels.
         within: f64,
-        /// Greatest number of such handles.
+        /// Maximum number of such handles.
         max: usize,
         /// Id of the first of them.
         id: String,
@@ -291,14 +298,15 @@ pub enum Error {
     OutlineTooLong {
         /// Its length, in pixels.
         length: f64,
-        /// Greatest length, in pixels.
+        /// Maximum length, in pixels.
         max: f64,
     },
     /// Bars and polygons have too many segments.
     #[error(
         "the bars and polygons have {segments} segments, but at most {max} are supported: handle “{id}” has {corners} \
          corners, draw it with fewer",
-        max = limits::MAX_SITES
+        max = limits::MAX_SITES,
+        id = DisplayName(.id)
     )]
     TooManyCorners {
         /// Id of the handle with the most corners.
@@ -325,16 +333,17 @@ pub enum Error {
         found: usize,
     },
     /// The pose lacks a handle of the solution.
-    #[error("the pose lacks handle “{id}” of the solution: pass every handle of the solution")]
+    #[error("the pose lacks handle “{id}” of the solution: pass every handle of the solution",
+        id = DisplayName(.id))]
     PoseMissing {
         /// Id of the handle.
         id: String,
     },
     /// The pose belongs to another solution.
-    #[error("the pose belongs to another solution: make it with the poser of this one")]
+    #[error("the pose belongs to another solution: use the poser of this solution")]
     PoseOfAnotherSolution,
     /// A posed handle has another kind or number of corners than the solved one.
-    #[error("handle “{id}” is posed as {posed}, but was solved as {solved}")]
+    #[error("handle “{id}” is posed as {posed}, but was solved as {solved}", id = DisplayName(.id))]
     PoseShape {
         /// Id of the handle.
         id: String,
@@ -344,24 +353,26 @@ pub enum Error {
         posed: ShapeKind,
     },
     /// Numbers of the pose overflow.
-    #[error("the pose of handle “{id}” has numbers that are too large: move it closer, or lower its scale")]
+    #[error("the pose of handle “{id}” has numbers that are too large: move it closer, or lower its scale",
+        id = DisplayName(.id))]
     PoseNotFinite {
         /// Id of the handle.
         id: String,
     },
-    /// A film has no rate, or too high a one.
-    #[error("expected frames a second above 0 and up to {max}, found {}", DisplayNumber(*rate),
+    /// The frame rate of a film is zero or too high.
+    #[error("expected a frame rate above 0 and up to {max}, found {}", DisplayNumber(*rate),
         max = limits::MAX_FRAME_RATE)]
     FrameRate {
-        /// Frames a second.
+        /// Frames per second.
         rate: f64,
     },
-    /// The part of a clip for a film is empty, or reaches beyond the clip.
+    /// The part of a clip for a film is empty, or extends beyond the clip.
     #[error(
-        "clip “{clip}”: expected a range from 0 to {} seconds, the end after the beginning, found {}..{}",
+        "clip “{clip}”: expected a range within 0 to {} seconds that ends after it begins, found {}..{}",
         DisplayNumber(*duration),
         DisplayNumber(*from),
-        DisplayNumber(*to)
+        DisplayNumber(*to),
+        clip = DisplayName(.clip)
     )]
     FrameRange {
         /// Name of the clip.
@@ -375,9 +386,10 @@ pub enum Error {
     },
     /// A film has too many frames.
     #[error(
-        "a film of clip “{clip}” would have {frames} frames, but at most {max} are supported: lower the frames a second, \
-         or show a part of the clip",
-        max = limits::MAX_FRAMES
+        "a film of clip “{clip}” would have {frames} frames, but at most {max} are supported: lower the frame rate, or \
+         show a part of the clip",
+        max = limits::MAX_FRAMES,
+        clip = DisplayName(.clip)
     )]
     TooManyFrames {
         /// Name of the clip.
@@ -395,7 +407,8 @@ pub enum Error {
     },
     /// The scene needs too many sites.
     ///
-    /// Handles close to one another or to a fixed boundary need many, and so do bars, polygons and a high density.
+    /// Handles close to one another or to a fixed boundary need many sites, and so do bars, polygons and a high
+    /// density.
     #[error(
         "the scene needs more than {max} sites: move close handles apart, use fewer or shorter bars and polygons, or \
          lower pose.density",
@@ -404,10 +417,10 @@ pub enum Error {
     TooManySites,
     /// The distances of all sites need too much memory.
     ///
-    /// An outline with many corners needs much for each site.
+    /// An outline with many corners needs much memory for each site.
     #[error(
-        "the scene needs more memory than a browser has: use fewer bars, polygons or handles, simplify the outline, or \
-         lower pose.density"
+        "the scene is too large for the memory of a browser: use fewer bars, polygons or handles, simplify the \
+         outline, or lower pose.density"
     )]
     TooMuchMemory,
     /// Algorithm 1 takes too many steps: hundreds of cells meet in one place, or an outline has parts too narrow for
@@ -418,7 +431,7 @@ pub enum Error {
         max = limits::MAX_STEPS
     )]
     TooMuchWork,
-    /// A boundary that is held has too many sharp corners.
+    /// A fixed boundary has too many sharp corners.
     #[error(
         "the fixed boundary has {corners} sharp corners, but at most {max} are supported: draw it with fewer, or set \
          fix_boundary to false",
@@ -502,9 +515,10 @@ pub enum Error {
         /// Index of a vertex on the outline of the part.
         vertex: usize,
     },
-    /// The number of neighbours does not suit the number of points of a cloud.
+    /// The number of neighbours is invalid for the number of points of a cloud.
     #[error(
-        "a cloud of {points} points cannot have {neighbours} neighbours a point: use at least 1, and fewer than points"
+        "a cloud of {points} points cannot have {neighbours} neighbours per point: use at least 1, and fewer than the \
+         number of points"
     )]
     CloudNeighbours {
         /// Number of points.
@@ -527,16 +541,16 @@ pub enum Error {
         /// Index of the other point.
         other: usize,
     },
-    /// Bytes are not those of a poser of this version.
-    #[error("the bytes are not a poser of this version: write them anew")]
+    /// Bytes do not hold a poser of this version.
+    #[error("the bytes do not hold a poser of this version: write the poser again")]
     PoserBytes,
 }
 
-/// The handles of an overlap in words.
+/// Names the handles of an overlap for a message.
 fn overlap(first: &str, second: &str) -> String {
     if first == second {
-        format!("handle “{first}” runs along itself")
+        format!("handle “{}” runs along itself", DisplayName(first))
     } else {
-        format!("handles “{first}” and “{second}” run along each other")
+        format!("handles “{}” and “{}” run along each other", DisplayName(first), DisplayName(second))
     }
 }

@@ -1,4 +1,4 @@
-//! The filled pixels at full size: each is copied from where its texel was found, with the correction of its texel.
+//! The filled pixels at full size: each is copied from the source of its texel, with the correction of its texel.
 //!
 //! Texels with different sources fade into each other over the side of a texel. Where the sources agree, the copies are
 //! exact, so that texture keeps its detail.
@@ -12,13 +12,13 @@ use super::region::Region;
 use crate::domain::Mask;
 use crate::picture::Picture;
 
-/// Where the texels of the hole come from.
+/// The sources of the texels of the hole.
 pub(super) struct Sources<'a> {
     pub(super) region: Region,
     pub(super) level: &'a Level,
-    /// Texels: the one that it was copied from, or [`NONE`].
+    /// For each texel, its source, or [`NONE`].
     pub(super) from: &'a [u32],
-    /// Texels: the change of the copy. Premultiplied, from 0 to 255.
+    /// For each texel, the correction of the copy, premultiplied, from 0 to 255.
     pub(super) corrections: &'a [Vec4],
 }
 

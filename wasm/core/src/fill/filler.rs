@@ -14,16 +14,16 @@ use super::{Fill, patch};
 use crate::domain::Mask;
 use crate::{error::Error, picture::Picture, project::FillSpec};
 
-/// The hole of the coarsest level is no deeper than this, in texels, if that leaves patches enough.
+/// The hole of the coarsest level is at most this deep, in texels, if enough patches remain.
 const DEPTH: usize = 3;
-/// A deeper hole is halved even if few patches are left.
+/// A deeper hole is halved even if few patches remain.
 const DEEP: usize = 10;
 /// Passes over the patches before each vote.
 const PASSES: u32 = 2;
-/// Votes at the coarsest level, and at the finest. Those between have numbers between.
+/// Number of votes at the coarsest level, and at the finest. Other levels are interpolated.
 const COARSEST_VOTES: usize = 12;
 const FINEST_VOTES: usize = 2;
-/// Sweeps of the membrane, all and at once.
+/// Sweeps of the membrane, in total and per step.
 const SWEEPS: usize = 240;
 const SWEEPS_AT_ONCE: usize = 40;
 
@@ -32,7 +32,7 @@ const SWEEPS_AT_ONCE: usize = 40;
 enum Step {
     /// Fills a layer of the coarsest level, counted from 1 at the rim.
     Peel(usize),
-    /// Goes to the next finer level.
+    /// Switches to the next finer level.
     Refine,
     Improve(u32),
     Vote,
@@ -47,10 +47,10 @@ enum Step {
 pub(crate) struct Filler {
     mask: Mask,
     region: Region,
-    /// From the present one to the finest.
+    /// The levels from the present one to the finest.
     levels: VecDeque<Level>,
     matches: Option<Matches>,
-    /// Texels of the finest level: the one that it is copied from, or [`NONE`].
+    /// For each texel of the finest level, its source, or [`NONE`].
     from: Vec<u32>,
     membrane: Option<Membrane>,
     random: Random,
@@ -61,7 +61,7 @@ pub(crate) struct Filler {
 
 impl Filler {
     /// # Errors
-    /// [`Error::NothingToFillFrom`] if the mask has all pixels of the picture.
+    /// [`Error::NothingToFillFrom`] if the mask covers the whole picture.
     pub(crate) fn new(picture: &Picture<'_>, mask: Mask, spec: &FillSpec) -> Result<Self, Error> {
         let region = Region::new(&mask, picture.size());
         let finest = region.level(picture, &mask);
@@ -107,7 +107,7 @@ impl Filler {
         Ok(Self { mask, region, levels, matches: None, from, membrane: None, random, steps, work })
     }
 
-    /// The part of the work that is done, from 0 to 1.
+    /// The completed fraction of the work, from 0 to 1.
     pub(crate) fn progress(&self) -> f64 {
         let left: u64 = self.steps.iter().map(|(_, work)| work).sum();
         1.0 - left as f64 / self.work.max(1) as f64
@@ -163,7 +163,7 @@ impl Filler {
     }
 }
 
-/// Sets each texel of the hole to the one of the patch around it, or of the nearest patch at the border.
+/// Sets each texel of the hole from the patch around it, or from the nearest patch at the border.
 fn choose_own(level: &mut Level, matches: &Matches) {
     let mut copied = Vec::with_capacity(level.unknown.len());
     for &at in &level.unknown {

@@ -1,16 +1,16 @@
-//! One size of the picture that is filled: its texels, the hole in it, and the patches to fill it from.
+//! One size of the picture to fill: its texels, the hole in it, and the patches to fill it from.
 //!
 //! Cost: linear in the texels.
 
-/// Patches reach this far from their centre.
+/// Patches extend this far from their centre.
 pub(super) const RADIUS: usize = 2;
 /// Side of a patch.
 pub(super) const SIDE: usize = 2 * RADIUS + 1;
 /// No patch.
 pub(super) const NONE: u32 = u32::MAX;
-/// Fewer patches than this are too few to choose from.
+/// Minimum number of patches for a meaningful choice.
 const LEAST_SOURCES: usize = 64;
-/// Least number of patches to choose from at a coarser level, for each patch to find.
+/// Minimum number of known patches at a coarser level, for each patch to fill.
 const LEAST_CHOICE: usize = 2;
 
 /// Premultiplied red, green and blue, the opacity, and the texture along x and y (Newson et al. 2014, section 3.3).
@@ -23,21 +23,21 @@ pub(super) struct Level {
     pub(super) width: usize,
     pub(super) height: usize,
     pub(super) texels: Vec<Texel>,
-    /// Texels: whether it is to be filled.
+    /// For each texel, whether it must be filled.
     pub(super) hole: Vec<bool>,
     /// The texels of the hole.
     pub(super) unknown: Vec<u32>,
     /// The centres of all patches that overlap the hole.
     pub(super) targets: Vec<u32>,
-    /// Texels: its index in `targets`, or [`NONE`].
+    /// For each texel, its index in `targets`, or [`NONE`].
     pub(super) slots: Vec<u32>,
-    /// Texels: whether it is the centre of a patch without a hole.
+    /// For each texel, whether it is the centre of a patch without a hole.
     pub(super) is_source: Vec<bool>,
     /// The centres of all patches without a hole.
     pub(super) sources: Vec<u32>,
-    /// Greatest distance of a texel of the hole from its rim, in steps along rows and columns.
+    /// Maximum distance of a texel of the hole from its rim, in steps along rows and columns.
     pub(super) depth: usize,
-    /// Texels: the distance from the rim, 1 for those at the rim and 0 outside the hole.
+    /// For each texel, its distance from the rim, 1 at the rim and 0 outside the hole.
     pub(super) depths: Vec<u16>,
 }
 
@@ -93,12 +93,12 @@ impl Level {
         level
     }
 
-    /// Whether there are patches enough to fill the hole from.
+    /// Whether there are enough patches to fill the hole from.
     pub(super) fn has_sources(&self) -> bool {
         self.sources.len() >= LEAST_SOURCES && !self.targets.is_empty()
     }
 
-    /// Whether there are so many of them that the hole may be filled at this level first.
+    /// Whether there are enough patches to start filling at this level.
     pub(super) fn has_choice(&self) -> bool {
         self.has_sources() && self.sources.len() >= LEAST_CHOICE * self.targets.len()
     }
@@ -145,7 +145,7 @@ impl Level {
         layers
     }
 
-    /// The texels beside one, along rows and columns.
+    /// The neighbours of a texel, along rows and columns.
     pub(super) fn neighbours(&self, at: usize) -> impl Iterator<Item = usize> + use<> {
         let (x, y, width, height) = (at % self.width, at / self.width, self.width, self.height);
         let beside = [

@@ -1,28 +1,28 @@
-//! PatchMatch: for each patch over the hole, a patch of the known picture that looks alike (Barnes et al. 2009).
+//! PatchMatch: finds a similar patch of the known picture for each patch over the hole (Barnes et al. 2009).
 //!
-//! Good matches spread from patch to patch, and random ones are tried around each. Costs are sums of squares in whole
-//! numbers, so that no order of additions changes a bit.
+//! Good matches spread from patch to patch, and random ones are tried around each. Costs are integer sums of squares,
+//! so the order of additions does not change a bit.
 //!
-//! Cost: each pass compares about log₂ of the picture's side patches for each one over the hole.
+//! Cost: for each patch over the hole, each pass compares about log₂(side of the picture) patches.
 
 use super::level::{Level, NONE, RADIUS, SIDE, Texel};
 use super::random::Random;
 
-/// Additional cost of a match at the reach, compared with one in place: as much as a difference of 8 steps in every
-/// texel. A thing far away is then no match for the surroundings, though it may fit by chance.
+/// Additional cost of a match at the reach, compared with one in place: a difference of 8 steps in every texel. Distant
+/// objects then do not match the surroundings, even if they fit by chance.
 const FAR: u64 = 128 * (SIDE * SIDE) as u64;
 
 /// The best known match of each patch over the hole.
 #[derive(Debug, Clone)]
 pub(super) struct Matches {
-    /// Targets: the centre of the patch that looks alike.
+    /// For each target, the centre of the similar patch.
     pub(super) sources: Vec<u32>,
-    /// Targets: the sum of squared differences.
+    /// For each target, the sum of squared differences.
     pub(super) costs: Vec<u32>,
 }
 
 impl Matches {
-    /// Any patches at all.
+    /// Random patches.
     pub(super) fn random(level: &Level, random: &mut Random) -> Self {
         let any = |_| level.sources[random.below(level.sources.len() as u32) as usize];
         let sources = (0..level.targets.len()).map(any).collect();
@@ -50,13 +50,13 @@ impl Matches {
         Self { costs: vec![u32::MAX; sources.len()], sources }
     }
 
-    /// One pass: measures the matches anew, and looks for better ones. `forwards` from the first target to the last.
+    /// One pass: measures the matches again, and searches for better ones. `forwards` visits the first target first.
     pub(super) fn improve(&mut self, level: &Level, forwards: bool, random: &mut Random) {
         let costs = |target: u32, source: u32, most: u32| cost(level, target, source, most);
         self.improve_by(level, forwards, random, |_| true, costs);
     }
 
-    /// The same for `wanted` targets, by their texels before a layer of the hole alone.
+    /// The same for `wanted` targets, comparing only their texels before a layer of the hole.
     pub(super) fn improve_known(
         &mut self,
         level: &Level,
@@ -121,7 +121,7 @@ impl Matches {
     }
 }
 
-/// The sum of squared differences of two patches. It ends early above `most`.
+/// The sum of squared differences of two patches. Stops early above `most`.
 fn cost(level: &Level, target: u32, source: u32, most: u32) -> u32 {
     let first = |centre: u32| centre as usize - RADIUS * level.width - RADIUS;
     let (mut a, mut b) = (first(target), first(source));

@@ -1,8 +1,8 @@
 //! Hides the seams of copied texels, by the Poisson equation of seamless cloning (Pérez et al. 2003).
 //!
 //! Copied texels keep the steps to their neighbours, and all of them get a smooth correction that meets the known
-//! texels at the rim. A large step at a seam is an edge of the picture: it stays, or its colours would bleed. Without
-//! copied texels the correction is the colour itself, which spreads into the hole from its rim.
+//! texels at the rim. A large step at a seam is an edge of the picture: it is kept, because its colours would bleed
+//! otherwise. Without copied texels, the correction is the colour itself, which spreads into the hole from its rim.
 //!
 //! Cost: a fixed number of sweeps of successive over-relaxation over the texels of the hole.
 
@@ -11,11 +11,11 @@ use glam::Vec4;
 use super::level::{Level, NONE};
 use super::spread::spread;
 
-/// Over-relaxation: best for holes of some 60 texels across. Others converge as well, more slowly.
+/// Over-relaxation: optimal for holes about 60 texels wide. Other holes converge more slowly.
 const RELAXATION: f32 = 1.9;
-/// A step of this size at a seam counts half.
+/// A step of this size at a seam has half the weight.
 const STEP: f32 = 12.0;
-/// Pulls corrections towards 0, so that they fade within some ten texels.
+/// Pulls corrections towards 0, so that they fade within about ten texels.
 const FADING: f32 = 0.005;
 
 /// A texel of the hole: its neighbours, their weights, and the weighted sum of the steps from them.
@@ -31,14 +31,14 @@ struct Equation {
 /// The corrections of a level.
 #[derive(Debug, Clone)]
 pub(super) struct Membrane {
-    /// Texels: the change of the copied colour, or the colour itself of a texel that was not copied.
+    /// For each texel, the change of the copied colour, or the colour itself if the texel was not copied.
     corrections: Vec<Vec4>,
-    /// One for each texel of the hole, in the order of `level.unknown`.
+    /// One equation for each texel of the hole, in the order of `level.unknown`.
     equations: Vec<Equation>,
 }
 
 impl Membrane {
-    /// The equations of a level each of whose texels is copied `from` another one; [`NONE`] for none.
+    /// The equations of a level whose texels are copied `from` other texels; [`NONE`] if not copied.
     pub(super) fn new(level: &Level, from: &[u32]) -> Self {
         let seams = Seams { level, from };
         let equations = level.unknown.iter().map(|&at| seams.equation(at as usize)).collect();
@@ -52,7 +52,7 @@ impl Membrane {
         Self { corrections, equations }
     }
 
-    /// Runs some sweeps over the texels of the hole.
+    /// Runs sweeps over the texels of the hole.
     pub(super) fn relax(&mut self, level: &Level, sweeps: usize) {
         for _ in 0..sweeps {
             for (&at, equation) in level.unknown.iter().zip(&self.equations) {
@@ -70,10 +70,10 @@ impl Membrane {
     }
 }
 
-/// The texels that a hole is copied from.
+/// The sources of a hole.
 struct Seams<'a> {
     level: &'a Level,
-    /// Texels: the one that it is copied from, or [`NONE`].
+    /// For each texel, its source, or [`NONE`].
     from: &'a [u32],
 }
 
@@ -94,7 +94,7 @@ impl Seams<'_> {
         equation
     }
 
-    /// The change of a texel's copy that lets it go on from its neighbour.
+    /// The change of a texel's copy that makes it continuous with its neighbour.
     fn step(&self, at: usize, beside: usize) -> Vec4 {
         if self.from[at] == NONE {
             return self.copied(beside);
@@ -109,7 +109,7 @@ impl Seams<'_> {
         }
     }
 
-    /// The known texel that lies to the source of `at` as `beside` lies to `at`.
+    /// The known texel with the same offset from the source of `at` as `beside` from `at`.
     fn beside_copy(&self, at: usize, beside: usize) -> Option<Vec4> {
         if self.from[at] == NONE {
             return None;
@@ -118,7 +118,7 @@ impl Seams<'_> {
         (self.level.hole.get(there) == Some(&false)).then(|| colour(self.level.texels[there]))
     }
 
-    /// The copied colour of a texel, or its own outside the hole.
+    /// The copied colour of a texel, or its own colour outside the hole.
     fn copied(&self, at: usize) -> Vec4 {
         match (self.level.hole[at], self.from[at]) {
             (false, _) => colour(self.level.texels[at]),

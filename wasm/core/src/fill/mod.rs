@@ -1,15 +1,14 @@
 //! The picture behind a domain of rings, filled from its surroundings.
 //!
-//! PatchMatch finds a patch that looks alike for each patch over the hole (Barnes et al. 2009). All patches over a
-//! texel vote for its colour (Wexler et al. 2007), from a small copy of the picture to larger ones (Newson et al.
-//! 2014). Pixels are then copied from where their texels were found. A Poisson equation hides seams (Pérez et al.
-//! 2003).
+//! PatchMatch finds a similar patch for each patch over the hole (Barnes et al. 2009). All patches over a texel vote
+//! for its colour (Wexler et al. 2007), from a small copy of the picture to larger ones (Newson et al. 2014). Pixels
+//! are then copied from the sources of their texels. A Poisson equation hides seams (Pérez et al. 2003).
 //!
 //! The hole is the domain and a narrow band around it, so that antialiased rims lie in it. Colours are premultiplied.
-//! The opacity is filled as a colour is: transparent surroundings go on.
+//! Opacity is filled like a colour, so transparent surroundings continue.
 //!
-//! Cost: bounded by 250,000 texels of hole and surroundings, some 100 bytes each. Beside that, linear in the pixels of
-//! the hole. Known limits: things are not known, so a part of one may be copied. Where the surroundings are smaller
+//! Cost: bounded by 250,000 texels of hole and surroundings, about 100 bytes each, plus linear in the pixels of the
+//! hole. Known limits: objects are not recognised, so parts of objects may be copied. If the surroundings are smaller
 //! than the hole, the same patches repeat.
 
 mod carried;
@@ -35,7 +34,7 @@ use crate::{
 /// Fills a domain of a picture from its surroundings, in one call.
 ///
 /// # Errors
-/// [`Error::NothingToFillFrom`] if the domain has all pixels of the picture.
+/// [`Error::NothingToFillFrom`] if the domain covers the whole picture.
 pub fn fill(picture: &Picture<'_>, domain: &Domain, spec: &FillSpec) -> Result<Fill, Error> {
     let mut filler = Filler::new(picture, Mask::new(domain.rings(), picture.size()), spec)?;
     loop {
@@ -54,7 +53,7 @@ pub struct Fill {
     rgba: Vec<u8>,
 }
 
-/// The box of a mask with the pixels of the picture, and those that `filled` gives in the hole.
+/// The box of a mask with the pixels of the picture, and with those of `filled` in the hole.
 fn patch(picture: &Picture<'_>, mask: &Mask, filled: impl Fn(u32, u32) -> [u8; 4]) -> Fill {
     let [left, top] = mask.origin;
     let mut rgba = Vec::with_capacity(mask.width as usize * mask.height as usize * 4);
@@ -65,7 +64,7 @@ fn patch(picture: &Picture<'_>, mask: &Mask, filled: impl Fn(u32, u32) -> [u8; 4
 }
 
 impl Fill {
-    /// All pixels of the picture, with the filled ones in their places.
+    /// All pixels of the picture, including the filled ones.
     #[must_use]
     pub fn over(&self, picture: &Picture<'_>) -> Vec<u8> {
         let mut rgba = picture.rgba().to_vec();

@@ -1,6 +1,6 @@
 //! The first fill of a hole, from its rim inwards.
 //!
-//! Cost: each layer improves the matches of the patches near it. In a deep hole these are few of all.
+//! Cost: each layer improves the matches of the patches near it. In a deep hole, these are a small fraction.
 
 use super::level::{Level, RADIUS};
 use super::matches::Matches;
@@ -9,10 +9,10 @@ use super::votes::vote;
 
 /// Passes over the patches for each layer.
 const PASSES: u32 = 6;
-/// Up to this depth each layer improves all matches. Deeper holes would take minutes.
+/// Up to this depth, each layer improves all matches. Deeper holes would take minutes.
 const SHALLOW: usize = 10;
 
-/// Layers: the number of comparisons of patches for each, but for a factor.
+/// For each layer, the number of comparisons of patches, up to a factor.
 pub(super) fn work(level: &Level) -> Vec<u64> {
     let mut at_depth = vec![0_u64; level.depth + 1];
     level.targets.iter().for_each(|&target| at_depth[usize::from(level.depths[target as usize])] += 1);
@@ -34,7 +34,7 @@ fn depth(level: &Level, at: u32) -> usize {
     level.depths[at as usize].into()
 }
 
-/// Patches within so many layers of one are improved for it. All that overlap the layer are.
+/// Patches within this many layers of a layer are improved for it. This includes all patches that overlap the layer.
 fn reach(level: &Level) -> usize {
     (SHALLOW * SHALLOW / level.depth).clamp(2 * RADIUS, SHALLOW)
 }
@@ -53,7 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn layers_of_a_deep_hole_look_at_few_patches_and_fill_all_of_it() {
+    fn deep_hole_is_filled_while_each_layer_checks_few_patches() {
         let mut level = deep();
         let work = work(&level);
         assert_eq!(work.len(), level.depth);

@@ -1,6 +1,6 @@
 //! Pseudorandom numbers, the same on every machine: SplitMix64 (Steele, Lea and Flood 2014).
 
-/// A sequence that its seed determines.
+/// A sequence determined by its seed.
 #[derive(Debug, Clone)]
 pub(super) struct Random(u64);
 

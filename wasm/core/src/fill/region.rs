@@ -6,14 +6,14 @@ use super::level::{Level, Texel};
 use crate::domain::Mask;
 use crate::picture::Picture;
 
-/// Greatest number of texels to work on. A match for each costs the most time of a fill.
+/// Maximum number of texels to work on. Matching them takes most of the time of a fill.
 const MOST_TEXELS: u64 = 250_000;
-/// Surroundings on each side, as a fraction of the longer side of the hole, and at least so many pixels.
+/// Surroundings on each side, as a fraction of the longer side of the hole, and a minimum in pixels.
 const SURROUNDINGS: f64 = 0.75;
 const LEAST_SURROUNDINGS: u32 = 48;
-/// Texels to each side over which the texture is averaged.
+/// Number of texels to each side over which the texture is averaged.
 const TEXTURE_RADIUS: usize = 4;
-/// How much texture counts beside colours. As there are few strong gradients, their mean is small.
+/// Weight of texture relative to colours. The mean of gradients is small, because few gradients are strong.
 const TEXTURE_WEIGHT: i32 = 4;
 
 /// A box of a picture, and the pixels per texel.
@@ -77,7 +77,7 @@ fn premultiplied([r, g, b, a]: [u8; 4]) -> [u32; 4] {
     [r, g, b, 255].map(|part| u32::from(part) * u32::from(a))
 }
 
-/// Sets the texture of the texels around which some are known: the mean of the absolute gradients.
+/// Sets the texture of texels near known ones: the mean of the absolute gradients.
 fn add_texture(texels: &mut [Texel], hole: &[bool], [width, height]: [usize; 2]) {
     let light = |at: usize| {
         let [r, g, b, ..] = texels[at].map(i32::from);

@@ -1,21 +1,22 @@
 //! The texels of the hole from the matches of all patches over them (Wexler et al. 2007, section 3).
 //!
-//! Cost: a look at every patch over each texel of the hole.
+//! Cost: a visit of every patch over each texel of the hole.
 
 use super::level::{Level, NONE, RADIUS, SIDE, Texel};
 use super::matches::Matches;
 
-/// Least spread of costs, so that equal ones do not divide by zero: the square of one step in each texel of a patch.
+/// Least spread of costs, which avoids division by zero for equal costs: the square of one step in each texel of a
+/// patch.
 const LEAST_SPREAD: u32 = (SIDE * SIDE) as u32;
 
-/// Patches count less by this factor with each step from the rim, so that the picture grows inwards from it (Wexler
-/// et al. 2007, section 3.2).
+/// The weight of patches decreases by this factor with each step from the rim, so that the picture grows inwards from
+/// it (Wexler et al. 2007, section 3.2).
 const FADING: f32 = 0.8;
 
 /// One patch over a texel: its cost, the texel that its match has there, and the centre of the patch.
 type Vote = (u32, u32, u32);
 
-/// Sets each of `texels` to the mean that patches over it vote for: good matches count most.
+/// Sets each of `texels` to the mean of the votes by patches over it, weighted by the quality of their matches.
 pub(super) fn vote(level: &mut Level, matches: &Matches, texels: &[u32]) {
     let mut votes = Vec::with_capacity(SIDE * SIDE);
     let mut costs = Vec::with_capacity(SIDE * SIDE);
@@ -27,7 +28,7 @@ pub(super) fn vote(level: &mut Level, matches: &Matches, texels: &[u32]) {
     texels.iter().zip(voted).for_each(|(&at, texel)| level.texels[at as usize] = texel);
 }
 
-/// Sets each texel of the hole to the one of its best patch, and `from` to the place of that.
+/// Sets each texel of the hole from its best patch, and `from` to the source.
 pub(super) fn choose(level: &mut Level, matches: &Matches, from: &mut [u32]) {
     let mut votes = Vec::with_capacity(SIDE * SIDE);
     for &at in &level.unknown {

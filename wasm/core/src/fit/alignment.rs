@@ -4,9 +4,9 @@ use glam::{DAffine2, DMat2, DVec2};
 
 use super::silhouette::Silhouette;
 
-/// A map must overlap by this much more than a simpler one, to be taken in its place.
+/// A map must increase the overlap by this much over a simpler map to replace it.
 const GAIN: f64 = 0.02;
-/// In outlines that are rounder than this, as a ratio of spreads, no direction is the longest.
+/// Outlines rounder than this, as a ratio of spreads, have no longest direction.
 const ROUND: f64 = 1.2;
 
 /// Stretches one rectangle onto another.
@@ -15,12 +15,12 @@ pub(super) fn of_rectangles(from: (u32, u32), to: (u32, u32)) -> DAffine2 {
     DAffine2::from_scale(to / from)
 }
 
-/// The map of one outline onto another with the greatest overlap, from simple to complicated:
+/// The map of one outline to another with the greatest overlap, from simple to complicated:
 ///
-/// 1. The box onto the box. A scaled copy is met exactly.
-/// 2. The centroid and the mean spread: a translation and one scale. One part that reaches farther changes little.
-/// 3. The centroid and all second moments, without a turn: the symmetric stretch that makes the spreads equal.
-/// 4. The centroid, the mean spread and the longest axis, in either direction: a copy that is turned.
+/// 1. Box to box. This matches a scaled copy exactly.
+/// 2. The centroid and the mean spread: a translation and one scale. A single protruding part changes little.
+/// 3. The centroid and all second moments, without rotation: the symmetric stretch that makes the spreads equal.
+/// 4. The centroid, the mean spread and the longest axis, in either direction: a rotated copy.
 pub(super) fn best(from: &Silhouette, to: &Silhouette) -> DAffine2 {
     let about_centroids = |linear: DMat2| DAffine2::from_mat2_translation(linear, to.centroid - linear * from.centroid);
     let scale = (trace(to.spread) / trace(from.spread)).sqrt();

@@ -1,18 +1,17 @@
 //! The same rig on another picture: all positions of a project are mapped to a picture of another size or crop.
 //!
-//! - [`Fitter::by_box`] stretches the rectangle of the project's picture onto that of the new one, each side on its
-//!   own. If both have the same proportions, that is a plain scale.
-//! - [`Fitter::by_alpha`] lines the outline of the project's picture up with that of the new one. Of some maps from
-//!   boxes and moments it takes the one with the greatest overlap: see `alignment`.
+//! - [`Fitter::by_box`] stretches the rectangle of the project's picture to that of the new one, each axis separately.
+//!   If both have the same proportions, this is a uniform scale.
+//! - [`Fitter::by_alpha`] aligns the outline of the project's picture with that of the new one. It chooses the map with
+//!   the greatest overlap from several maps based on boxes and moments: see `alignment`.
 //!
 //! Point handles outside the new domain move to its nearest point inside, at most [`REACH`] of its size, with their
-//! poses and clips. Rings that a person drew are cut at the borders of the new picture. Parts of bars and polygons
-//! outside are up to the solver, which leaves them out.
+//! poses and clips. Drawn rings are cut at the borders of the new picture. The solver ignores parts of bars and
+//! polygons outside.
 //!
-//! Positions are in pixels of the respective picture. Turns in degrees stay as they are. So do scales of handles, which
-//! are factors.
+//! Positions are in pixels of the respective picture. Turns in degrees and scales of handles do not change.
 //!
-//! Cost: an outline for each picture, and a look at each edge of it for each handle outside.
+//! Cost: an outline for each picture, and a visit of each of its edges for each handle outside.
 
 mod alignment;
 mod silhouette;
@@ -30,10 +29,10 @@ use crate::{
     solve_input::check_picture,
 };
 
-/// The farthest that a handle is moved into a new outline: this part of the diagonal of the outline's box.
+/// The maximum distance that a handle is moved into a new outline, as a fraction of the diagonal of the outline's box.
 pub const REACH: f64 = 0.05;
 
-/// A project to be fitted to other pictures.
+/// Fits a project to other pictures.
 ///
 /// ```
 /// use c2warp::{Picture, fit::Fitter, project::{Handle, Project}};
@@ -48,7 +47,7 @@ pub const REACH: f64 = 0.05;
 #[derive(Debug, Clone)]
 pub struct Fitter {
     project: Project,
-    /// The outline to line up, or `None` to fit the rectangle of the picture.
+    /// The outline to align, or `None` to fit the rectangle of the picture.
     outline: Option<Silhouette>,
 }
 
@@ -58,7 +57,7 @@ pub struct Fitter {
 pub struct Fitted {
     /// The project with all positions in pixels of the new picture.
     pub project: Project,
-    /// Handles that would have been outside the domain.
+    /// Handles that were moved because they would be outside the domain.
     pub moved: Vec<MovedHandle>,
 }
 
@@ -86,7 +85,7 @@ impl Fitter {
     /// # Errors
     /// - [`Error::PictureMismatch`] if this is not the picture of the project.
     /// - [`Error::NoOutline`] for a picture without transparency.
-    /// - Those of [`Domain::from_alpha`].
+    /// - The errors of [`Domain::from_alpha`].
     pub fn by_alpha(project: Project, picture: &Picture<'_>) -> Result<Self, Error> {
         check_picture(project.image.size(), picture)?;
         let outline = Some(silhouette(&project, picture)?);
@@ -97,9 +96,9 @@ impl Fitter {
     ///
     /// # Errors
     /// - [`Error::Project`] if [`Project::check`] fails.
-    /// - [`Error::NoOutline`] for a picture without transparency, if outlines are lined up.
+    /// - [`Error::NoOutline`] for a picture without transparency, if outlines are aligned.
     /// - [`Error::HandleFarOutside`] for a handle that would have to be moved too far.
-    /// - Those of [`Domain::new`].
+    /// - The errors of [`Domain::new`].
     pub fn fit(&self, picture: &Picture<'_>) -> Result<Fitted, Error> {
         self.project.check()?;
         let map = match &self.outline {
@@ -125,7 +124,7 @@ fn silhouette(project: &Project, picture: &Picture<'_>) -> Result<Silhouette, Er
     Ok(Silhouette::new(&Domain::from_alpha(picture, threshold)?))
 }
 
-/// Cuts drawn rings at the borders of the picture. Corners that coincide afterwards are one.
+/// Cuts drawn rings at the borders of the picture. Corners that coincide afterwards are merged.
 fn cut_rings(project: &mut Project, (width, height): (u32, u32)) {
     let corner = DVec2::new(f64::from(width), f64::from(height));
     if let Some(DomainSpec::Polygon { rings, .. }) = &mut project.domain {

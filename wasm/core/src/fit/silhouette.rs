@@ -1,4 +1,4 @@
-//! An outline with its box and moments, to be compared with another one.
+//! An outline with its box and moments, for comparison with another outline.
 
 use glam::{DAffine2, DMat2, DVec2};
 
@@ -41,7 +41,7 @@ impl Silhouette {
         Self { rings: domain.rings().to_vec(), low, high, centroid: origin + mean, spread }
     }
 
-    /// How much of a mapped region and this one is common to both: from 0 to 1, if they are the same.
+    /// The overlap of a mapped region with this one, from 0 to 1. It is 1 if they are the same.
     pub(super) fn overlap(&self, other: &Self, map: &DAffine2) -> f64 {
         // Half a box around, where the other region may reach.
         let (margin, cell) = ((self.high - self.low) / 2.0, (self.high - self.low) * 2.0 / GRID as f64);

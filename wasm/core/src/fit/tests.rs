@@ -32,7 +32,7 @@ fn solved(project: &Project, picture: &Picture<'_>) -> (Solution, Project) {
     (solve(project, picture).unwrap(), project.clone())
 }
 
-/// The greatest distance of a warp from another one that is mapped, over points of the boot.
+/// The maximum distance of a warp from another one that is mapped, over points of the boot.
 fn difference(one: &(Solution, Project), other: &(Solution, Project), map: &DAffine2) -> f64 {
     let [pose, other_pose] = [one, other].map(|(solution, project)| solution.pose(project).unwrap());
     let points = (0..30).map(|i| DVec2::new(12.0 + f64::from(i % 3) * 6.0, 22.0 + f64::from(i) * 1.8));

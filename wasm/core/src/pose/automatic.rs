@@ -28,7 +28,7 @@ impl Automatic {
         Self { edges: effective_links(sites, graph, harmonic), adjacent: adjacent(sites, graph, harmonic) }
     }
 
-    /// Whether data that were read from bytes are consistent.
+    /// Whether data read from bytes is consistent.
     pub(super) fn is_whole(&self, is_real: impl Fn(u32) -> bool, handles: usize) -> bool {
         self.edges.iter().all(|&(i, j, _)| is_real(i) && is_real(j))
             && self.adjacent.iter().flatten().all(|&handle| (handle as usize) < handles)
@@ -40,7 +40,7 @@ impl Automatic {
         self.turn_alike(kinds, handles, motions);
     }
 
-    /// The best fit of the pseudo-edges to neighbouring real sites, from places to pose. Translations are from there.
+    /// The best fit of the pseudo-edges to neighbouring real sites, from rest to pose. Translations are from there.
     pub(super) fn turn_to_fit(
         &self,
         rest: &[DVec2],
@@ -72,8 +72,8 @@ impl Automatic {
         }
     }
 
-    /// Unwraps automatic rotations of neighbours to angles that differ by less than half a turn. They do not follow a
-    /// rotation that a person set by whole turns.
+    /// Unwraps automatic rotations of neighbours to angles that differ by less than half a turn. They do not follow
+    /// whole turns of a rotation that the user set.
     fn turn_alike(&self, kinds: &[SiteKind], handles: &[Handle], motions: &mut [Motion]) {
         let mut found = vec![0.0; handles.len()];
         for (kind, motion) in kinds.iter().zip(&*motions) {
@@ -96,7 +96,7 @@ impl Automatic {
 
 /// Pseudo-edges (section VI) of point handles: the cell graph reduced to its real sites. The weight of an edge is the
 /// flow between two handles, directly and via virtual sites (the Schur complement of the Laplacian). Edges between
-/// other sites are left out, as there may be a million.
+/// other sites are left out, because there may be a million of them.
 fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<(u32, u32, f64)> {
     let is_point = |site: usize| matches!(sites[site].kind, SiteKind::Point { .. });
     let mut flow = BTreeMap::<(u32, u32), f64>::new();

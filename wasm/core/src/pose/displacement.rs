@@ -1,12 +1,12 @@
-//! How places of the picture at rest are displaced before they are posed: p + d(p).
+//! The displacement of the picture at rest, applied before it is posed: p + d(p).
 //!
-//! Cost: sixteen control points for each place.
+//! Cost: sixteen control points for each point.
 
 use glam::{DMat2, DVec2};
 
 use crate::project::{Displacement, Project, Spline};
 
-/// A displacement over a picture of a size in pixels. It is not 0 everywhere.
+/// A displacement over a picture of a given size in pixels. It is not 0 everywhere.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct DisplacementField {
@@ -17,7 +17,7 @@ pub(crate) struct DisplacementField {
 }
 
 impl DisplacementField {
-    /// That of a project; `None` if nothing is displaced.
+    /// The displacement of a project; `None` if nothing is displaced.
     pub(crate) fn of(project: &Project) -> Option<Self> {
         Self::new(project.displacement.as_ref()?, picture_size(project))
     }
@@ -28,19 +28,19 @@ impl DisplacementField {
         (!displacement.is_zero()).then(|| Self { size, width, height, values: values.clone() })
     }
 
-    /// Whether data that were read from bytes are consistent.
+    /// Whether data read from bytes is consistent.
     pub(super) fn is_whole(&self) -> bool {
         let Self { size, width, height, values } = self;
         let is_checked = || Displacement::new(*width, *height, values.clone()).check().is_ok();
         size.is_finite() && size.min_element() > 0.0 && is_checked()
     }
 
-    /// The displaced place.
+    /// The displaced position.
     pub(crate) fn place(&self, p: DVec2) -> DVec2 {
         p + self.spline().at(p)
     }
 
-    /// The displaced place and its Jacobian, I + ∇d.
+    /// The displaced position and its Jacobian, I + ∇d.
     pub(crate) fn place_with_slopes(&self, p: DVec2) -> (DVec2, DMat2) {
         let (by, slopes) = self.spline().with_slopes(p);
         (p + by, DMat2::IDENTITY + slopes)

@@ -2,11 +2,11 @@
 //!
 //! On the cell graph ϖ_i is 1 at handle i, 0 at the others and harmonic elsewhere. The paper iterates the Laplacian
 //! "tens of times"; here it is factorised once for all fields, with additions and multiplications of positive numbers
-//! only. So every weight is accurate to the last digits, however small. None is negative, and they sum to 1.
+//! only. So even small weights are accurate to the last digits. No weight is negative, and weights sum to 1.
 //!
-//! The graph's weights are those of the links, not the paper's uniform ones: see `site/graph.rs`.
+//! The graph uses the weights of the links, not the paper's uniform weights: see `site/graph.rs`.
 //!
-//! Cost: see `numeric/elimination.rs`; one solution for each real site that is linked to virtual ones.
+//! Cost: see `numeric/elimination.rs`; one solution for each real site that is linked to virtual sites.
 
 use super::numeric::Laplacian;
 use crate::{
@@ -17,7 +17,7 @@ use crate::{
 /// The harmonic fields at all sites.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct HarmonicFields {
-    /// For each site the real sites and their weights, ascending. A real site has itself alone.
+    /// For each site, the real sites and their weights, ascending. A real site has only itself.
     pub(crate) rows: Vec<Vec<(u32, f64)>>,
 }
 
@@ -49,7 +49,7 @@ impl HarmonicFields {
         Self { rows }
     }
 
-    /// The real sites that a site gets its motion from, and their weights.
+    /// The real sites that determine the motion of a site, and their weights.
     pub(crate) fn row(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.rows[site].iter().map(|&(real, weight)| (real as usize, weight))
     }

@@ -1,20 +1,21 @@
 //! From the posed handles to the motions of all sites (section IV-B, eq. 4). [`deform`](crate::deform) blends them.
 //!
-//! Once for a solution:
+//! Once per solution:
 //!
-//! - `harmonic`: ϖ, the weights of handles in the motions of virtual sites (eq. 4, section V-C): some n √n for n sites.
+//! - `harmonic`: ϖ, the weights of handles in the motions of virtual sites (eq. 4, section V-C): about n √n for n
+//!   sites.
 //! - `rigid/quadrature`: the nodes at which the rigid mode measures distortion.
 //!
-//! Once a frame, in `poser`, for handles that match each `solved_handle`:
+//! Once per frame, in `poser`, for handles that match each `solved_handle`:
 //!
 //! - `motion`, `strain`: T_i as logarithms, blended as sums (eq. 4): handles × virtual sites, microseconds.
-//! - `automatic`: the rotations that no person set (section VI).
-//! - `rigid`: the rigid mode in place of eq. 4: one to four milliseconds for 150 virtual sites.
+//! - `automatic`: rotations that the user did not set (section VI).
+//! - `rigid`: the rigid mode, instead of eq. 4: one to four milliseconds for 150 virtual sites.
 //! - `unwrap`: whole turns.
 //!
-//! `displacement` moves places before any site does.
+//! `displacement` moves points before the sites do.
 //!
-//! `numeric` has the factorisations and the descent that `harmonic` and `rigid` are computed with.
+//! `numeric` contains the factorisations and the descent for `harmonic` and `rigid`.
 
 mod automatic;
 mod displacement;

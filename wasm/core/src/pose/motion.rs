@@ -5,12 +5,12 @@ use glam::{DMat2, DVec2};
 use super::Strain;
 use crate::limits::MAX_POSED;
 
-/// A stretch and then a rotation about the site's rest place, and a translation: T(p) = posed + R(angle)
-/// exp(strain) (p − rest).
+/// A stretch and then a rotation about the site's rest position, and a translation: T(p) = posed + R(angle) exp(strain)
+/// (p − rest).
 ///
-/// Stored as logarithms, which blend as sums (eq. 4): opposite rotations cannot cancel to nothing, as the paper's
-/// quaternions can, and more than half a turn remains more than half a turn. Blending about the site's own place
-/// makes the result independent of the picture's origin.
+/// It is stored as logarithms, which blend as sums (eq. 4): opposite rotations cannot cancel out, unlike the paper's
+/// quaternions, and more than half a turn remains more than half a turn. Blending about the site's own position makes
+/// the result independent of the picture's origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Motion {
@@ -18,7 +18,7 @@ pub struct Motion {
     pub angle: f64,
     /// Logarithm of the stretch, in the rest frame.
     pub strain: Strain,
-    /// Posed place minus rest place, in pixels.
+    /// Posed position minus rest position, in pixels.
     pub translation: DVec2,
     /// Drawing order where the picture covers itself: greater is nearer.
     pub depth: f64,
@@ -46,13 +46,13 @@ impl Motion {
         Self { angle, strain: Strain::of_bone(direction, along, across), translation, depth }
     }
 
-    /// The same map expressed about a place at the offset `from`, where the linear part is `linear`.
+    /// The same map relative to a point at the offset `from`, with the linear part `linear`.
     pub(crate) fn seen_from(&self, from: DVec2, linear: DMat2) -> Self {
         Self { translation: self.translation + linear * from - from, ..*self }
     }
 
-    /// The motion as it enters blends: a bar that is posed to no length flattens its surroundings, but does not
-    /// collapse them.
+    /// The motion used in blends: a bar that is posed to zero length flattens its surroundings, but does not collapse
+    /// them.
     pub(crate) fn passed_on(&self) -> Self {
         Self { strain: self.strain.shrunk_by_at_most(MIN_STRETCH_RATIO), ..*self }
     }
@@ -73,7 +73,7 @@ impl Motion {
         DMat2::from_cols(turn, turn.perp()) * self.strain.stretch()
     }
 
-    /// Whether all numbers computed from the motion stay far from overflow. NaN is not in bounds.
+    /// Whether all numbers computed from the motion remain far from overflow. False for NaN.
     pub(crate) fn is_in_bounds(&self) -> bool {
         let linear = self.linear();
         let stretch = linear.x_axis.length() + linear.y_axis.length();
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn no_map_turns_over() {
+    fn no_map_is_inverted() {
         for (x, y) in [(1.0, -9.0), (0.0, 0.0), (-2.0, 2.0)] {
             let (angle, strain) = polar(DMat2::from_diagonal(DVec2::new(x, y)));
             let motion = Motion { angle, strain, ..Motion::default() };

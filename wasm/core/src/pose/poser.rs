@@ -1,4 +1,4 @@
-//! The motions of all sites from the posed handles, once a frame.
+//! The motions of all sites from the posed handles, once per frame.
 
 use std::{borrow::Cow, collections::HashMap, f64::consts::TAU, sync::Arc};
 
@@ -17,8 +17,8 @@ use crate::{
     site::{Site, SiteGraph, SiteKind},
 };
 
-/// Poses a solved scene. It knows the sites and how they depend on one another, but no picture and no samples. Its
-/// [bytes](Self::to_bytes) can be sent to another thread or process that has no solution.
+/// Poses a solved scene. It contains the sites and their dependencies, but no picture and no samples. Its
+/// [bytes](Self::to_bytes) can be sent to a thread or process without a solution.
 ///
 /// ```
 /// # use c2warp::{Picture, project::{Handle, Project}, solve};
@@ -38,8 +38,8 @@ use crate::{
 /// ```
 ///
 /// Cost of a pose: a visit of every harmonic weight, and of every pair of handles with an edge if rotations are
-/// automatic. Microseconds for tens of handles, some milliseconds for 1,000. The rigid mode adds one to four
-/// milliseconds for 150 virtual sites, and some ten milliseconds for 500 handles. The first pose factorises matrices,
+/// automatic. Microseconds for tens of handles, a few milliseconds for 1,000. The rigid mode adds one to four
+/// milliseconds for 150 virtual sites, and about ten milliseconds for 500 handles. The first pose factorises matrices,
 /// which takes 10 to 20 times as long.
 #[derive(Debug, Clone)]
 pub struct Poser {
@@ -54,11 +54,11 @@ pub struct Poser {
     pub(super) rigid: Option<Rigid>,
     /// Width and height of the picture.
     pub(super) picture: DVec2,
-    /// `None` if no place is displaced.
+    /// `None` if nothing is displaced.
     pub(super) displacement: Option<Arc<DisplacementField>>,
 }
 
-/// The parts of a solution that a [`Poser`] is made from.
+/// The parts of a solution that form a [`Poser`].
 pub(crate) struct PoserInput<'a> {
     pub(crate) sites: &'a [Site],
     pub(crate) graph: &'a SiteGraph,
@@ -66,7 +66,7 @@ pub(crate) struct PoserInput<'a> {
     pub(crate) skeleton: Skeleton,
     pub(crate) handles: Vec<SolvedHandle>,
     pub(crate) mode: PoseMode,
-    /// Needed for the relaxation of the rigid mode; a point cloud has none.
+    /// Needed for the relaxation of the rigid mode; absent for a point cloud.
     pub(crate) quadrature: Option<Quadrature>,
     pub(crate) stiffness: StiffnessField,
     pub(crate) picture: DVec2,
@@ -100,7 +100,7 @@ impl Poser {
         self.rest.len()
     }
 
-    /// What the sites are.
+    /// The kinds of the sites.
     pub(crate) fn kinds(&self) -> &[SiteKind] {
         &self.kinds
     }
@@ -115,7 +115,7 @@ impl Poser {
         &self.harmonic
     }
 
-    /// The rest places of the sites.
+    /// The rest positions of the sites.
     pub(crate) fn rest(&self) -> &Arc<[DVec2]> {
         &self.rest
     }
@@ -123,7 +123,7 @@ impl Poser {
     /// The motions of all sites, with the handles posed as given, in any order.
     ///
     /// # Errors
-    /// Those of [`Poser::pose`].
+    /// The errors of [`Poser::pose`].
     pub(crate) fn motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
         Ok(self.refined(handles, self.coarse_motions(handles)?))
     }
@@ -131,16 +131,16 @@ impl Poser {
     /// Motions without the last step of the rigid mode, [`refined`](Self::refined).
     ///
     /// # Errors
-    /// Those of [`Poser::pose`].
+    /// The errors of [`Poser::pose`].
     pub(crate) fn coarse_motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
         self.motions_from(handles, None)
     }
 
     /// The coarse motions at the local minimum of the rigid mode near motions that were [carried](Self::carried) to
-    /// these handles. In the harmonic mode, those of [`motions`](Self::motions).
+    /// these handles. In the harmonic mode, same as [`motions`](Self::motions).
     ///
     /// # Errors
-    /// Those of [`Poser::pose`].
+    /// The errors of [`Poser::pose`].
     pub(crate) fn settled(&self, handles: &[Handle], carried: &[Motion]) -> Result<Vec<Motion>, Error> {
         self.motions_from(handles, Some(carried))
     }
@@ -159,8 +159,7 @@ impl Poser {
         motions
     }
 
-    /// The motions of a pose, carried along by handles that moved a little since: each site goes as the handles around
-    /// it do.
+    /// The motions of a pose, updated for handles that have moved slightly: each site moves like the handles around it.
     ///
     /// # Panics
     /// If the handles have no pose.
@@ -226,7 +225,7 @@ impl Poser {
         Ok(motions)
     }
 
-    /// Whether data that were read from bytes are consistent.
+    /// Whether data read from bytes is consistent.
     pub(super) fn is_whole(&self) -> bool {
         let sites = self.rest.len();
         let real = |site: u32| self.kinds.get(site as usize).is_some_and(|kind| kind.is_real());
@@ -259,19 +258,19 @@ impl Poser {
         self.kinds.iter().map(is_free).collect()
     }
 
-    /// Makes the picture stiff elsewhere: only the energy of the rigid mode is made anew.
+    /// Changes the stiffness of the picture: only the energy of the rigid mode is recomputed.
     pub(crate) fn set_stiffness(&mut self, stiffness: StiffnessField) {
         if let Some(rigid) = &mut self.rigid {
             rigid.set_stiffness(stiffness);
         }
     }
 
-    /// Displaces the picture otherwise: only later poses change.
+    /// Changes the displacement of the picture: only later poses change.
     pub(crate) fn set_displacement(&mut self, displacement: Option<Arc<DisplacementField>>) {
         self.displacement = displacement;
     }
 
-    /// How places are displaced; `None` if none is.
+    /// The displacement; `None` if nothing is displaced.
     pub(crate) fn displacement(&self) -> Option<&Arc<DisplacementField>> {
         self.displacement.as_ref()
     }
@@ -281,7 +280,7 @@ impl Poser {
         self.picture
     }
 
-    /// The places of points before the handles pose them: p + d(p).
+    /// The positions of points before the handles pose them: p + d(p).
     pub(crate) fn displaced<'a>(&self, points: &'a [DVec2]) -> Cow<'a, [DVec2]> {
         match &self.displacement {
             Some(field) => points.iter().map(|&p| field.place(p)).collect(),
@@ -289,7 +288,7 @@ impl Poser {
         }
     }
 
-    /// Whether poses are those of the rigid mode.
+    /// Whether the rigid mode is used.
     pub(crate) fn is_rigid(&self) -> bool {
         self.rigid.is_some()
     }
@@ -299,10 +298,10 @@ impl Poser {
         extent(&self.rest)
     }
 
-    /// The greatest distance between the same site in two poses, and the same handle, in pixels.
+    /// The maximum distance between the same site in two poses, and the same handle, in pixels.
     ///
-    /// A turn counts with half the mean distance of neighbouring sites. Turns that handles leave free do not count as
-    /// theirs.
+    /// A turn is weighted by half the mean distance of neighbouring sites. Turns that handles leave free do not count
+    /// for handles.
     pub(crate) fn apart(&self, handles: &[Handle], a: &[Motion], b: &[Motion]) -> [f64; 2] {
         let handles = self.as_solved(handles).unwrap_or(Cow::Borrowed(&[]));
         let radius = self.extent() / (self.rest.len() as f64).sqrt() / 2.0;
@@ -349,8 +348,8 @@ impl Poser {
         self.rest.iter().zip(&self.kinds).map(motion).collect()
     }
 
-    /// Blends the motions of virtual sites from those of real ones, by their harmonic weights (eq. 4). `places` are
-    /// those that move.
+    /// Blends the motions of virtual sites from those of real ones, by their harmonic weights (eq. 4). `places` are the
+    /// positions of the moving sites.
     fn blend_virtual(&self, places: &[DVec2], motions: &mut [Motion]) {
         // The identity adds nothing. A held outline has it, and usually most handles.
         let passed_on = |motion: &Motion| {
@@ -371,7 +370,7 @@ impl Poser {
     }
 
     /// The scales of the handles at each site, spread by harmonic weights. The stretch of a bar along itself is not
-    /// passed on.
+    /// spread.
     fn scales(&self, handles: &[Handle]) -> Vec<f64> {
         let logs: Vec<f64> = handles.iter().map(|handle| libm::log(handle.scale)).collect();
         if logs.iter().all(|&log| log == 0.0) {
@@ -413,7 +412,7 @@ fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
     Motion { translation: bone.posed + motion.linear() * (rest - bone.rest) - rest, ..motion }
 }
 
-/// Counts the turns of free sites, so that neighbours differ by less than half a turn.
+/// Adjusts the turns of free sites, so that neighbours differ by less than half a turn.
 fn unwrap(rigid: &Rigid, is_free: &[bool], motions: &mut [Motion]) {
     let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
     unwrap_angles(&mut angles, is_free, rigid.links().map(|(i, j, _)| (i, j)));

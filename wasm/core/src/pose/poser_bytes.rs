@@ -16,7 +16,7 @@ impl Poser {
     /// A poser from its bytes.
     ///
     /// # Errors
-    /// [`Error::PoserBytes`] for bytes that make no consistent poser. Consistent bytes need not come from
+    /// [`Error::PoserBytes`] for bytes that do not hold a consistent poser. Consistent bytes need not come from
     /// [`Poser::to_bytes`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         let (all, rest) = postcard::take_from_bytes(bytes).map_err(|_| Error::PoserBytes)?;

@@ -12,10 +12,10 @@ use crate::{
 /// The parts of a poser besides handles and bones.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PoserParts {
-    /// Places of the sites, and what they are.
+    /// Positions and kinds of the sites.
     pub(crate) rest: Vec<DVec2>,
     pub(crate) kinds: Vec<SiteKind>,
-    /// ϖ: for each virtual site real sites and their weights. Sites that stay may be missing.
+    /// ϖ: for each virtual site, real sites and their weights. Sites that do not move may be missing.
     pub(crate) harmonic: Vec<Vec<(u32, f64)>>,
     /// Pairs of real sites with weights, for automatic rotations.
     pub(crate) pseudo_edges: Vec<(u32, u32, f64)>,
@@ -44,7 +44,7 @@ impl Poser {
         })
     }
 
-    /// A poser without a picture: it makes motions. `None` if the parts are not consistent.
+    /// A poser without a picture, which computes motions. `None` if the parts are not consistent.
     pub(crate) fn from_parts(parts: &PoserParts, skeleton: &Skeleton, handles: &[Handle]) -> Option<Self> {
         let mut rows = parts.harmonic.iter();
         let row = |(site, kind): (u32, &SiteKind)| match kind.is_real() {

@@ -2,7 +2,7 @@
 
 use crate::project::ShapeKind;
 
-/// A handle as it was solved, without its places.
+/// A solved handle without its positions.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct SolvedHandle {

@@ -9,13 +9,13 @@ const MIN_STRETCH: f64 = 1e-9;
 
 /// The logarithm of a stretch: a symmetric matrix [xx xy; xy yy].
 ///
-/// Stretches blend as sums of their logarithms, so a blend of stretches is a stretch, too: lengths stay above 0, and
+/// Stretches blend as sums of their logarithms, so a blend of stretches is again a stretch: lengths remain above 0, and
 /// nothing is rotated or inverted (log-Euclidean means: Arsigny et al. 2007).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Strain {
     /// Along x.
     pub xx: f64,
-    /// Between the axes.
+    /// The component between the axes.
     pub xy: f64,
     /// Along y.
     pub yy: f64,
@@ -69,7 +69,7 @@ impl Strain {
         Self { xx: middle + excess * half, xy: excess * self.xy, yy: middle - excess * half }
     }
 
-    /// Logarithm of the uniform scale with the same change of area.
+    /// The logarithm of the uniform scale with the same change of area.
     pub(crate) fn mean(&self) -> f64 {
         (self.xx + self.yy) / 2.0
     }
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bone_of_no_length_is_kept_above_0() {
+    fn zero_length_bone_keeps_a_positive_stretch() {
         let stretch = Strain::of_bone(DVec2::X, 0.0, 1.0).stretch();
         assert!((stretch.determinant() - 1e-9).abs() < 1e-15);
         assert!(Strain::of_bone(DVec2::X, f64::NAN, 1.0).stretch().is_nan());

@@ -1,13 +1,13 @@
 //! Unwrapping of angles, so that neighbours differ by less than half a turn.
 //!
-//! A rotation determines its angle up to whole turns, but blends depend on the angles. The smallest difference
-//! between neighbours is chosen. A shape that is rolled up by three turns then unrolls by angles up to three turns,
-//! and a shape that is turned by half a turn has one angle everywhere.
+//! A rotation determines its angle up to whole turns, but blends depend on the angles. Unwrapping chooses the smallest
+//! difference between neighbours. A shape rolled up by three turns then unrolls by angles up to three turns, and a
+//! shape rotated by half a turn has one angle everywhere.
 //!
-//! Unwrapping starts at the angles that a person set, or else at the smallest one. It follows the links with the
-//! smallest differences first, so the order of sites does not matter. Each site takes the angle nearest to that of
-//! its predecessor. Around a hole the last neighbours may still be a whole turn apart. Cost: linear in the links,
-//! plus a heap of them if any angle must change.
+//! Unwrapping starts at the angles that the user set, or else at the smallest one. It follows the links with the
+//! smallest differences first, so the order of sites does not matter. Each site takes the angle nearest to that of its
+//! predecessor. Around a hole the last neighbours may still be a whole turn apart. Cost: linear in the links, plus a
+//! heap of them if any angle must change.
 
 use std::{
     collections::BinaryHeap,
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_go_on_through_many_turns() {
+    fn angles_continue_through_many_turns() {
         let wound: Vec<f64> = (0..40).map(|i| f64::from(i) * 0.5).collect();
         let wrapped: Vec<f64> = wound.iter().map(|angle| angle - TAU * libm::round(angle / TAU)).collect();
         let found = chain(&wrapped, &[true; 40]);

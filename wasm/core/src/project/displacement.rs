@@ -1,4 +1,4 @@
-//! How a brush has moved the picture at rest: a grid of control points over it.
+//! How a brush has displaced the picture at rest: a grid of control points over it.
 
 use std::ops::RangeInclusive;
 
@@ -9,14 +9,15 @@ use super::path::Path;
 use super::spline::{PARTS, SIDE_LEAST, Spline, control_points};
 use super::validate;
 
-/// 256 segments, of 16 px in a picture of 4,096 px. With more, the text of the grid outgrows the rest of a project.
+/// 256 segments, each 16 px long in a picture of 4,096 px. With more, the grid would dominate the size of the project
+/// file.
 const SIDE_MOST: u32 = 259;
 pub(super) const SIDES: RangeInclusive<u32> = SIDE_LEAST..=SIDE_MOST;
 
-/// How places of the picture at rest are moved before the handles pose them: a cubic B-spline over the picture.
+/// The displacement of the picture at rest, applied before the handles pose it: a cubic B-spline over the picture.
 ///
-/// A place p goes where the handles would take p + d(p), by the weights of p. Of `width` × `height` control points, one
-/// row and column lies beyond each edge of the picture. Beyond the picture the displacement at its edge stays.
+/// A point p moves where the handles would move p + d(p), with the weights of p. Of `width` × `height` control points,
+/// one row and column lies beyond each edge of the picture. Beyond the picture, the displacement at its edge continues.
 ///
 /// ```
 /// use c2warp::project::{Displacement, Project};
@@ -43,20 +44,20 @@ pub struct Displacement {
     #[cfg_attr(feature = "schema", schemars(range(min = SIDE_LEAST, max = SIDE_MOST)))]
     pub height: u32,
     /// For each control point, rows from top to bottom, its displacement in x, then in y: 256 is the distance between
-    /// columns, or rows. In base64: whole numbers of 16 bits with a sign, the lower byte first.
+    /// columns, or rows. In base64: signed 16-bit integers, little-endian.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::numbers_as_base64"))]
     #[cfg_attr(feature = "schema", schemars(with = "String", extend("contentEncoding" = "base64", "pattern" = "^[A-Za-z0-9+/]+={0,2}$")))]
     pub values: Vec<i16>,
 }
 
 impl Displacement {
-    /// A grid of control points, with rows from top to bottom: displacements in x and y, in turn.
+    /// A grid of control points, with rows from top to bottom: alternating displacements in x and y.
     #[must_use]
     pub fn new(width: u32, height: u32, values: Vec<i16>) -> Self {
         Self { width, height, values }
     }
 
-    /// The displacement d(p) of a place, in pixels of a picture of this size.
+    /// The displacement d(p) of a point, in pixels of a picture of this size.
     ///
     /// # Panics
     /// If a side is out of range, or there are not two values for each control point.
@@ -75,8 +76,8 @@ impl Displacement {
         Spline { size, sides: [self.width, self.height], values: &self.values }
     }
 
-    /// The displacement of another picture, of a size in pixels, whose places come from those of this one by a map.
-    /// Control points are about as dense as before, so forms of a few spacings stay. `None` if nothing is left.
+    /// The displacement for another picture of a given size in pixels, related to this one by a map. Control points are
+    /// about as dense as before, so features a few spacings wide are preserved. `None` if nothing is displaced.
     pub(super) fn mapped(&self, map: &DAffine2, from: DVec2, to: DVec2) -> Option<Self> {
         let scaled = DAffine2::from_scale(to / from);
         if map.abs_diff_eq(scaled, 1e-9 * to.max_element()) {
@@ -149,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn places_of_a_cropped_picture_move_as_before() {
+    fn points_of_a_cropped_picture_move_as_before() {
         let wide = |k: i32| {
             let apart = DVec2::new(f64::from(k % 11) - 3.0, f64::from(k / 11) - 4.0);
             [(200.0 * (1.0 - apart.length_squared() / 16.0).max(0.0).powi(3)) as i16, 0]

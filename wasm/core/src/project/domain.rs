@@ -22,12 +22,12 @@ pub enum DomainSpec {
     Image,
     /// The part of the picture with enough opacity.
     Alpha {
-        /// Least opacity of the domain, above 0 and up to 1.
+        /// Minimum opacity of the domain, above 0 and up to 1.
         #[cfg_attr(feature = "schema", schemars(default = "default_threshold", extend("exclusiveMinimum" = 0), range(max = 1)))]
         threshold: f64,
     },
-    /// The inside of closed rings by the even-odd rule: a ring inside a ring is a hole. The rest of the picture stays
-    /// in place.
+    /// The inside of closed rings by the even-odd rule: a ring inside a ring is a hole. The rest of the picture does
+    /// not move.
     Polygon {
         /// One or more rings of at least three points `[x, y]`.
         #[cfg_attr(feature = "serde", serde(serialize_with = "super::points::rings"))]
@@ -36,8 +36,8 @@ pub enum DomainSpec {
             schemars(with = "Vec<Vec<super::points::Point>>", length(min = 1), inner(length(min = 3)))
         )]
         rings: Vec<Vec<DVec2>>,
-        /// Width of the soft rim around the rings, in pixels, from 0 to 64. What moves away goes on that far beyond its
-        /// outline, and fades out. At rest nothing changes.
+        /// Width of the soft rim around the rings, in pixels, from 0 to 64. Moving parts extend this far beyond their
+        /// outline and fade out. At rest, nothing changes.
         #[cfg_attr(feature = "schema", schemars(default, range(min = 0, max = MOST_FEATHER_PX)))]
         feather: f64,
     },
@@ -53,7 +53,7 @@ impl DomainSpec {
         Self::Polygon { rings, feather: 0.0 }
     }
 
-    /// The same rings with a feather of a width in pixels. Other domains have none.
+    /// The same rings with a feather of a width in pixels. Other domains have no feather.
     #[must_use]
     pub fn feathered(self, feather: f64) -> Self {
         match self {

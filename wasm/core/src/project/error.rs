@@ -1,4 +1,4 @@
-//! Why a project was refused, and at which key.
+//! Why a project was rejected, and at which key.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use std::fmt;
 pub struct ProjectError {
     /// Path of the offending key, for example `handles[2].rest[0]`. It is empty for the project as a whole.
     pub path: String,
-    /// The expected value, and the one found.
+    /// The expected and the found value.
     pub message: String,
 }
 

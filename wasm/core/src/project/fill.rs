@@ -1,28 +1,28 @@
 //! How the picture behind a part that moves away is filled.
 
-/// How the picture behind a domain of rings is filled, where the part that bends moves away.
+/// How the picture behind a domain of rings is filled where the bending part moves away.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "schema", schemars(rename = "Fill", deny_unknown_fields))]
 #[non_exhaustive]
 pub struct FillSpec {
-    /// Where the colours come from.
+    /// The source of the colours.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub method: FillMethod,
-    /// Chooses one of many results, each as good as another. The same seed always gives the same pixels.
+    /// Chooses one of many equally good results. The same seed always gives the same pixels.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub seed: u32,
 }
 
-/// Where the colours of a fill come from.
+/// The source of the colours of a fill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum FillMethod {
-    /// From patches of the picture around that look alike.
+    /// Similar patches of the surrounding picture.
     #[default]
     Patches,
 }

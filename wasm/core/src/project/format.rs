@@ -6,7 +6,7 @@
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Format {
-    /// The first version, and so far the only one.
+    /// The first and only version so far.
     #[default]
     #[cfg_attr(feature = "serde", serde(rename = "c2warp/1"))]
     V1,

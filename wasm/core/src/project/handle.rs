@@ -10,6 +10,8 @@ use super::rotation::Rotation;
 use super::shape::Shape;
 use super::validate;
 use crate::display_number::DisplayNumber;
+#[cfg(feature = "schema")]
+use crate::limits::MAX_NAME;
 
 /// A handle at rest and posed.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,8 +20,8 @@ use crate::display_number::DisplayNumber;
 #[cfg_attr(feature = "schema", schemars(extend("unevaluatedProperties" = false)))]
 #[non_exhaustive]
 pub struct Handle {
-    /// A name, unique in the project and not empty.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+    /// A name of 1 to 200 characters, unique in the project.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = MAX_NAME)))]
     pub id: String,
     /// Point, bar or polygon, at rest and posed.
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -36,8 +38,8 @@ pub struct Handle {
     /// Drawing order where the picture overlaps itself: greater depths are in front.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub depth: f64,
-    /// How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds
-    /// have none. It affects rigid mode alone.
+    /// Stiffness of the picture inside a polygon, from 0 to 1: distortion counts more where it is stiff. Other kinds
+    /// have no stiffness. It only affects rigid mode.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::json::is_default"))]
     #[cfg_attr(feature = "schema", schemars(default, range(min = 0, max = 1)))]
     pub stiffness: f64,
@@ -83,7 +85,7 @@ impl Handle {
     /// The same handle with other posed corners, in the order of the corners at rest.
     ///
     /// # Panics
-    /// If the number of points is not the number of corners. A point handle has one.
+    /// If the number of points differs from the number of corners. A point handle has one point.
     #[must_use]
     pub fn posed_at(mut self, points: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
         let points: Vec<DVec2> = points.into_iter().map(Into::into).collect();
@@ -114,7 +116,7 @@ impl Handle {
         self
     }
 
-    /// The same polygon with its inside as stiff as a number from 0 to 1 says.
+    /// The same polygon with a stiffness of its inside, from 0 to 1.
     #[must_use]
     pub fn stiffened(mut self, stiffness: f64) -> Self {
         self.stiffness = stiffness;
@@ -122,9 +124,7 @@ impl Handle {
     }
 
     fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
-        if self.id.is_empty() {
-            return at.key("id").refuse("expected a name, found an empty string");
-        }
+        validate::name(&at.key("id"), &self.id)?;
         self.shape.check(at)?;
         if let Rotation::Degrees(degrees) = self.rotation {
             validate::finite(&at.key("rotation"), degrees)?;
@@ -150,7 +150,7 @@ impl Handle {
             Shape::Point { .. } => "point",
             Shape::Bar { .. } => "bar",
         };
-        at.refuse(format_args!("only a polygon can be stiff, and {:?} is a {kind}", self.id))
+        at.refuse(format_args!("only a polygon can be stiff, but {:?} is a {kind}", self.id))
     }
 }
 

@@ -7,7 +7,7 @@
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum LooseParts {
-    /// They stay in place.
+    /// They do not move.
     #[default]
     Stay,
     /// Each moves with the nearest point of a part that has a handle.

@@ -10,8 +10,8 @@ use super::image::ImageRef;
 use super::shape::Shape;
 
 impl Project {
-    /// The same project for another picture, with each of its positions in pixels mapped, at rest and posed. The file
-    /// name of the picture is left empty.
+    /// The same project for another picture, with all positions in pixels mapped, at rest and posed. The file name of
+    /// the picture is left empty.
     ///
     /// Everything else is relative: turns, scales, depths, times, the number of samples and the settings of weights.
     pub(crate) fn mapped(&self, map: &DAffine2, (width, height): (u32, u32)) -> Self {

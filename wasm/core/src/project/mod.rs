@@ -3,10 +3,10 @@
 //! This is the only definition of the format. The JSON schema and the TypeScript types are generated from these types.
 //!
 //! Reading is strict. Unknown and duplicate keys, wrong types, values out of range and later versions of the format are
-//! refused with the path of the offending key. Writing writes every key: the file then states all settings.
+//! rejected with the path of the offending key. Writing writes every key: the file then states all settings.
 //!
-//! [`Project::check`] enforces the rules of the format, for projects from files and from code. Rules that depend on the
-//! picture are up to the solver: for example, that handles lie in the domain.
+//! [`Project::check`] enforces the rules of the format, for projects from files and from code. The solver checks rules
+//! that depend on the picture: for example, that handles lie in the domain.
 //!
 //! ```
 //! use c2warp::project::{Handle, Project};
@@ -101,8 +101,8 @@ pub struct Project {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "schema", schemars(with = "DomainSpec", default, transform = self::schema::without_default))]
     pub domain: Option<DomainSpec>,
-    /// How the picture behind a domain of rings is filled. Without it, what moves away leaves a gap. Other domains have
-    /// nothing behind them, and ignore it.
+    /// How the picture behind a domain of rings is filled. Without it, a part that moves away leaves a gap. Other
+    /// domains have nothing behind them, and ignore it.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "schema", schemars(with = "FillSpec", default, transform = self::schema::without_default))]
     pub fill: Option<FillSpec>,
@@ -130,8 +130,8 @@ pub struct Project {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(default))]
     pub clips: Vec<Clip>,
-    /// How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects rigid mode
-    /// alone. The default is a picture without stiff places.
+    /// How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects only rigid
+    /// mode. The default is a picture without stiff places.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "schema", schemars(with = "Stiffness", default, transform = self::schema::without_default))]
     pub stiffness: Option<Stiffness>,

@@ -4,6 +4,9 @@ use std::fmt;
 
 use super::error::ProjectError;
 
+/// Characters of a key in a message. Those of the format are shorter.
+const LONGEST_KEY: usize = 40;
+
 /// A path into the project: one step after its parent.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Path<'a> {
@@ -38,9 +41,15 @@ impl fmt::Display for Path<'_> {
         match self {
             Path::Top => Ok(()),
             Path::Index(parent, index) => write!(f, "{parent}[{index}]"),
-            Path::Key(parent, key) if !is_word(key) => write!(f, "{parent}[{key:?}]"),
-            Path::Key(Path::Top, key) => f.write_str(key),
-            Path::Key(parent, key) => write!(f, "{parent}.{key}"),
+            Path::Key(parent, key) => {
+                let start = key.char_indices().nth(LONGEST_KEY).map_or(*key, |(end, _)| &key[..end]);
+                let rest = if start.len() < key.len() { "…" } else { "" };
+                match parent {
+                    _ if !is_word(start) => write!(f, "{parent}[{start:?}{rest}]"),
+                    Path::Top => write!(f, "{start}{rest}"),
+                    parent => write!(f, "{parent}.{start}{rest}"),
+                }
+            }
         }
     }
 }
@@ -61,5 +70,6 @@ mod tests {
         assert_eq!(Path::Index(&rest, 0).to_string(), "handles[2].rest[0]");
         assert_eq!(Path::Key(&third, "a\nb").to_string(), r#"handles[2]["a\nb"]"#);
         assert_eq!(Path::Top.to_string(), "");
+        assert_eq!(Path::Key(&third, &"é".repeat(41)).to_string(), format!("handles[2].{}…", "é".repeat(40)));
     }
 }

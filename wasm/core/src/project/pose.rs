@@ -1,10 +1,11 @@
-//! How virtual sites get their motions from handles, and how motions are blended.
+//! How virtual sites derive their motions from handles, and how motions are blended.
 
 use super::error::ProjectError;
 use super::path::Path;
 use super::validate;
 
-/// Greatest density. Below [`MAX_SITES`](crate::limits::MAX_SITES) it has room for the sites that handles need.
+/// Greatest density. It is below [`MAX_SITES`](crate::limits::MAX_SITES), which leaves room for the sites that handles
+/// need.
 pub(super) const MAX_DENSITY: u32 = 4096;
 
 /// Settings of the pose.
@@ -14,18 +15,18 @@ pub(super) const MAX_DENSITY: u32 = 4096;
 #[cfg_attr(feature = "schema", schemars(rename = "Pose", deny_unknown_fields))]
 #[non_exhaustive]
 pub struct PoseSpec {
-    /// How virtual sites get their motions.
+    /// How virtual sites derive their motions.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub mode: PoseMode,
     /// How the motions at a point are blended.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub blend: Blend,
-    /// Least number of virtual sites, up to 4,096. With 0, Algorithm 1 decides.
+    /// Least number of virtual sites, up to 4,096. With 0, Algorithm 1 determines the number.
     #[cfg_attr(feature = "schema", schemars(default, range(max = MAX_DENSITY)))]
     pub density: u32,
 }
 
-/// How virtual sites get their motions from handles.
+/// How virtual sites derive their motions from handles.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -1,4 +1,4 @@
-//! The parts of the JSON schema that the types of a project do not have.
+//! The parts of the JSON schema that cannot be derived from the types of a project.
 
 use std::borrow::Cow;
 
@@ -15,7 +15,7 @@ pub(super) fn without_default(schema: &mut Schema) {
 /// A posed point, or posed corners.
 #[derive(JsonSchema)]
 #[serde(untagged)]
-#[expect(dead_code, reason = "a type for the schema alone")]
+#[expect(dead_code, reason = "a type only for the schema")]
 pub(super) enum Posed {
     Point(Point),
     Corners(#[schemars(length(min = 2))] Vec<Point>),

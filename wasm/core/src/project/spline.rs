@@ -1,15 +1,15 @@
-//! A uniform cubic B-spline over a picture, of two values each way: twice continuously differentiable.
+//! A uniform cubic B-spline over a picture with two values: twice continuously differentiable.
 //!
-//! Cost: sixteen control points for each place.
+//! Cost: sixteen control points for each point.
 
 use glam::{DMat2, DVec2};
 
-/// A cubic spline has four control points at each place.
+/// A cubic spline has four control points at each position.
 pub(super) const SIDE_LEAST: u32 = 4;
-/// Parts of the spacing that values are multiples of.
+/// Values are multiples of this fraction of the spacing.
 pub(super) const PARTS: f64 = 256.0;
 
-/// Control points over a picture of a size in pixels: pairs of values, rows from top to bottom.
+/// Control points over a picture of a given size in pixels: pairs of values, rows from top to bottom.
 ///
 /// One row and column of them lies beyond each edge of the picture. Values are in parts of the spacing.
 #[derive(Debug, Clone, Copy)]
@@ -19,7 +19,7 @@ pub(crate) struct Spline<'a> {
     pub(crate) values: &'a [i16],
 }
 
-/// The four control points that count at one place, along one axis.
+/// The four control points that affect one position, along one axis.
 struct Span {
     first: usize,
     shares: [f64; 4],
@@ -28,8 +28,8 @@ struct Span {
 }
 
 impl Span {
-    /// The control points at a coordinate from 0 to `side`, of a spline with a number of segments. Beyond, the value
-    /// stays.
+    /// The control points at a coordinate from 0 to `side`, of a spline with a number of segments. Beyond this range,
+    /// the value is constant.
     fn new(at: f64, side: f64, segments: u32) -> Self {
         let inside = at.clamp(0.0, side);
         let at_segments = inside * f64::from(segments) / side;
@@ -54,13 +54,13 @@ impl Spline<'_> {
         self.size / DVec2::from(self.segments().map(f64::from))
     }
 
-    /// The value at a place, in pixels.
+    /// The value at a point, in pixels.
     pub(crate) fn at(&self, p: DVec2) -> DVec2 {
         let [x, y] = self.spans(p);
         self.unit() * self.sum(&x, x.shares, &y, y.shares)
     }
 
-    /// The value at a place, in pixels, and its Jacobian.
+    /// The value at a point, in pixels, and its Jacobian.
     pub(crate) fn with_slopes(&self, p: DVec2) -> (DVec2, DMat2) {
         let [x, y] = self.spans(p);
         let unit = self.unit();
@@ -97,8 +97,8 @@ impl Spline<'_> {
     }
 }
 
-/// The control points of the cubic spline through samples at its knots, without curvature at both ends. They are two
-/// more than the samples, and those are at least two.
+/// The control points of the cubic spline through samples at its knots, without curvature at both ends. There are two
+/// more control points than samples, and at least two samples.
 pub(super) fn control_points(samples: &[DVec2]) -> Vec<DVec2> {
     let last = samples.len() - 1;
     let mut points = vec![DVec2::ZERO; samples.len() + 2];

@@ -1,4 +1,4 @@
-//! How stiff the picture is: a small grid over it.
+//! The stiffness of the picture: a small grid over it.
 
 use std::ops::RangeInclusive;
 
@@ -8,13 +8,14 @@ use super::error::ProjectError;
 use super::path::Path;
 use super::validate;
 
-/// With more cells, a mask would be finer than the motions that it weighs.
+/// With more cells, a mask would be finer than the motions that it affects.
 const MOST_CELLS: u32 = 128;
 pub(super) const CELLS: RangeInclusive<u32> = 1..=MOST_CELLS;
 
-/// How stiff each place of the picture at rest is: a grid of equal cells that covers the picture, whatever its aspect.
+/// The stiffness of each point of the picture at rest: a grid of equal cells that covers the picture, regardless of its
+/// aspect ratio.
 ///
-/// In between the centres of cells values are bilinear; beyond the outermost centres they stay.
+/// Between the centres of cells, values are bilinear; beyond the outermost centres, they are constant.
 ///
 /// ```
 /// use c2warp::project::{Project, Stiffness};
@@ -38,7 +39,7 @@ pub struct Stiffness {
     /// Number of rows, from 1 to 128.
     #[cfg_attr(feature = "schema", schemars(range(min = 1, max = MOST_CELLS)))]
     pub height: u32,
-    /// A byte for each cell in base64, rows from top to bottom: 0 is as soft as without, 255 is stiff.
+    /// A byte for each cell in base64, rows from top to bottom: 0 is as soft as without a mask, 255 is stiff.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::json::bytes_as_base64"))]
     #[cfg_attr(feature = "schema", schemars(with = "String", extend("contentEncoding" = "base64", "pattern" = "^[A-Za-z0-9+/]+={0,2}$")))]
     pub values: Vec<u8>,
@@ -51,17 +52,17 @@ impl Stiffness {
         Self { width, height, values }
     }
 
-    /// The stiffness at a place, as fractions of the picture's width and height: from 0 to 1, bilinear.
+    /// The stiffness at a point given as fractions of the picture's width and height: from 0 to 1, bilinear.
     ///
     /// # Panics
-    /// If there is not one value per cell.
+    /// If the number of values differs from the number of cells.
     #[must_use]
     pub fn at(&self, place: DVec2) -> f64 {
         bilinear([self.width, self.height], &self.values, place)
     }
 
-    /// The mask of another picture, of a size in pixels, whose places come from those of this one by a map. Cells
-    /// cover as much of the picture as before. `None` if nothing stiff is left.
+    /// The mask for another picture of a given size in pixels, related to this one by a map. Cells cover as much of the
+    /// picture as before. `None` if nothing is stiff.
     pub(super) fn mapped(&self, map: &DAffine2, from: DVec2, to: DVec2) -> Option<Self> {
         let per_cell = from / DVec2::new(self.width.into(), self.height.into());
         let cells = |side: f64, cell: f64| (side / cell).round().clamp(1.0, MOST_CELLS.into()) as u32;
@@ -92,7 +93,7 @@ impl Stiffness {
     }
 }
 
-/// The stiffness at a place in a grid of columns × rows, as fractions of the picture's size.
+/// The stiffness at a point in a grid of columns × rows, given as fractions of the picture's size.
 pub(crate) fn bilinear([columns, rows]: [u32; 2], values: &[u8], place: DVec2) -> f64 {
     let [(left, right, x), (top, bottom, y)] = [(place.x, columns), (place.y, rows)].map(|(at, cells)| next(at, cells));
     let value = |column: usize, row: usize| f64::from(values[row * columns as usize + column]) / 255.0;
@@ -100,7 +101,7 @@ pub(crate) fn bilinear([columns, rows]: [u32; 2], values: &[u8], place: DVec2) -
     (1.0 - y) * of_row(top) + y * of_row(bottom)
 }
 
-/// The two cells whose centres are next to a place from 0 to 1, and the share of the second.
+/// The two cells whose centres are next to a position from 0 to 1, and the share of the second.
 fn next(at: f64, cells: u32) -> (usize, usize, f64) {
     let last = cells - 1;
     let at = (at * f64::from(cells) - 0.5).clamp(0.0, last.into());
@@ -122,11 +123,11 @@ mod tests {
     }
 
     #[test]
-    fn mask_of_another_picture_covers_the_same_places() {
+    fn mask_of_another_picture_covers_the_same_points() {
         let mask = Stiffness::new(4, 2, vec![0, 0, 255, 255, 0, 0, 51, 0]);
         let [from, to] = [DVec2::new(40.0, 20.0), DVec2::new(80.0, 60.0)];
         assert_eq!(mask.mapped(&DAffine2::from_scale(to / from), from, to), Some(mask.clone()));
-        // A picture with ten more pixels on the left, and none of the right half.
+        // A picture with ten more pixels on the left, and without the right half.
         let map = DAffine2::from_translation(DVec2::new(10.0, 0.0));
         assert_eq!(mask.mapped(&map, from, DVec2::new(30.0, 20.0)), None);
         let wider = mask.mapped(&map, from, DVec2::new(50.0, 20.0));

@@ -1,4 +1,4 @@
-//! Tests of the format: reading, writing, and messages of refusals.
+//! Tests of the format: reading, writing, and error messages.
 
 use glam::DVec2;
 
@@ -24,7 +24,7 @@ const FULL: &str = r#"{
 }
 "#;
 
-/// A change of a project, and the error of the changed project.
+/// A change to a project, and the error of the changed project.
 type Refused = (fn(&mut Project), &'static str);
 
 /// The error of the full project after an edit of its text.
@@ -97,12 +97,9 @@ fn errors_in_clips_name_the_key() {
         (key(r#""time": 1.5"#), "clips[0].tracks[0].keys[0].time: expected seconds from 0 to 1, found 1.5"),
         (
             track("head", r#"[{ "time": 0.5 }, { "time": 0.5 }]"#),
-            "clips[0].tracks[0].keys[1].time: expected more than 0.5, the key before, found 0.5",
+            "clips[0].tracks[0].keys[1].time: expected a time after 0.5, that of the previous key, found 0.5",
         ),
-        (
-            key(r#""time": 0, "posed": [1]"#),
-            "clips[0].tracks[0].keys[0].posed: expected a point [x, y], found 1 values",
-        ),
+        (key(r#""time": 0, "posed": [1]"#), "clips[0].tracks[0].keys[0].posed: expected a point [x, y], found 1 value"),
         (
             key(r#""time": 0, "posed": [[1, 2], [3, 4]]"#),
             "clips[0].tracks[0].keys[0].posed: expected a point [x, y], found 2 points",
@@ -176,8 +173,8 @@ fn errors_name_the_key() {
         (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
         (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),
         ("[128, 40.5]", r#"["x", 40.5]"#, r#"handles[0].rest[0]: expected a number, found "x""#),
-        ("[128, 40.5]", "[128]", "handles[0].rest: expected a point [x, y], found 1 values"),
-        ("[128, 40.5]", "[[1, 2]]", "handles[0].rest: expected a point [x, y], found 1 values"),
+        ("[128, 40.5]", "[128]", "handles[0].rest: expected a point [x, y], found 1 value"),
+        ("[128, 40.5]", "[[1, 2]]", "handles[0].rest: expected a point [x, y], found 1 value"),
         ("15", r#""automatic""#, r#"handles[0].rotation: expected a number of degrees or "auto", found "automatic""#),
         (r#""scale": 1"#, r#""scale": 0"#, "handles[0].scale: expected a number above 0, found 0"),
         (r#""scale": 1"#, r#""scale": -2"#, "handles[0].scale: expected a number above 0, found -2"),
@@ -519,8 +516,8 @@ fn only_polygons_have_a_stiffness() {
         ("eye", "1.5", "handles[2].stiffness: expected a number from 0 to 1, found 1.5"),
         ("eye", "-0.1", "handles[2].stiffness: expected a number from 0 to 1, found -0.1"),
         ("eye", "null", "handles[2].stiffness: expected a number, found null"),
-        ("tail", "1", r#"handles[1].stiffness: only a polygon can be stiff, and "tail" is a bar"#),
-        ("head", "0.2", r#"handles[0].stiffness: only a polygon can be stiff, and "head" is a point"#),
+        ("tail", "1", r#"handles[1].stiffness: only a polygon can be stiff, but "tail" is a bar"#),
+        ("head", "0.2", r#"handles[0].stiffness: only a polygon can be stiff, but "head" is a point"#),
     ] {
         assert_eq!(with(handle, value).unwrap_err().to_string(), message);
     }
@@ -530,4 +527,40 @@ fn only_polygons_have_a_stiffness() {
         project.check().unwrap_err().to_string(),
         "handles[2].stiffness: expected a number from 0 to 1, found NaN"
     );
+}
+
+#[test]
+fn names_have_at_most_200_characters() {
+    let named = |id: &str, clip: &str, track: &str| {
+        let text = r#"{ "format": "c2warp/1", "image": { "src": "", "width": 9, "height": 9 }, "handles": [{ "id": "ID",
+            "kind": "point", "rest": [1, 2] }], "clips": [{ "name": "CLIP", "duration": 1, "tracks": [{ "handle":
+            "TRACK", "keys": [{ "time": 0, "depth": 1 }] }] }] }"#;
+        Project::from_json(&text.replace("ID", id).replace("CLIP", clip).replace("TRACK", track))
+    };
+    // Characters are counted, not bytes.
+    let (longest, longer) = ("é".repeat(200), "é".repeat(201));
+    assert!(named(&longest, &longest, &longest).is_ok());
+    let expected = "expected a name of at most 200 characters, found 201";
+    for (project, key) in [
+        (named(&longer, "clip", &longer), "handles[0].id"),
+        (named("head", &longer, "head"), "clips[0].name"),
+        (named("head", "clip", &longer), "clips[0].tracks[0].handle"),
+    ] {
+        assert_eq!(project.unwrap_err().to_string(), format!("{key}: {expected}"));
+    }
+    let project = Project::for_picture(9, 9).with_handles([Handle::point(longer, [1.0, 2.0])]);
+    assert_eq!(project.check().unwrap_err().to_string(), format!("handles[0].id: {expected}"));
+}
+
+#[test]
+fn refusals_quote_no_long_text() {
+    let long = "x".repeat(100_000);
+    for (text, expected) in [
+        (format!(r#"{{"format": "{long}"}}"#), r#"format: expected "c2warp/1", found a long string"#.to_owned()),
+        (format!(r#"{{"format": "c2warp/1", "{long}": 1}}"#), format!("{}…: unknown key; expected", "x".repeat(40))),
+        (format!(r#"{{"{long}": 1, "{long}": 2}}"#), "duplicate key a long string".to_owned()),
+    ] {
+        let refused = Project::from_json(&text).unwrap_err().to_string();
+        assert!(refused.contains(&expected) && refused.len() < 400, "{refused}");
+    }
 }

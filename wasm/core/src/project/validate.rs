@@ -6,9 +6,12 @@ use glam::DVec2;
 
 use super::error::ProjectError;
 use super::path::Path;
-use crate::{display_number::DisplayNumber, limits::MAX_POSED};
+use crate::{
+    display_number::DisplayNumber,
+    limits::{MAX_NAME, MAX_POSED},
+};
 
-/// A range in words, for messages.
+/// Describes a range for messages.
 pub(super) fn whole_numbers(range: &RangeInclusive<u32>) -> String {
     match (range.start(), range.end()) {
         (least, &u32::MAX) => format!("a whole number, {least} or more"),
@@ -22,6 +25,15 @@ pub(super) fn whole_number(at: &Path<'_>, number: u32, range: &RangeInclusive<u3
         Ok(())
     } else {
         at.refuse(format_args!("expected {}, found {number}", whole_numbers(range)))
+    }
+}
+
+/// Checks the name of a handle or a clip.
+pub(super) fn name(at: &Path<'_>, name: &str) -> Result<(), ProjectError> {
+    match name.chars().count() {
+        0 => at.refuse("expected a name, found an empty string"),
+        1..=MAX_NAME => Ok(()),
+        length => at.refuse(format_args!("expected a name of at most {MAX_NAME} characters, found {length}")),
     }
 }
 
@@ -44,7 +56,7 @@ pub(super) fn points(at: &Path<'_>, points: &[DVec2], least: usize) -> Result<()
     points.iter().enumerate().try_for_each(|(index, &p)| point(&at.index(index), p))
 }
 
-/// Checks corners at rest: at least `least` points whose lengths and products are finite, too.
+/// Checks corners at rest: at least `least` points whose lengths and products are finite as well.
 pub(super) fn corners(at: &Path<'_>, corners: &[DVec2], least: usize) -> Result<(), ProjectError> {
     points(at, corners, least)?;
     corners.iter().enumerate().try_for_each(|(index, corner)| {

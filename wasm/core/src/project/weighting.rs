@@ -11,7 +11,7 @@ const LEAST_FACTOR: u32 = 0;
 const MOST_FACTOR: u32 = 1;
 /// The least n for which φ is C² (section V-A).
 pub(super) const LEAST_DEGREE: u32 = 5;
-/// Far above any degree that changes the picture.
+/// Far above the degrees that still change the picture.
 pub(super) const MOST_DEGREE: u32 = 32;
 
 /// The parameters of the weights.
@@ -24,16 +24,16 @@ pub struct Weighting {
     /// α, from 0 (smallest supports) to 1 (widest supports).
     #[cfg_attr(feature = "schema", schemars(default = "default_shape_factor", range(min = LEAST_FACTOR, max = MOST_FACTOR)))]
     pub shape_factor: f64,
-    /// Degree n of the Bézier polynomial φ, from 5 to 32. From 5 on it is C².
+    /// Degree n of the Bézier polynomial φ, from 5 to 32. It is C² for degrees from 5.
     #[cfg_attr(feature = "schema", schemars(default = "default_degree", range(min = LEAST_DEGREE, max = MOST_DEGREE)))]
     pub degree: u32,
-    /// Position of the inner control points of φ. Continuity leaves them free.
+    /// Position of the inner control points of φ. They do not affect continuity.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub filling: Filling,
     /// Rule for the radius of a support.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub support: Support,
-    /// Where weights have two continuous derivatives.
+    /// The region in which weights have two continuous derivatives.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::json::is_default"))]
     #[cfg_attr(feature = "schema", schemars(default, extend("default" = Continuity::default())))]
     pub continuity: Continuity,
@@ -46,7 +46,7 @@ pub struct Weighting {
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum Filling {
-    /// Evenly on the line from b₂ to bₙ₋₂.
+    /// Evenly spaced on the line from b₂ to bₙ₋₂.
     #[default]
     Line,
     /// All at one half.
@@ -60,15 +60,16 @@ pub enum Filling {
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[non_exhaustive]
 pub enum Support {
-    /// Eq. 3 towards real sites. A support never reaches another real site. It may pass a nearby virtual site if its
-    /// own cell reaches as far.
+    /// Eq. 3 towards real sites. A support never reaches another real site. It may extend beyond a nearby virtual site
+    /// if its own cell does.
     #[default]
     Paper,
-    /// Supports of virtual sites may overlap one another and keep clear of real sites only. The picture is smoother.
+    /// Supports of virtual sites may overlap one another, and only keep clear of real sites. This makes the picture
+    /// smoother.
     Smooth,
 }
 
-/// Where weights have two continuous derivatives.
+/// The region in which weights have two continuous derivatives.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -80,7 +81,7 @@ pub enum Continuity {
     #[default]
     Exact,
     /// Two continuous derivatives everywhere inside the outline. Distances are blended where paths begin to bend, and
-    /// supports end before two ways around a hole are equally long. Holes take more virtual sites.
+    /// supports end before two ways around a hole are equally long. Holes require more virtual sites.
     C2,
 }
 

@@ -46,8 +46,8 @@ impl Band {
         self.splits.clear();
     }
 
-    /// Draws a facet over the current colours. It may fade out; the number is that of pixels of the picture per pixel
-    /// of the result.
+    /// Draws a facet over the current colours. It may fade out; the number is the pixels of the picture per pixel of
+    /// the result.
     pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>, fade: Option<(&Fade, f64)>) {
         let (rows, width) = (facet.rows(self.rows.end), self.width);
         let rows = rows.start.max(self.rows.start)..rows.end;
@@ -74,7 +74,7 @@ impl Band {
         }
     }
 
-    /// Blends a colour over the samples of a pixel in `mask`.
+    /// Blends a colour over the samples of a pixel given by `mask`.
     fn blend(&mut self, pixel: usize, mask: Mask, colour: Vec4) {
         if colour.w == 0.0 {
             return;

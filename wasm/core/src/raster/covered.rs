@@ -1,7 +1,7 @@
-//! The part of a drawing that is not empty, found before the drawing is made.
+//! The part of a drawing that is not empty, found before drawing.
 //!
-//! Cost: a fraction of a drawing. From the top and from the bottom, rows are drawn up to the first one with opacity.
-//! Elsewhere only facets beyond the columns found so far are drawn.
+//! Cost: a fraction of a drawing. Rows are drawn from the top and from the bottom, up to the first row with opacity.
+//! Elsewhere, only facets outside the columns found so far are drawn.
 
 use std::ops::Range;
 

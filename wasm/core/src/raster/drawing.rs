@@ -1,4 +1,5 @@
-//! A warped picture that is drawn in bands of rows, so that callers can show progress, stop, and hold few rows at once.
+//! A warped picture that is drawn in bands of rows, so that callers can show progress, stop, and keep few rows in
+//! memory.
 
 use std::ops::Range;
 
@@ -42,9 +43,9 @@ pub struct Drawing {
     frame: Frame,
     scale: f64,
     filter: Filter,
-    /// In drawing order, relative to the frame.
+    /// Facets in drawing order, relative to the frame.
     facets: Vec<Facet>,
-    /// Those that fade out.
+    /// The facets that fade out.
     fades: Fades,
     /// Indices of the facets in each band of [`BAND_ROWS`].
     bins: Vec<Vec<u32>>,
@@ -61,7 +62,7 @@ impl Drawing {
     ///
     /// # Errors
     /// - [`Error::Scale`] as for [`warped_size`].
-    /// - [`Error::Canvas`] if the canvas is beyond the largest size of a picture.
+    /// - [`Error::Canvas`] if the canvas exceeds the largest size of a picture.
     /// - [`Error::NothingDrawn`] if the canvas would be empty.
     ///
     /// # Panics
@@ -76,8 +77,8 @@ impl Drawing {
         Self::over(picture, None, &[MeshLayer { rest, posed, triangles, levels: None }], options)
     }
 
-    /// The same for several meshes, over another picture of the same size, which stays in place behind them. Its pixels
-    /// are `behind`. One mesh at most may fade out.
+    /// The same for several meshes, over a static picture of the same size behind them. Its pixels are `behind`. At
+    /// most one mesh may fade out.
     pub(crate) fn over(
         picture: &Picture<'_>,
         behind: Option<Vec<u8>>,
@@ -131,7 +132,7 @@ impl Drawing {
         Ok(Self { frame, scale, filter, facets, fades, bins, mip_levels, behind, edges: None })
     }
 
-    /// Prepares to draw all of a picture as it is, at a scale. The canvas is that of the picture.
+    /// Prepares to draw a whole picture at rest, at a scale. The canvas is that of the picture.
     ///
     /// # Errors
     /// [`Error::Scale`] as for [`warped_size`].
@@ -146,7 +147,7 @@ impl Drawing {
         Self::new(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], options)
     }
 
-    /// The same drawing with edges where parts cross, but none behind a soft rim. `around` bounds all crossings, in
+    /// The same drawing with edges where parts cross, except behind a soft rim. `around` bounds all crossings, in
     /// pixels of the picture, and `scale` is that of [`new`](Self::new).
     pub(crate) fn with_edges(self, picture: &Picture<'_>, scale: f64, around: Bounds) -> Self {
         let behind = self.behind.as_ref().map_or(0, |behind| behind.facets);
@@ -179,7 +180,7 @@ impl Drawing {
         self.frame.extent()
     }
 
-    /// Draws some rows of the result, in straight (not premultiplied) RGBA. `picture` is the one of [`new`](Self::new).
+    /// Draws rows of the result, in straight (not premultiplied) RGBA. `picture` is the one of [`new`](Self::new).
     ///
     /// # Panics
     /// If the rows do not start at a multiple of [`BAND_ROWS`](Self::BAND_ROWS), or do not lie in the result.
@@ -212,18 +213,18 @@ impl Drawing {
         Textures::new(texture, self.behind.as_ref(), picture, self.filter)
     }
 
-    /// The same rows as indices, if they are of this result and begin with a band.
+    /// The same rows as indices, if they belong to this result and begin with a band.
     fn whole_bands(&self, rows: Range<u32>) -> Range<usize> {
         let (start, end, height) = (rows.start as usize, rows.end as usize, self.frame.size[1]);
         assert!(start % BAND_ROWS == 0 && start <= end && end <= height, "rows {rows:?} of {height}");
         start..end
     }
 
-    /// The source of each pixel of some rows. Soft rims have none: a pixel there shows two places at once. `picture` is
-    /// the one of [`new`](Self::new).
+    /// The source of each pixel of the given rows. Soft rims have no source, because pixels there show two points at
+    /// once. `picture` is the one of [`new`](Self::new).
     ///
     /// # Panics
-    /// As [`rows`](Self::rows).
+    /// Like [`rows`](Self::rows).
     #[must_use]
     pub fn sources(&self, picture: &Picture<'_>, rows: Range<u32>) -> Vec<Source> {
         let width = self.frame.size[0];

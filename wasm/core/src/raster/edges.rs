@@ -1,18 +1,18 @@
-//! A thin dark edge where one part of a warped picture lies in front of another: parts of one colour stay apart.
+//! A thin dark edge where one part of a warped picture lies in front of another, so that parts of the same colour can
+//! be distinguished.
 //!
-//! The edge lies on the part behind alone. It is darkest at the border, and ends [`RADIUS`] away from it. Only colours
+//! The edge lies only on the part behind. It is darkest at the border, and ends [`RADIUS`] away from it. Only colours
 //! change, not opacity.
 //!
-//! For each pixel the point of the picture that is drawn there is noted, and the one below it if that belongs to
-//! another part. A pixel lies behind another one nearby if its own part goes on there, below the part that is drawn.
-//! The darkness is the fraction of a disc around the pixel that lies in front. That fraction also tells how much of a
-//! pixel on the border lies behind. A border that is hidden casts nothing. `web/src/render/edges.frag.glsl` draws the
-//! same.
+//! For each pixel, the point of the picture drawn there is recorded, and the point below it if that belongs to another
+//! part. A pixel lies behind a nearby pixel if its own part continues there, below the drawn part. The darkness is the
+//! fraction of a disc around the pixel that lies in front. That fraction also determines how much of a pixel on the
+//! border lies behind. A hidden border casts no edge. `web/src/render/edges.frag.glsl` draws the same.
 //!
-//! Cost: linear in the pixels of the rectangle around all crossings, some 100 ns each. Memory holds a copy of the
+//! Cost: linear in the pixels of the rectangle around all crossings, about 100 ns each. Memory holds a copy of the
 //! facets there, and the points of [`LAYER_ROWS`] rows.
 //!
-//! Limits: a third part below two others is not noted.
+//! Limits: a third part below two others is not recorded.
 
 use std::f32::consts::FRAC_PI_2;
 use std::ops::Range;
@@ -27,36 +27,36 @@ use crate::{deform::Bounds, picture::Picture};
 const RADIUS: f64 = 0.004;
 /// Least radius, in pixels of the picture.
 const LEAST_RADIUS_PX: f64 = 2.0;
-/// Places of the disc that are looked at. They lie on a spiral that covers it evenly (Vogel 1979).
+/// Number of sample points of the disc. They lie on a spiral that covers it evenly (Vogel 1979).
 const PLACES: usize = 32;
-/// Turn from one place to the next: the golden angle, in radians.
+/// Turn from one sample point to the next: the golden angle, in radians.
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 /// Darkness of a pixel whose whole disc lies in front.
 const DARKNESS: f32 = 0.9;
-/// Points of the picture farther apart than this belong to different parts, in radii. Up to twice as far the edge
-/// fades: it ends softly where a part grows out of another.
+/// Points of the picture farther apart than this belong to different parts, in radii. Up to twice this distance, the
+/// edge fades: it ends softly where one part grows out of another.
 const APART: f32 = 4.0;
-/// Points that are one part differ by no more than this, in their distance on the screen.
+/// Points of the same part differ by at most this, relative to their distance on the screen.
 const STRETCH: f32 = 3.0;
-/// Rows that are darkened at once.
+/// Number of rows that are darkened together.
 const LAYER_ROWS: usize = 128;
 
-/// The points of the picture at a pixel; NaN for none.
+/// The points of the picture at a pixel; NaN if it has fewer.
 #[derive(Clone, Copy)]
 struct Layers {
     top: Vec2,
-    /// Of another part, below.
+    /// The point of another part, below.
     below: Vec2,
 }
 
 const NOTHING: Layers = Layers { top: Vec2::NAN, below: Vec2::NAN };
 
-/// A place of the disc.
+/// A sample point of the disc.
 #[derive(Debug, Clone, Copy)]
 struct Place {
-    /// Steps from the pixel in the middle to the pixel of this place, in an array of the grid's rows.
+    /// Offset from the centre pixel to the pixel of this sample point, in an array of the grid's rows.
     step: isize,
-    /// Points that are one part are no farther apart than this, in pixels of the picture.
+    /// Points of the same part are at most this far apart, in pixels of the picture.
     within: f32,
 }
 
@@ -148,7 +148,8 @@ impl Edges {
         }
     }
 
-    /// The points of the picture at each pixel of some rows of the grid, where it is more than half opaque.
+    /// The points of the picture at each pixel of the given rows of the grid, where the picture is more than half
+    /// opaque.
     fn layers(&self, picture: &Picture<'_>, rows: Range<usize>) -> Vec<Layers> {
         let width = self.grid.size[0];
         let origin = DVec2::from(self.grid.origin.map(|side| side as f64));
@@ -185,7 +186,7 @@ impl Edges {
         darkness(top, true).max(darkness(below, false))
     }
 
-    /// The darkness at a pixel of the part that has the point `own` there.
+    /// The darkness at a pixel of the part with the point `own` there.
     fn darkness_of(&self, own: Vec2, is_seen: bool, layers: &[Layers], pixel: usize) -> f32 {
         let (mut seen, mut covered, mut distinct) = (0.0, 0.0, 0.0);
         for &Place { step, within } in &self.disc {
@@ -207,7 +208,7 @@ impl Edges {
     }
 }
 
-/// Returns the places of the disc. `radius` is in pixels of the picture, and rows have `width` pixels.
+/// Returns the sample points of the disc. `radius` is in pixels of the picture, and rows have `width` pixels.
 fn disc(radius: f64, scale: f64, width: usize) -> [Place; PLACES] {
     std::array::from_fn(|k| {
         let (sin, cos) = libm::sincos(GOLDEN_ANGLE * k as f64);

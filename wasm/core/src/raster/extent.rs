@@ -1,11 +1,11 @@
-//! The rectangle of a result, beside that of the picture.
+//! The rectangle of a result, relative to that of the picture.
 
 use crate::{
     error::Error,
     limits::{MAX_PIXELS, MAX_SIDE},
 };
 
-/// A rectangle of pixels, beside the picture's own.
+/// A rectangle of pixels, relative to the picture's own.
 ///
 /// ```
 /// use c2warp::Extent;
@@ -25,7 +25,7 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// The smallest rectangle around two, such as those of two frames of a film.
+    /// The smallest rectangle around two rectangles, such as those of two frames of a film.
     ///
     /// # Errors
     /// [`Error::Canvas`] if it is larger than a picture may be.

@@ -16,7 +16,7 @@ pub(super) type Mask = u16;
 const SUBPIXELS: f64 = 256.0;
 /// Distance between samples in subpixels. The first sample lies half of this inside the pixel.
 const SAMPLE_STEP: i64 = 64;
-/// Smallest area of the picture per pixel of the result, in pixels. Smaller values are rounding errors of zero.
+/// Smallest area of the picture per pixel of the result, in pixels. Smaller values are rounding errors around zero.
 const MIN_SOURCE_AREA: f64 = 1e-9;
 /// Largest coordinate of a corner. It keeps every product below 2⁶⁰.
 const MAX_COORDINATE_PX: f64 = 1_048_576.0;

@@ -1,7 +1,7 @@
 //! Facets that fade out: the soft rim of a mesh.
 //!
 //! A facet has a level at each corner: 1 and more is opaque, 0 and less is transparent. Where a rim has not moved, it
-//! shows the picture over itself. It is left out there, so that translucent pixels get no more opaque.
+//! would show the picture over itself. It is left out there, so that translucent pixels do not become more opaque.
 //! `web/src/render/picture.frag.glsl` draws the same.
 
 use std::ops::Range;
@@ -26,7 +26,7 @@ pub(super) struct Fades {
 }
 
 impl Fades {
-    /// The facets of a mesh whose vertices have levels. Those of the drawing begin with number `first`.
+    /// The facets of a mesh whose vertices have levels. In the drawing, they start at number `first`.
     pub(super) fn new(layer: &MeshLayer<'_>, levels: &[f64], scale: f64, first: usize) -> (Self, Vec<Facet>) {
         let faded = |triangle: &[u32; 3]| {
             let corners = triangle.map(|vertex| vertex as usize);
@@ -43,7 +43,7 @@ impl Fades {
         self.first..self.first + self.fades.len() as u32
     }
 
-    /// How a facet fades, if it does.
+    /// The fading of a facet, if it fades.
     pub(super) fn of(&self, facet: u32) -> Option<(&Fade, f64)> {
         let fade = self.fades.get(facet.checked_sub(self.first)? as usize)?;
         Some((fade, self.step))

@@ -59,7 +59,7 @@ impl Taps {
 
     /// Returns the first of four texels around `position` and their weights, at width 1.
     ///
-    /// `None` at the centre of a texel and at the border, where there are fewer: see [`new`](Self::new).
+    /// `None` at the centre of a texel and at the border, where fewer texels contribute: see [`new`](Self::new).
     pub(super) fn unit(position: f64, length: usize) -> Option<(usize, &'static [f32; 4])> {
         let (texel, fraction) = texel_and_fraction(position, length);
         let first = texel.checked_sub(1)?;

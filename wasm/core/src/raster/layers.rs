@@ -1,4 +1,4 @@
-//! The pictures that a drawing reads: the one of its mesh, and one that stays in place behind it.
+//! The pictures that a drawing reads: the picture of its mesh, and a static one behind it.
 
 use glam::DVec2;
 
@@ -12,12 +12,12 @@ use crate::picture::Picture;
 pub(super) struct Behind {
     rgba: Vec<u8>,
     mip_levels: Vec<MipLevel>,
-    /// Number of its facets. They are the first ones of the drawing.
+    /// Number of its facets, which are the first of the drawing.
     pub(super) facets: u32,
 }
 
 impl Behind {
-    /// The pixels of a picture of the same size as another one, and the facets that draw all of it.
+    /// The pixels of a picture of the same size as another one, and the facets that draw it completely.
     pub(super) fn new(beside: &Picture<'_>, rgba: Vec<u8>, filter: Filter, scale: f64) -> (Self, Vec<Facet>) {
         let size = DVec2::new(beside.width().into(), beside.height().into());
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|corner| corner * size);

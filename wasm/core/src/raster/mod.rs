@@ -14,14 +14,14 @@
 //! division and square roots, and the logarithm of `libm`.
 //!
 //! Cost: linear in the pixels drawn. 12 megapixels take between one and two seconds. [`Drawing`] draws them in bands of
-//! rows. Besides the result, memory holds about 110 bytes per triangle and a band of 16 rows. If anything shrinks to a
+//! rows. Besides the result, memory holds about 110 bytes per triangle and a band of 16 rows. If any part shrinks to a
 //! quarter, mip levels take 8 bytes for a third of the picture's pixels.
 //!
 //! Limits:
 //! - The filter is aligned with x and y. A picture that shrinks along a diagonal is also blurred across it.
 //! - The cubic overshoots hard edges by up to 7 % of the step.
-//! - Triangles with a corner more than a million pixels out are not drawn.
-//! - Pixels without opacity become transparent black, whatever their colour.
+//! - Triangles with a corner more than a million pixels outside are not drawn.
+//! - Fully transparent pixels become transparent black, regardless of their colour.
 
 mod band;
 mod covered;

@@ -2,7 +2,7 @@
 
 use super::extent::Extent;
 
-/// How a warped picture is resampled. The defaults keep the picture's size and rectangle, and filter smoothly.
+/// How a warped picture is resampled. The defaults keep the picture's size and rectangle, and use smooth filtering.
 ///
 /// ```
 /// use c2warp::{Canvas, Filter, ResampleOptions};
@@ -19,8 +19,8 @@ pub struct ResampleOptions {
     /// The reconstruction filter.
     pub filter: Filter,
     /// Whether parts cast a thin dark edge on the parts that they cross: see
-    /// [`Project::edges`](crate::project::Project::edges). [`Filter::Nearest`] draws none, and neither does
-    /// [`raster::warp`](crate::raster::warp), which does not know the parts.
+    /// [`Project::edges`](crate::project::Project::edges). [`Filter::Nearest`] draws no edges, and neither does
+    /// [`raster::warp`](crate::raster::warp), which has no information about parts.
     pub edges: bool,
 }
 
@@ -28,14 +28,14 @@ pub struct ResampleOptions {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Canvas {
-    /// The picture's own rectangle. Anything bent beyond it is cut off.
+    /// The picture's own rectangle. Parts bent beyond it are cut off.
     #[default]
     Picture,
-    /// The picture's own rectangle, grown on every side to hold all that is drawn.
+    /// The picture's own rectangle, grown on every side to contain everything that is drawn.
     Grown,
-    /// The smallest rectangle that holds all that is drawn: its border rows and columns are not empty.
+    /// The smallest rectangle that contains everything that is drawn: its border rows and columns are not empty.
     Covered,
-    /// A given rectangle, such as one for all frames of a film. Anything beyond it is cut off.
+    /// A given rectangle, such as one for all frames of a film. Parts beyond it are cut off.
     Fixed(Extent),
 }
 

@@ -19,9 +19,9 @@ use crate::{
 
 /// The warped picture.
 impl Solution {
-    /// The fill of the picture behind the mesh; `None` if the project has none, or a [`Solver`](crate::Solver) has not
-    /// finished it. With it, the whole picture is drawn behind the mesh in place of the
-    /// [static background](Self::static_background).
+    /// The fill of the picture behind the mesh; `None` if the project has no fill, or a [`Solver`](crate::Solver) has
+    /// not finished it. With a fill, the whole picture is drawn behind the mesh instead of the [static
+    /// background](Self::static_background).
     #[must_use]
     pub fn fill(&self) -> Option<&Fill> {
         self.fill.as_deref()
@@ -46,7 +46,7 @@ impl Solution {
     /// The warped picture, ready to be drawn in bands of rows.
     ///
     /// # Errors
-    /// Those of [`warped`](Self::warped).
+    /// The errors of [`warped`](Self::warped).
     pub fn drawing(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Drawing, Error> {
         if let Some(size) = self.prepared.picture {
             check_picture(size, picture)?;
@@ -80,11 +80,11 @@ impl Solution {
         })
     }
 
-    /// The rectangle of the warped picture, found without drawing all of it. The [union](Extent::union) of those of all
-    /// frames is a [`Canvas::Fixed`](crate::Canvas::Fixed) for a film.
+    /// The rectangle of the warped picture, found without drawing all its pixels. The [union](Extent::union) of those
+    /// of all frames is a [`Canvas::Fixed`](crate::Canvas::Fixed) for a film.
     ///
     /// # Errors
-    /// Those of [`warped`](Self::warped).
+    /// The errors of [`warped`](Self::warped).
     pub fn extent(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Extent, Error> {
         Ok(self.drawing(picture, pose, ResampleOptions { edges: false, ..options })?.extent())
     }

@@ -1,8 +1,8 @@
-//! The inverse map of a warped picture, per pixel. Compositing programs use it to bend other pictures the same way.
+//! The inverse map of a warped picture, per pixel. Compositing programs use it to bend other pictures in the same way.
 //!
-//! Each pixel holds the point of the picture at its centre. Where triangles overlap, the last one counts whose picture
-//! is more than half opaque there. So a soft edge does not hide the picture below it. Coverage is that of
-//! [`warp`](super::warp) for an opaque picture.
+//! Each pixel holds the point of the picture at its centre. Where triangles overlap, the last triangle whose picture is
+//! more than half opaque there determines the point, so a soft edge does not hide the picture below it. Coverage is
+//! that of [`warp`](super::warp) for an opaque picture.
 //!
 //! Cost: linear in the pixels drawn, with about 30 bytes per pixel of the rows.
 
@@ -38,7 +38,7 @@ struct Pixel {
     is_opaque: bool,
 }
 
-/// Rows of a result, and the place of the picture in it.
+/// Rows of a result, and the position of the picture in it.
 pub(super) struct SourceRows {
     pub(super) rows: Range<usize>,
     pub(super) width: usize,

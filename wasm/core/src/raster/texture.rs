@@ -192,7 +192,7 @@ fn sum<T: Copy + Into<f32>>(
     sum
 }
 
-/// As [`sum`] for the taps of [`Taps::unit`] in the picture itself: the same additions in the same order.
+/// Like [`sum`], for the taps of [`Taps::unit`] in the picture itself: the same additions in the same order.
 fn unit_sum(texels: &[[u8; 4]], width: usize, x: (usize, &[f32; 4]), y: (usize, &[f32; 4])) -> Vec4 {
     let mut sum = Vec4::ZERO;
     for (row, &down) in (y.0..).zip(y.1) {
@@ -210,7 +210,7 @@ fn unit_sum(texels: &[[u8; 4]], width: usize, x: (usize, &[f32; 4]), y: (usize, 
 
 /// Clamps the overshoot of the cubic at edges to a valid premultiplied colour.
 ///
-/// Each channel is at most the opacity. An opacity above [`OPAQUE`] scales the colour down, so that it gets no
+/// Each channel is at most the opacity. An opacity above [`OPAQUE`] scales the colour down, so that it does not become
 /// brighter.
 fn clamp_overshoot(sum: Vec4) -> Vec4 {
     let opacity = sum.w.max(0.0);

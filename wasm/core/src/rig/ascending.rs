@@ -1,11 +1,11 @@
-//! Rows of ascending numbers: each is written by how much it is greater than the one before, minus 1.
+//! Rows of ascending numbers: each number is written as its difference from the previous one, minus 1.
 
 use super::{
     bytes::{Reader, Writer},
     error::RigError,
 };
 
-/// The lengths of all rows, then the numbers of all.
+/// All lengths come first, then all numbers.
 pub(super) fn write_rows<R: ExactSizeIterator<Item = u32>>(rows: impl Iterator<Item = R> + Clone, to: &mut Writer) {
     rows.clone().for_each(|row| to.count(row.len()));
     for row in rows {
@@ -17,7 +17,7 @@ pub(super) fn write_rows<R: ExactSizeIterator<Item = u32>>(rows: impl Iterator<I
     }
 }
 
-/// Reads a number of rows. `unknown` says that one has a number that is not known.
+/// Reads a number of rows. `unknown` is the error for an invalid number.
 pub(super) fn read_rows(
     from: &mut Reader<'_>,
     rows: usize,

@@ -25,28 +25,29 @@ use crate::{
     weight::SparseWeights,
 };
 
-/// Vertices are at most so far from their places, in pixels.
+/// Maximum distance of a vertex from its exact position, in pixels.
 pub(super) const TOLERANCE: f64 = 0.1;
-/// The part of it for the steps of rest places, then for places and weights together, then for motions as well.
-/// Straight lines between frames take the rest.
+/// Fractions of this error: for the steps of rest positions, then for positions and weights together, then for motions
+/// as well. The rest is for linear interpolation between frames.
 const PLACE_TOLERANCE: f64 = 0.02;
 const MESH_TOLERANCE: f64 = 0.03;
 const MOTION_TOLERANCE: f64 = 0.05;
-/// The part of it for places, weights and shares together, in poses of the handles.
+/// The fraction for positions, weights and shares together, in poses of the handles.
 const SHARE_TOLERANCE: f64 = 0.05;
-/// How far handles are moved in these poses, as a fraction of the longest side: where motions are sums, and where the
-/// solver makes them.
+/// How far handles are moved in these poses, as a fraction of the longest side: if motions are sums, and if the solver
+/// computes them.
 const SHARE_REACH: f64 = 0.5;
 const DRAG_REACH: f64 = 0.25;
-/// Bits of weights at the nodes of the rigid mode. With 14, drags of the samples that do not jump are all close.
+/// Bits of weights at the nodes of the rigid mode. With 14, all drags of the samples without jumps are accurate.
 const FINENESS: RangeInclusive<u8> = 10..=14;
 
-/// Angles and strains act at a distance: their steps are so many bits finer than those of translations.
+/// The effect of angles and strains grows with distance, so their steps are this many bits finer than those of
+/// translations.
 const FINER: u8 = 6;
 
-/// Everything that a rig draws: the static background, then the mesh of the solution.
+/// All content that a rig draws: the static background, then the mesh of the solution.
 struct Drawn {
-    /// The vertices at rest. Those of the skin are displaced.
+    /// The vertices at rest. The vertices of the skin are displaced.
     at_rest: Vec<DVec2>,
     skin: Skin,
     triangles: Vec<[u32; 3]>,
@@ -59,9 +60,9 @@ pub(super) fn bake(
     solution: &Solution,
     picture: RigPicture,
     posable: Posable,
-    tell: &mut dyn FnMut(f64),
+    on_progress: &mut dyn FnMut(f64),
 ) -> Result<Rig, BakeError> {
-    let progress = &mut Progress::new(MotionSequence::count_frames(project, solution)?, tell);
+    let progress = &mut Progress::new(MotionSequence::count_frames(project, solution)?, on_progress);
     let blend = project.pose.blend;
     let sequences = MotionSequence::all(project, solution, progress)?;
     let poses = Poses::of(project, solution, posable)?;
@@ -86,7 +87,7 @@ fn not_posed(reason: Error) -> BakeError {
     BakeError::Pose { clip: String::new(), seconds: 0.0, reason }
 }
 
-/// The means to pose the handles, with some poses of them and the exact motions in these.
+/// Data for posing the handles, with test poses and their exact motions.
 struct Poses<'a> {
     kind: PosesKind<'a>,
     probes: Vec<(Vec<Handle>, Vec<Motion>)>,
@@ -94,7 +95,7 @@ struct Poses<'a> {
 
 enum PosesKind<'a> {
     Shares(ExactShares),
-    /// The longest side of the picture is for the steps of gradients.
+    /// The longest side of the picture determines the steps of gradients.
     Solver {
         poser: &'a Poser,
         handles: Vec<Handle>,
@@ -103,7 +104,7 @@ enum PosesKind<'a> {
 }
 
 impl<'a> Poses<'a> {
-    /// `None` for a rig that is not to be posed.
+    /// `None` for a rig without posable handles.
     fn of(project: &Project, solution: &'a Solution, posable: Posable) -> Result<Option<Self>, BakeError> {
         let poser = solution.poser();
         let handles = poser.as_solved(&project.handles).map_err(not_posed)?;
@@ -150,7 +151,7 @@ impl<'a> Poses<'a> {
         }
     }
 
-    /// The greatest distance of a vertex from its place in any probe. Above `most` it is that of the first such probe.
+    /// The maximum distance of a vertex from its exact position in any probe. Stops at the first probe above `most`.
     fn error(
         &self,
         [exact, stored]: [&Skin; 2],
@@ -170,7 +171,7 @@ impl<'a> Poses<'a> {
     }
 }
 
-/// The picture as it is, for a project without handles.
+/// The picture at rest, for a project without handles.
 fn whole(picture: &RigPicture) -> Drawn {
     let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
     let mut weights = SparseWeights::with_capacity(4);
@@ -209,7 +210,7 @@ fn drawn(solution: &Solution) -> Drawn {
     Drawn { at_rest: in_order(vertices), skin, triangles, behind: background.triangles().len() as u32 }
 }
 
-/// The mesh and its weights with the coarsest steps that keep vertices in place. They are tried in some frames of all
+/// The mesh and its weights with the coarsest steps that keep vertices in place. Steps are tested in some frames of all
 /// sequences, and in some poses of the handles.
 fn rounded_mesh(
     drawn: &Drawn,

@@ -1,6 +1,6 @@
 //! Numbers as bytes.
 //!
-//! Whole numbers are varints: seven bits a byte from the lowest, with the top bit set on all bytes but the last. Signed
+//! Integers are varints: seven bits per byte from the lowest, with the top bit set on all bytes but the last. Signed
 //! ones are zigzag varints: 0, −1, 1, −2, … are 0, 1, 2, 3, …
 
 use super::error::{RigError, RigPart};
@@ -45,7 +45,7 @@ impl Writer {
     }
 }
 
-/// The bytes of a part that are not read yet.
+/// The remaining bytes of a part.
 #[derive(Debug)]
 pub(super) struct Reader<'a> {
     part: RigPart,
@@ -57,7 +57,7 @@ impl<'a> Reader<'a> {
         Self { part, rest: bytes }
     }
 
-    /// The error that this part is wrong.
+    /// An error about this part.
     pub(super) fn wrong(&self, reason: &'static str) -> RigError {
         RigError::Part { part: self.part, reason }
     }
@@ -82,11 +82,11 @@ impl<'a> Reader<'a> {
             let byte = self.byte()?;
             number |= u32::from(byte & 0x7f) << shift;
             if byte < 0x80 {
-                self.expect(shift < 28 || byte < 0x10, "has a number of more than 32 bits")?;
+                self.expect(shift < 28 || byte < 0x10, "contains a number of more than 32 bits")?;
                 return Ok(number);
             }
         }
-        Err(self.wrong("has a number of more than 32 bits"))
+        Err(self.wrong("contains a number of more than 32 bits"))
     }
 
     pub(super) fn signed(&mut self) -> Result<i32, RigError> {
@@ -94,14 +94,14 @@ impl<'a> Reader<'a> {
         Ok((number >> 1) as i32 ^ -((number & 1) as i32))
     }
 
-    /// A number of items that take at least `bytes` bytes each: with more, the part would end too early.
+    /// Reads a number of items of at least `bytes` bytes each, and checks that the part is long enough.
     pub(super) fn count(&mut self, bytes: usize) -> Result<usize, RigError> {
         let count = self.varint()? as usize;
         self.expect(count <= self.rest.len() / bytes, "ends too early")?;
         Ok(count)
     }
 
-    /// Whether so many items of at least a byte may follow.
+    /// Whether this many items of at least one byte each may follow.
     pub(super) fn has(&self, count: Option<usize>) -> bool {
         count.is_some_and(|count| count <= self.rest.len())
     }
@@ -114,11 +114,11 @@ impl<'a> Reader<'a> {
     pub(super) fn text(&mut self) -> Result<String, RigError> {
         let count = self.count(1)?;
         let text = std::str::from_utf8(self.take(count)?);
-        Ok(text.map_err(|_| self.wrong("has a text that is not UTF-8"))?.to_owned())
+        Ok(text.map_err(|_| self.wrong("contains text that is not UTF-8"))?.to_owned())
     }
 
     pub(super) fn end(self) -> Result<(), RigError> {
-        self.expect(self.rest.is_empty(), "goes on after its end")
+        self.expect(self.rest.is_empty(), "continues after its expected end")
     }
 }
 

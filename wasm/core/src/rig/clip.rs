@@ -1,4 +1,4 @@
-//! The motions of a clip: whole numbers at some of its frames, with straight lines between them.
+//! The motions of a clip: integers at some of its frames, interpolated linearly.
 
 use super::{
     bytes::{Reader, Writer},
@@ -13,7 +13,7 @@ use crate::{
 
 /// The finest steps of any number.
 const MOST_BITS: u8 = 24;
-/// Longest clips in frames, so that no reader runs out of memory.
+/// Maximum number of frames of a clip, so that no reader runs out of memory.
 const MOST_FRAMES: u32 = 1 << 16;
 /// Numbers of a motion: angle, three of the strain, and two of the translation.
 const NUMBERS: usize = 6;
@@ -23,9 +23,9 @@ const NUMBERS: usize = 6;
 pub struct RigClip {
     /// The name in the project. It is empty for the pose of the handles, in a rig of a project without clips.
     pub name: String,
-    /// Seconds. 0 for a pose.
+    /// Duration in seconds. 0 for a pose.
     pub duration: f64,
-    /// Whether and how it goes on after the end.
+    /// Whether and how it continues after the end.
     pub looping: Looping,
     /// The last frame is at the end of the clip, the first one is frame 0.
     pub last_frame: u32,
@@ -41,11 +41,11 @@ pub struct RigClip {
 /// Numbers of motions are multiples of 2 to the power of minus these.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MotionBits {
-    /// Of angles in radians.
+    /// For angles in radians.
     pub(super) angle: u8,
     /// Of strains.
     pub(super) strain: u8,
-    /// Of translations in pixels.
+    /// For translations in pixels.
     pub(super) place: u8,
 }
 
@@ -65,7 +65,7 @@ impl MotionBits {
         Some(steps)
     }
 
-    /// The motion between two, from 0 at the first to 1 at the second.
+    /// The motion between two motions, from 0 at the first to 1 at the second.
     pub(super) fn between(self, [a, b]: [&[i32; NUMBERS]; 2], along: f64) -> Motion {
         let number = |at: usize| {
             let [a, b] = [a, b].map(|steps| value(steps[at], self.of(at)));
@@ -142,26 +142,26 @@ impl RigClip {
             0 => Looping::None,
             1 => Looping::Repeat,
             2 => Looping::Alternate,
-            _ => return Err(from.wrong("has an unknown loop")),
+            _ => return Err(from.wrong("has an unknown loop mode")),
         };
         let last_frame = from.varint()?;
         from.expect(last_frame <= MOST_FRAMES, "has too many frames")?;
         let is_still = last_frame == 0;
         let has_time = if is_still { duration == 0.0 } else { duration > 0.0 && duration.is_finite() };
-        from.expect(has_time, "has a duration that does not fit its frames")?;
+        from.expect(has_time, "has a duration that does not match its frames")?;
         let count = from.count(1)?;
         from.expect(count >= 1, "has no motions")?;
         let mut keys = vec![0_u32];
         for _ in 1..count {
             let step = from.varint()?;
             let key = keys[keys.len() - 1].saturating_add(step);
-            from.expect(step > 0 && key <= last_frame, "has keys in disorder")?;
+            from.expect(step > 0 && key <= last_frame, "has keys out of order")?;
             keys.push(key);
         }
         from.expect(keys.last() == Some(&last_frame), "has no motions at its end")?;
         let bits = MotionBits { angle: from.byte()?, strain: from.byte()?, place: from.byte()? };
         let are_coarse = [bits.angle, bits.strain, bits.place].iter().all(|&bits| bits <= MOST_BITS);
-        from.expect(are_coarse, "has too fine motions")?;
+        from.expect(are_coarse, "stores motions with too many bits")?;
         from.expect(from.has(count.checked_mul(sites).and_then(|n| n.checked_mul(NUMBERS))), "ends too early")?;
         let mut motions = vec![[0; NUMBERS]; count * sites];
         for number in 0..NUMBERS {
@@ -178,7 +178,7 @@ impl RigClip {
             let step = from.varint()?;
             let is_next = orders.last().map_or(step == 0, |_| step > 0);
             let frame = orders.last().map_or(0, |order| order.frame).saturating_add(step);
-            from.expect(is_next && frame <= last_frame, "has drawing orders in disorder")?;
+            from.expect(is_next && frame <= last_frame, "has unsorted drawing orders")?;
             let order = Order::read(from, frame, orders.last(), triangles)?;
             orders.push(order);
         }

@@ -1,4 +1,4 @@
-//! The sources that the sites of a rig move by.
+//! The sources that move the sites of a rig.
 
 use super::{
     bytes::{Reader, Writer},
@@ -10,15 +10,15 @@ use crate::site::SiteKind;
 /// The cause of a site's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Driven {
-    /// Others around it.
+    /// Other sites around it.
     Virtual,
-    /// Nothing: it stays.
+    /// None: it does not move.
     Still,
     /// It is a site of this source.
     Source(u32),
 }
 
-/// The causes for sites of these kinds.
+/// The causes of motion for sites of these kinds.
 pub(super) fn driven_by(kinds: &[SiteKind], sources: &Sources) -> Vec<Driven> {
     let handles = sources.handles.len() as u32;
     let driven = |kind: &SiteKind| match *kind {
@@ -30,7 +30,7 @@ pub(super) fn driven_by(kinds: &[SiteKind], sources: &Sources) -> Vec<Driven> {
     kinds.iter().map(driven).collect()
 }
 
-/// The kinds of sites that move by these.
+/// The kinds of sites with these causes.
 pub(super) fn kinds_of(driven: &[Driven], sources: &Sources) -> Vec<SiteKind> {
     let handles = sources.handles.len() as u32;
     let kind = |driven: &Driven| match *driven {
@@ -54,14 +54,14 @@ pub(super) fn write_driven(driven: &[Driven], to: &mut Writer) {
     }
 }
 
-/// Reads those of a number of sites.
+/// Reads the causes of a number of sites.
 pub(super) fn read_driven(from: &mut Reader<'_>, sources: &Sources, sites: usize) -> Result<Vec<Driven>, RigError> {
     from.expect(from.has(Some(sites)), "end too early")?;
     let mut driven = Vec::with_capacity(sites);
     for _ in 0..sites {
         let kind = from.varint()?;
         let is_known = kind < 2 || sources.has(kind as usize - 2);
-        from.expect(is_known, "name a handle or bone that there is not")?;
+        from.expect(is_known, "refer to an unknown handle or bone")?;
         driven.push(match kind {
             0 => Driven::Virtual,
             1 => Driven::Still,

@@ -12,11 +12,11 @@ pub enum RigPart {
     Head,
     /// The picture.
     Picture,
-    /// Vertices, triangles and the rest places of sites.
+    /// Vertices, triangles and the rest positions of sites.
     Mesh,
     /// Weights of the vertices.
     Weights,
-    /// By how much vertices are displaced.
+    /// Displacements of the vertices.
     Displacements,
     /// Handles and their shares in the motions of sites.
     Shares,
@@ -42,12 +42,12 @@ impl RigPart {
     }
 }
 
-/// Why bytes are no rig.
+/// Why bytes are not a valid rig.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RigError {
-    /// The bytes do not begin as a rig does.
-    #[error("this is not a rig: it does not begin as one")]
+    /// The bytes lack the signature of a rig.
+    #[error("this is not a rig: the file has no rig signature")]
     NotARig,
     /// A later version of the format.
     #[error("this rig has version {found} of the format, but version 1 or 2 is expected")]
@@ -55,23 +55,23 @@ pub enum RigError {
         /// The version of the file.
         found: u32,
     },
-    /// The file is cut short, or something follows its end.
+    /// The file is truncated, or data follows its end.
     #[error("this rig has {found} bytes, but it should have {expected}")]
     Length {
-        /// Bytes that the header says.
+        /// Number of bytes according to the header.
         expected: u32,
-        /// Bytes of the file.
+        /// Number of bytes in the file.
         found: usize,
     },
-    /// The checksum differs.
-    #[error("this rig is damaged: its checksum differs")]
+    /// The checksum does not match.
+    #[error("this rig is damaged: its checksum does not match")]
     Checksum,
     /// The bytes of a part contradict the format.
     #[error("this rig is damaged: {} {reason}", part.words())]
     Part {
         /// The part.
         part: RigPart,
-        /// The fault, as the rest of a sentence.
+        /// The fault, as the predicate of a sentence.
         reason: &'static str,
     },
 }
@@ -80,7 +80,7 @@ pub enum RigError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BakeError {
-    /// A pose that cannot be made.
+    /// A pose cannot be computed.
     #[error("{} at {seconds} s: {reason}", named(clip))]
     Pose {
         /// The clip's name. It is empty for the pose of the handles themselves.
@@ -90,8 +90,8 @@ pub enum BakeError {
         /// Why.
         reason: Error,
     },
-    /// A clip with too many frames.
-    #[error("clip {clip:?} lasts {seconds} s: a rig has clips of up to {most} s")]
+    /// A clip has too many frames.
+    #[error("clip {clip:?} lasts {seconds} s: a clip of a rig can last up to {most} s")]
     ClipTooLong {
         /// The clip's name.
         clip: String,
@@ -100,24 +100,24 @@ pub enum BakeError {
         /// The longest duration.
         most: f64,
     },
-    /// Clips with too many frames for memory, all together.
-    #[error("the clips have {frames} frames at {sites} sites: a rig has up to {most} motions in all its clips")]
+    /// The clips have too many frames in total.
+    #[error("the clips have {frames} frames of {sites} sites: a rig can hold {most} motions in all its clips")]
     TooManyMotions {
         /// Frames of all clips.
         frames: usize,
         /// Sites, each of which has a motion in every frame.
         sites: usize,
-        /// The greatest product.
+        /// The greatest product of frames and sites.
         most: usize,
     },
-    /// Numbers so large that vertices would miss their places.
+    /// Numbers are so large that vertices would be misplaced.
     #[error("{}: handles move too far for a rig", named(clip))]
     TooFar {
         /// The clip's name. It is empty for the pose of the handles themselves.
         clip: String,
     },
-    /// A file of more than 4 GB.
-    #[error("the rig would have more than {} bytes", u32::MAX)]
+    /// The file would exceed 4 GB, or its deflated sections 512 MiB.
+    #[error("the rig would be too large for its format: use a smaller picture or shorter clips")]
     TooLarge,
 }
 

@@ -1,7 +1,8 @@
-//! The mesh of a rig with its weights, as whole numbers.
+//! The mesh of a rig with its weights, as integers.
 //!
 //! Vertices are numbered by their first use in the triangles. So a corner is a small step back from the number of
-//! vertices seen so far, and neighbours follow each other. Places and weights are differences from the vertex before.
+//! vertices so far, and neighbours have similar numbers. Positions and weights are stored as differences from the
+//! previous vertex.
 
 use std::sync::Arc;
 
@@ -22,13 +23,13 @@ use crate::{
 const MOST_PLACE_BITS: u8 = 16;
 const MOST_WEIGHT_BITS: u8 = 24;
 
-/// Vertices, triangles, and the rest places of the sites that move them.
+/// Vertices, triangles, and the rest positions of the sites that move them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Mesh {
-    /// Places are multiples of 2 to the power of minus this, in pixels.
+    /// Positions are multiples of 2 to the power of minus this, in pixels.
     pub(super) place_bits: u8,
     pub(super) vertices: Vec<[i32; 2]>,
-    /// By how much each vertex is displaced before sites move it; `None` if none is.
+    /// The displacement of each vertex before sites move it; `None` if nothing is displaced.
     pub(super) displacements: Option<Vec<[i32; 2]>>,
     /// In drawing order.
     pub(super) triangles: Vec<[u32; 3]>,
@@ -47,7 +48,7 @@ pub(super) struct Weights {
 }
 
 impl Mesh {
-    /// A mesh whose vertices are at rest at some places. `None` if a place is too far away.
+    /// A mesh with the given rest positions. `None` if a position is too far away.
     pub(super) fn rounded(at_rest: &[DVec2], skin: &Skin, triangles: &[[u32; 3]], place_bits: u8) -> Option<Self> {
         let place = |p: &DVec2| Some([round(p.x, place_bits)?, round(p.y, place_bits)?]);
         let places = |places: &[DVec2]| places.iter().map(place).collect::<Option<Vec<_>>>();
@@ -105,7 +106,7 @@ impl Mesh {
 
     pub(super) fn read(from: &mut Reader<'_>) -> Result<Self, RigError> {
         let place_bits = from.byte()?;
-        from.expect(place_bits <= MOST_PLACE_BITS, "has too fine places")?;
+        from.expect(place_bits <= MOST_PLACE_BITS, "stores positions with too many bits")?;
         let [vertices, triangles, sites] = [from.count(2)?, from.count(3)?, from.count(2)?];
         let vertices = read_places(from, vertices)?;
         let rest = read_places(from, sites)?;
@@ -119,7 +120,7 @@ impl Mesh {
         };
         let triangle = |_| Ok([corner()?, corner()?, corner()?]);
         let triangles = (0..triangles).map(triangle).collect::<Result<_, RigError>>()?;
-        from.expect(seen as usize == vertices.len(), "has triangles of other vertices")?;
+        from.expect(seen as usize == vertices.len(), "has triangles that do not match its vertices")?;
         Ok(Self { place_bits, vertices, displacements: None, triangles, rest })
     }
 
@@ -187,7 +188,7 @@ impl Weights {
         }
         let mut before = 0..0;
         for row in rows() {
-            // The first weight is what the others leave.
+            // The first weight is 1 minus the others.
             for entry in row.clone().skip(1) {
                 to.signed(self.shares[entry] as i32 - self.share_in(&before, self.sites[entry]) as i32);
             }
@@ -197,7 +198,7 @@ impl Weights {
 
     pub(super) fn read(from: &mut Reader<'_>, vertices: usize, sites: usize) -> Result<Self, RigError> {
         let bits = from.byte()?;
-        from.expect(bits <= MOST_WEIGHT_BITS, "are too fine")?;
+        from.expect(bits <= MOST_WEIGHT_BITS, "have too many bits")?;
         from.expect(from.has(Some(vertices)), "end too early")?;
         let mut offsets = vec![0_u32];
         let mut entries = 0_usize;
@@ -211,7 +212,7 @@ impl Weights {
             let mut next = 0_usize;
             for _ in weights.offsets[vertex]..weights.offsets[vertex + 1] {
                 let site = next.saturating_add(from.varint()? as usize);
-                from.expect(site < sites, "name a site that there is not")?;
+                from.expect(site < sites, "refer to an unknown site")?;
                 weights.sites.push(site as u32);
                 next = site + 1;
             }
@@ -242,7 +243,7 @@ impl Weights {
     }
 }
 
-/// Weights as whole numbers of exactly this sum, by the largest remainders. Weights of 0 are left out.
+/// Rounds weights to integers with exactly this sum, by the largest remainders. Weights of 0 are left out.
 pub(super) fn shares(row: impl Iterator<Item = (usize, f64)>, whole: u32) -> Vec<(u32, u32)> {
     let row: Vec<(usize, f64)> = row.collect();
     let sum: f64 = row.iter().map(|(_, weight)| weight).sum();

@@ -1,21 +1,20 @@
-//! Baked rigs: a picture that moves, in one file for pages without a solver.
+//! Baked rigs: an animated picture in one file, for pages without a solver.
 //!
 //! A [`Rig`] has the picture, the mesh with its weights, and the motions of all sites along each clip. A player blends
-//! them at every vertex (eq. 1), as `web/src/render/warp.vert.glsl` does. `web/docs/rig-format.md` specifies the file.
+//! them at every vertex (eq. 1), like `web/src/render/warp.vert.glsl`. `web/docs/rig-format.md` specifies the file.
 //!
-//! All numbers are stored as multiples of powers of two. [`bake`](Rig::bake) chooses the coarsest ones, and
-//! as few frames as straight lines between them allow. Every vertex stays within 0.1 px of its place at 60 frames a
-//! second.
+//! All numbers are stored as multiples of powers of two. [`bake`](Rig::bake) chooses the coarsest powers, and the
+//! fewest frames that allow linear interpolation. Every vertex stays within 0.1 px of its exact position at 60 frames
+//! per second.
 //!
 //! - `sequence`: the exact motions of a clip. `order`: the drawing order along it. `bake`: the choice of steps.
-//! - `sources`, `driven`, `shares`: what a page poses the handles by, in the harmonic mode.
-//! - `posing`, `rig_poser`: the same with a solver, for all other rigs. `probes`: poses that
-//!   steps are chosen by.
+//! - `sources`, `driven`, `shares`: data for posing the handles in the harmonic mode.
+//! - `posing`, `rig_poser`: the same with a solver, for all other rigs. `probes`: test poses for choosing steps.
 //! - `mesh`, `clip`: the content. `bytes`, `ascending`, `file`: numbers as bytes, rows of them, and the sections with
 //!   their checksum.
 //!
-//! Cost: baking poses every frame once, and blends all vertices some six times a frame. Clips last up to ten minutes,
-//! and all clips together have up to eight million motions of sites.
+//! Cost: baking poses every frame once, and blends all vertices about six times per frame. Clips last up to ten
+//! minutes, and all clips together have up to eight million motions of sites.
 
 mod ascending;
 mod bake;
@@ -66,7 +65,7 @@ const SHARES: Tag = *b"SHAR";
 const POSING: Tag = *b"POSR";
 const CLIP: Tag = *b"CLIP";
 
-/// A picture that moves, for pages without a solver.
+/// An animated picture for pages without a solver.
 ///
 /// ```
 /// # use c2warp::{Picture, project::{Clip, Ease, Handle, Key, Looping, Project, Track}, solve};
@@ -97,24 +96,24 @@ pub struct Rig {
     weights: Weights,
 }
 
-/// Which rigs have handles that a page can pose.
+/// Selects the rigs whose handles a page can pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Posable {
-    /// Those of the harmonic mode, unless a handle turns by itself. They are hardly larger than without.
+    /// Rigs of the harmonic mode, unless a handle has an automatic rotation. This hardly increases their size.
     #[default]
     WithoutSolver,
-    /// All with handles. In the rigid mode the file grows by some 80 kB for 150 sites.
+    /// All rigs with handles. In the rigid mode, the file grows by about 80 kB for 150 sites.
     Always,
 }
 
 /// The picture of a rig.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RigPicture {
-    /// Pixels, as solved.
+    /// In pixels, as solved.
     pub width: u32,
-    /// Pixels, as solved.
+    /// In pixels, as solved.
     pub height: u32,
-    /// A file that browsers decode: PNG, WebP or JPEG. It is stored as it is, and not looked at.
+    /// A file that browsers decode: PNG, WebP or JPEG. It is stored unchanged, without checks.
     pub file: Vec<u8>,
 }
 
@@ -122,27 +121,27 @@ impl Rig {
     /// The rig of a project's clips. Without clips, it has the pose of the handles.
     ///
     /// # Errors
-    /// - [`BakeError::Pose`] if a pose of a clip cannot be made;
+    /// - [`BakeError::Pose`] if a pose of a clip cannot be computed;
     /// - [`BakeError::ClipTooLong`] for a clip of more than ten minutes, [`BakeError::TooManyMotions`] for
     ///   clips of more than eight million motions of sites together;
     /// - [`BakeError::TooFar`] if 32 bits are too few for the motions.
     pub fn bake(project: &Project, solution: &Solution, picture: RigPicture) -> Result<Self, BakeError> {
-        Self::bake_telling(project, solution, picture, Posable::default(), &mut |_| {})
+        Self::bake_with_progress(project, solution, picture, Posable::default(), &mut |_| {})
     }
 
-    /// As [`bake`](Self::bake) with handles that can be posed, and tells the part that is done, from 0 to 1, about a
-    /// hundred times.
+    /// Like [`bake`](Self::bake), with posable handles. Reports the completed fraction, from 0 to 1, about a hundred
+    /// times.
     ///
     /// # Errors
-    /// As [`bake`](Self::bake).
-    pub fn bake_telling(
+    /// The errors of [`bake`](Self::bake).
+    pub fn bake_with_progress(
         project: &Project,
         solution: &Solution,
         picture: RigPicture,
         posable: Posable,
-        tell: &mut dyn FnMut(f64),
+        on_progress: &mut dyn FnMut(f64),
     ) -> Result<Self, BakeError> {
-        bake::bake(project, solution, picture, posable, tell)
+        bake::bake(project, solution, picture, posable, on_progress)
     }
 
     /// The picture.
@@ -181,10 +180,10 @@ impl Rig {
         &self.mesh.triangles
     }
 
-    /// The vertices at a frame of a clip, from 0 to its last one. Frames between two frames are valid.
+    /// The vertices at a frame of a clip, from 0 to its last one. Fractional frames are valid.
     ///
     /// # Panics
-    /// If there is no such clip.
+    /// If the clip does not exist.
     #[must_use]
     pub fn posed_vertices(&self, clip: usize, frame: f64) -> Vec<DVec2> {
         let motions = self.clips[clip].motions_at(frame, self.sites());
@@ -199,7 +198,7 @@ impl Rig {
         Some(&sources.handles)
     }
 
-    /// The solver that poses the handles. `None` if that needs no solver, and if the rig cannot be posed.
+    /// The solver that poses the handles. `None` if no solver is needed, or if the rig cannot be posed.
     #[must_use]
     pub fn poser(&self) -> Option<RigPoser> {
         self.posing.as_ref().map(RigPoser::new)
@@ -218,7 +217,7 @@ impl Rig {
     /// The vertices with these motions of the sites.
     ///
     /// # Panics
-    /// If they are not as many as the sites.
+    /// If the number of motions differs from the number of sites.
     #[must_use]
     pub fn vertices_posed_with(&self, motions: &[Motion]) -> Vec<DVec2> {
         assert_eq!(motions.len(), self.sites(), "one motion for each site");
@@ -228,7 +227,7 @@ impl Rig {
     /// The indices of the triangles in the drawing order at a frame of a clip.
     ///
     /// # Panics
-    /// If there is no such clip.
+    /// If the clip does not exist.
     #[must_use]
     pub fn drawing_order(&self, clip: usize, frame: f64) -> Vec<u32> {
         let order = &self.clips[clip].order_at(frame).triangles;
@@ -238,7 +237,7 @@ impl Rig {
     /// The file.
     ///
     /// # Errors
-    /// [`BakeError::TooLarge`] above 4 GB.
+    /// [`BakeError::TooLarge`] above 4 GB, or above 512 MiB of deflated sections.
     pub fn to_bytes(&self) -> Result<Vec<u8>, BakeError> {
         let written = |tag: Tag, write: &dyn Fn(&mut Writer)| {
             let mut writer = Writer::default();
@@ -264,7 +263,7 @@ impl Rig {
     /// Reads a file.
     ///
     /// # Errors
-    /// A [`RigError`] for bytes that are no rig of this version, or a damaged one.
+    /// A [`RigError`] for bytes that are not a rig of a known version, or are damaged.
     pub fn from_bytes(file: &[u8]) -> Result<Self, RigError> {
         let (version, mut sections) = unpacked(file)?;
         let is_displaced = version == DISPLACED;
@@ -301,16 +300,16 @@ impl Rig {
             let posing = next(&mut sections, POSING, RigPart::Posing)?;
             let mut from = Reader::new(RigPart::Posing, &posing);
             rig.posing = Posing::read(&mut from, Some(&rig.handles), Some(rig.sites()))?;
-            // A later format is as good as none: clips play on.
+            // A later format is ignored: clips still play.
             if rig.posing.is_some() {
                 from.end()?;
             }
         }
         for Section { tag, bytes } in sections {
             let mut from = Reader::new(RigPart::Clip, &bytes);
-            from.expect(tag == CLIP, "is in the wrong place")?;
+            from.expect(tag == CLIP, "is in the wrong position")?;
             let clip = RigClip::read(&mut from, rig.sites(), rig.mesh.triangles.len())?;
-            from.expect(rig.clips.iter().all(|other| other.name != clip.name), "has the name of another one")?;
+            from.expect(rig.clips.iter().all(|other| other.name != clip.name), "has the name of another clip")?;
             from.end()?;
             rig.clips.push(clip);
         }
@@ -326,10 +325,10 @@ impl Rig {
         self.handles.iter().for_each(|handle| to.text(handle));
     }
 
-    /// A rig without mesh and clips.
+    /// Reads a rig without mesh and clips.
     fn read_head(from: &mut Reader<'_>, picture: Vec<u8>) -> Result<Self, RigError> {
         let [width, height] = [from.varint()?, from.varint()?];
-        from.expect(width > 0 && height > 0, "has an empty picture")?;
+        from.expect(width > 0 && height > 0, "describes an empty picture")?;
         let flags = from.byte()?;
         from.expect(flags < 4, "has an unknown setting")?;
         let handles = (0..from.count(1)?).map(|_| from.text()).collect::<Result<_, _>>()?;
@@ -403,7 +402,7 @@ mod tests {
         project.clips = vec![wave, Clip::new("still", 1.0, Looping::None)];
         let solution = solve(&project, &Picture::new(24, 18, &rgba).unwrap()).unwrap();
         let picture = RigPicture { width: 24, height: 18, file: b"a picture".to_vec() };
-        let mut rig = Rig::bake_telling(&project, &solution, picture, Posable::Always, &mut |_| {}).unwrap();
+        let mut rig = Rig::bake_with_progress(&project, &solution, picture, Posable::Always, &mut |_| {}).unwrap();
         let triangles = (0..rig.triangles().len() as u32).rev().collect();
         rig.clips[0].orders.push(order::Order { frame: 3, crosses: true, triangles });
         let triangles = rig.clips[0].orders[1].triangles.clone();
@@ -450,7 +449,7 @@ mod tests {
         assert_ne!(rig.vertices(), rig.displaced_vertices());
         let mut sections = Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap().1);
         assert_eq!(sections[4].tag, DISPLACEMENTS);
-        // The first version knows no such section.
+        // The first version does not know such a section.
         let plain = Rig::from_bytes(&packed(1, &sections).unwrap()).unwrap();
         assert_eq!(plain.displaced_vertices(), rig.vertices());
         for end in 0..sections[4].bytes.len() {

@@ -1,7 +1,7 @@
 //! The drawing order of triangles along a clip.
 //!
-//! Only triangles that cover each other in the pose need an order. So one order is kept as long as it suits
-//! the pairs of each frame. If it does not, it is sorted anew for the pairs of all its frames, while that is possible.
+//! Only triangles that cover each other in the pose need an order. So one order is kept while it is valid for the pairs
+//! of each frame. Otherwise it is sorted again for the pairs of all its frames, if possible.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::{
     solution::Solution,
 };
 
-/// The drawing order from a frame on.
+/// A drawing order and its first frame.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Order {
     pub(super) frame: u32,
@@ -31,11 +31,11 @@ pub(super) struct Order {
 const CROSSES: u8 = 1;
 /// Its own order follows.
 const OWN: u8 = 2;
-/// It has the order before.
+/// It has the previous order.
 const SAME: u8 = 4;
 
 impl Order {
-    /// That of the mesh, for a whole clip.
+    /// The order of the mesh, for a whole clip.
     pub(super) fn of_mesh() -> Vec<Self> {
         vec![Self { frame: 0, crosses: false, triangles: Arc::default() }]
     }
@@ -83,7 +83,7 @@ impl Order {
             let t = next.wrapping_add(from.signed()?);
             let drawn = usize::try_from(t).ok().and_then(|t| is_drawn.get_mut(t));
             let is_new = drawn.is_some_and(|drawn| !std::mem::replace(drawn, true));
-            from.expect(is_new, "has a drawing order that is no order of the triangles")?;
+            from.expect(is_new, "has a drawing order that does not list each triangle once")?;
             triangles.push(t as u32);
             next = t + 1;
         }
@@ -91,7 +91,7 @@ impl Order {
     }
 }
 
-/// The orders of frames, made frame by frame.
+/// Builds the orders frame by frame.
 pub(super) struct Orders<'a> {
     solution: &'a Solution,
     adjacency: Adjacency,
@@ -102,14 +102,14 @@ pub(super) struct Orders<'a> {
 
 /// Frames with one order.
 struct Run {
-    /// Frames at which parts begin to cross, or cease, with the first frame of the run.
+    /// Frames at which parts begin or cease to cross, including the first frame of the run.
     changes: Vec<(u32, bool)>,
     /// The triangles of the solution by depth in the first frame.
     base: Vec<u32>,
     /// The triangle in front, and the one behind it, in all frames.
     pairs: Vec<[u32; 2]>,
     order: Vec<u32>,
-    /// The place of each triangle in the order.
+    /// The position of each triangle in the order.
     ranks: Vec<u32>,
 }
 

@@ -1,8 +1,8 @@
-//! Handles whose poses need a solver, and all that it needs: in the rigid mode, and where handles turn by themselves.
+//! Handles whose poses need a solver, and its data: for the rigid mode, and for automatic rotations.
 //!
-//! It is the content of a [`Poser`], in the coarsest steps that leave its poses as they are.
+//! This is the content of a [`Poser`], in the coarsest steps that preserve its poses.
 //!
-//! Cost: a third of the bytes of the poser itself, most of them for the nodes of the rigid mode.
+//! Cost: a third of the bytes of the poser itself, mostly for the nodes of the rigid mode.
 
 use glam::DVec2;
 
@@ -23,16 +23,16 @@ use crate::{
     weight::Influence,
 };
 
-/// The format of the section. Readers skip a section of another one.
+/// The format of the section. Readers skip sections of other formats.
 const FORMAT: u8 = 1;
 /// The finest steps.
 const MOST_BITS: u8 = 24;
 /// The greatest logarithm to the base 2 of an area or a flow.
 const MOST_LOG: f64 = 64.0;
-/// Why a number of a site is refused.
-const UNKNOWN_SITE: &str = "name a site that there is not";
+/// The reason for rejecting a site number.
+const UNKNOWN_SITE: &str = "refer to an unknown site";
 
-/// Handles and their solver, in whole numbers of steps.
+/// Handles and their solver, in integer steps.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Posing {
     pub(super) sources: Sources,
@@ -43,7 +43,7 @@ pub(super) struct Posing {
 /// Numbers are multiples of 2 to the power of minus these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct PosingBits {
-    /// Of rest places of sites, in pixels.
+    /// For rest positions of sites, in pixels.
     pub(super) place: u8,
     /// Of harmonic weights.
     pub(super) share: u8,
@@ -51,7 +51,7 @@ pub(super) struct PosingBits {
     pub(super) link: u8,
     /// Of logarithms to the base 2: of areas and of flows.
     pub(super) log: u8,
-    /// Of places of nodes, in pixels.
+    /// Of positions of nodes, in pixels.
     pub(super) node: u8,
     /// Of weights at nodes.
     pub(super) weight: u8,
@@ -60,7 +60,7 @@ pub(super) struct PosingBits {
 }
 
 impl PosingBits {
-    /// Steps as fine as this for a picture of this longest side.
+    /// Steps for a picture with this longest side.
     pub(super) fn of(fineness: u8, side: u32) -> Self {
         // A gradient acts over a sixty-fourth of the picture. With finer ones poses are hardly nearer.
         let gradient = fineness + (u32::BITS - side.leading_zeros()) as u8 - 6;
@@ -93,7 +93,7 @@ impl Posing {
     /// Poses the handles.
     pub(super) fn poser(&self) -> Poser {
         let Sources { handles, skeleton } = &self.sources;
-        Poser::from_parts(&self.parts, skeleton, handles).expect("they are checked before")
+        Poser::from_parts(&self.parts, skeleton, handles).expect("the parts were checked")
     }
 
     pub(super) fn write(&self, to: &mut Writer) {
@@ -137,7 +137,7 @@ impl Posing {
         write_places(&nodes().map(|node| steps_of(node.at, bits.node)).collect::<Vec<_>>(), to);
         write_logs(nodes().map(|node| node.area), bits.log, to);
         write_rows(nodes().map(|node| node.influences.iter().map(|one| one.site as u32)), to);
-        // The first one has what the others leave.
+        // The first one is 1 minus the others.
         let others = || nodes().flat_map(|node| node.influences.iter().skip(1));
         others().for_each(|one| to.varint(steps(one.weight, bits.weight) as u32));
         others().for_each(|one| to.signed(steps(one.gradient.x, bits.gradient)));
@@ -164,7 +164,7 @@ impl Posing {
         let kinds = kinds_of(&read_driven(from, &sources, count)?, &sources);
         for handle in &mut sources.handles {
             let turns = from.byte()?;
-            from.expect(turns < 2, "have a handle that no project has")?;
+            from.expect(turns < 2, "contain an invalid handle")?;
             if turns == 1 {
                 handle.rotation = Rotation::Auto;
             }
@@ -174,7 +174,7 @@ impl Posing {
         let mut bits = [0; 7];
         for bits in &mut bits {
             *bits = from.byte()?;
-            from.expect(*bits <= MOST_BITS, "are too fine")?;
+            from.expect(*bits <= MOST_BITS, "have too many bits")?;
         }
         let [place, share, link, log, node, weight, gradient] = bits;
         let bits = PosingBits { place, share, link, log, node, weight, gradient };
@@ -213,10 +213,10 @@ fn read_rigid(
     let links = pairs.into_iter().map(weight).collect::<Result<_, RigError>>()?;
     for handle in sources.handles.iter_mut().filter(|handle| matches!(handle.shape, Shape::Polygon { .. })) {
         handle.stiffness = from.number()?;
-        from.expect((0.0..=1.0).contains(&handle.stiffness), "have a stiffness that no project has")?;
+        from.expect((0.0..=1.0).contains(&handle.stiffness), "contain a stiffness outside 0 to 1")?;
     }
     let has_mask = from.byte()?;
-    from.expect(has_mask < 2, "have an unknown stiffness")?;
+    from.expect(has_mask < 2, "have an unknown kind of stiffness")?;
     let mask = if has_mask == 1 { Some(read_mask(from)?) } else { None };
     let stiffness = StiffnessField::of(mask, &sources.handles);
     let levels = [from.count(5)?, from.count(5)?, from.count(5)?];
@@ -227,7 +227,7 @@ fn read_rigid(
     let rows = read_rows(from, count, |site| site < sites, UNKNOWN_SITE)?;
     let mut nodes = Vec::new();
     for ((place, area), sites) in places.into_iter().zip(areas).zip(rows) {
-        from.expect(!sites.is_empty(), "have a node that no site moves")?;
+        from.expect(!sites.is_empty(), "contain a node that no site moves")?;
         let influence = |site: u32| Influence { site: site as usize, weight: 0.0, gradient: DVec2::ZERO };
         let influences = sites.into_iter().map(influence).collect();
         nodes.push(Node { at: place_of(place, bits.node), area, influences });
@@ -238,7 +238,7 @@ fn read_rigid(
             one.weight = read_fraction(from, bits.weight)?;
             left -= one.weight;
         }
-        from.expect(left >= 0.0, "have weights of more than 1")?;
+        from.expect(left >= 0.0, "contain weights that sum to more than 1")?;
         node.influences[0].weight = left;
     }
     for axis in 0..2 {
@@ -272,7 +272,7 @@ struct Rounding<'a> {
 }
 
 impl Rounding<'_> {
-    /// `None` for places that are too far out.
+    /// `None` for positions that are too far away.
     fn parts(&self) -> Option<PoserParts> {
         let Self { bits, parts } = self;
         let is_moved = |&&(site, _): &&(u32, f64)| parts.kinds[site as usize] != SiteKind::Boundary;
@@ -348,7 +348,7 @@ fn whole(bits: u8) -> f64 {
     f64::from(1_u32 << bits)
 }
 
-/// The steps of a number that is a multiple of them.
+/// A number in steps, of which it is a multiple.
 fn steps(number: f64, bits: u8) -> i32 {
     round(number, bits).expect("rounded numbers have 32 bits")
 }
@@ -388,7 +388,7 @@ fn read_logs(from: &mut Reader<'_>, count: usize, bits: u8) -> Result<Vec<f64>, 
     let mut numbers = Vec::new();
     for _ in 0..count {
         log = log.wrapping_add(from.signed()?);
-        from.expect(value(log, bits).abs() <= MOST_LOG, "have an area that no picture has")?;
+        from.expect(value(log, bits).abs() <= MOST_LOG, "contain a number that is too large")?;
         numbers.push(exp(log, bits));
     }
     Ok(numbers)
@@ -396,12 +396,12 @@ fn read_logs(from: &mut Reader<'_>, count: usize, bits: u8) -> Result<Vec<f64>, 
 
 fn read_fraction(from: &mut Reader<'_>, bits: u8) -> Result<f64, RigError> {
     let steps = from.varint()?;
-    from.expect(steps <= 1 << bits, "have a weight of more than 1")?;
+    from.expect(steps <= 1 << bits, "contain a weight greater than 1")?;
     Ok(f64::from(steps) / whole(bits))
 }
 
-/// Pairs in ascending order, the lesser number first. It is written minus that of the pair before. The greater one is
-/// written minus the lesser one, minus 1.
+/// Pairs in ascending order, the lesser number first. The lesser number is written relative to that of the previous
+/// pair, and the greater relative to the lesser, minus 1.
 fn write_pairs(pairs: impl Iterator<Item = [u32; 2]>, to: &mut Writer) {
     let mut before = 0;
     for [i, j] in pairs {

@@ -1,4 +1,4 @@
-//! Poses of handles by which the steps of a rig are chosen.
+//! Test poses of handles for choosing the steps of a rig.
 
 use glam::DVec2;
 
@@ -6,7 +6,7 @@ use crate::project::{Handle, Rotation, Shape};
 
 const PROBES: usize = 6;
 
-/// All handles at once, `reach` pixels away, turned and scaled. Motions that are sums have no jumps, however far.
+/// All handles at once, `reach` pixels away, turned and scaled. Motions that are sums never jump.
 pub(super) fn scattered(handles: &[Handle], reach: f64) -> Vec<Vec<Handle>> {
     let probe = |probe: usize| {
         let pose = |(at, handle): (usize, &Handle)| {
@@ -27,7 +27,7 @@ pub(super) fn scattered(handles: &[Handle], reach: f64) -> Vec<Vec<Handle>> {
     (0..PROBES).map(probe).collect()
 }
 
-/// The pose of the project, and one handle after another, `reach` pixels from its place there.
+/// The pose of the project, and poses that move one handle each by `reach` pixels.
 pub(super) fn drags(handles: &[Handle], reach: f64) -> Vec<Vec<Handle>> {
     let drag = |probe: usize| {
         let mut posed = handles.to_vec();

@@ -1,29 +1,29 @@
-//! How much of the work of baking is done.
+//! The progress of baking.
 
-/// Steps in which progress is told.
+/// Number of progress reports.
 const STEP: f64 = 0.01;
 
 /// Counts frames: each is posed once, ordered once and compared once.
 pub(super) struct Progress<'a> {
     all: f64,
     done: f64,
-    told: f64,
-    tell: &'a mut dyn FnMut(f64),
+    reported: f64,
+    report: &'a mut dyn FnMut(f64),
 }
 
 impl<'a> Progress<'a> {
-    /// For the frames of all clips.
-    pub(super) fn new(frames: usize, tell: &'a mut dyn FnMut(f64)) -> Self {
-        Self { all: 3.0 * frames as f64, done: 0.0, told: 0.0, tell }
+    /// Progress for the frames of all clips.
+    pub(super) fn new(frames: usize, report: &'a mut dyn FnMut(f64)) -> Self {
+        Self { all: 3.0 * frames as f64, done: 0.0, reported: 0.0, report }
     }
 
-    /// Some more frames were posed, ordered or compared.
+    /// Adds frames that were posed, ordered or compared.
     pub(super) fn add(&mut self, frames: usize) {
         self.done += frames as f64;
         let part = (self.done / self.all).min(1.0);
-        if part >= self.told + STEP {
-            self.told = part;
-            (self.tell)(part);
+        if part >= self.reported + STEP {
+            self.reported = part;
+            (self.report)(part);
         }
     }
 }

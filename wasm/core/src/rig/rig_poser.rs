@@ -1,4 +1,4 @@
-//! Poses the handles of a rig by the solver.
+//! Poses the handles of a rig with the solver.
 
 use super::{
     bytes::Reader,
@@ -12,9 +12,10 @@ use crate::{
     project::Handle,
 };
 
-/// Poses the handles of a rig that need a solver: in the rigid mode, or with handles that turn by themselves.
+/// Poses the handles of a rig that needs a solver: in the rigid mode, or with automatic rotations.
 ///
-/// Cost: the first pose factorises matrices, some 50 milliseconds for 150 sites. Others take one to four.
+/// Cost: the first pose factorises matrices, about 50 milliseconds for 150 sites. Later poses take one to four
+/// milliseconds.
 #[derive(Debug, Clone)]
 pub struct RigPoser {
     poser: Poser,
@@ -29,7 +30,7 @@ impl RigPoser {
     /// Reads the unpacked section `POSR` of a rig: see `web/docs/rig-format.md`. Its handles are numbered from 0.
     ///
     /// # Errors
-    /// A [`RigError`] for a section of a later format, or a damaged one.
+    /// A [`RigError`] for a section of a later format, or a damaged section.
     pub fn from_section(section: &[u8]) -> Result<Self, RigError> {
         let mut from = Reader::new(RigPart::Posing, section);
         let posing = Posing::read(&mut from, None, None)?.ok_or_else(|| from.wrong("have an unknown format"))?;
@@ -46,7 +47,7 @@ impl RigPoser {
     /// The motions of all sites with the handles posed, one pose for each in their order.
     ///
     /// # Errors
-    /// [`Error::PoseMismatch`] for another number of handles or corners; those of [`Poser::pose`].
+    /// [`Error::PoseMismatch`] for a wrong number of handles or corners, and the errors of [`Poser::pose`].
     pub fn motions(&self, poses: &[HandlePose]) -> Result<Vec<Motion>, Error> {
         let mismatch = Error::PoseMismatch { expected: self.handles.len(), found: poses.len() };
         let mut handles = self.handles.clone();

@@ -1,4 +1,4 @@
-//! The motions of a clip at all its frames, and how close stored ones come to them.
+//! The motions of a clip at all its frames, and the accuracy of stored motions.
 
 use glam::DVec2;
 
@@ -15,13 +15,13 @@ use crate::{
     solution::Solution,
 };
 
-/// Frames that motions are compared at: those of most screens.
+/// Frame rate at which motions are compared: that of most screens.
 const FRAMES_PER_SECOND: f64 = 60.0;
-/// Longer clips take minutes to bake.
+/// Longer clips would take minutes to bake.
 const MOST_SECONDS: f64 = 600.0;
-/// Frames of all clips, times sites. A motion takes 80 bytes while it is baked: 640 MB at most.
+/// Frames of all clips, times sites. A motion takes 80 bytes during baking, so at most 640 MB in total.
 const MOST_MOTIONS: usize = 8_000_000;
-/// Frames that steps are chosen by. The others are checked later.
+/// Number of frames for choosing steps. The other frames are checked later.
 const SAMPLED: usize = 12;
 
 /// The motions of a clip, frame by frame. A sequence of one frame is a pose.
@@ -46,7 +46,7 @@ impl MotionSequence {
         project.clips.iter().map(|clip| Self::of(clip, project, solution, progress)).collect()
     }
 
-    /// The number of frames of all clips, or of the pose in a project without clips.
+    /// The number of frames of all clips, or 1 for the pose of a project without clips.
     pub(super) fn count_frames(project: &Project, solution: &Solution) -> Result<usize, BakeError> {
         let frames = project.clips.iter().map(frames_of).sum::<Result<usize, _>>()?;
         let sites = solution.poser().sites();
@@ -76,7 +76,7 @@ impl MotionSequence {
         Ok(Self { name: name.clone(), duration: *duration, looping: *looping, frames })
     }
 
-    /// Some frames, evenly spread.
+    /// Evenly spaced frames.
     pub(super) fn sampled(&self) -> impl Iterator<Item = &Vec<Motion>> {
         let step = self.frames.len().div_ceil(SAMPLED);
         self.frames.iter().step_by(step)
@@ -92,7 +92,7 @@ fn frames_of(clip: &Clip) -> Result<usize, BakeError> {
     Ok((clip.duration * FRAMES_PER_SECOND).round().max(1.0) as usize + 1)
 }
 
-/// The stored motions of a sequence beside the exact ones.
+/// Compares the stored motions of a sequence with the exact ones.
 pub(super) struct Comparison<'a> {
     pub(super) exact: &'a Skin,
     /// The stored mesh.
@@ -105,7 +105,8 @@ pub(super) struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// How far vertices are from their places at a frame, with stored motions at two frames around it. Pixels.
+    /// The distance of vertices from their exact positions at a frame, with stored motions at two frames around it.
+    /// Pixels.
     pub(super) fn error(&self, [before, after]: [u32; 2], frame: u32) -> f64 {
         let along = if after > before { f64::from(frame - before) / f64::from(after - before) } else { 0.0 };
         let [a, b] = [before, after].map(|key| &self.rounded[key as usize]);
@@ -121,10 +122,10 @@ impl Comparison<'_> {
         self.sequence.frames.len() as u32 - 1
     }
 
-    /// As few frames as keep all others within a distance, in pixels, by a greedy search. `None` if a key itself is
-    /// farther away.
+    /// The fewest frames that keep all others within a distance, in pixels, found by a greedy search. `None` if a key
+    /// itself is farther away.
     ///
-    /// Cost: some four blends of all vertices for each frame.
+    /// Cost: about four blends of all vertices for each frame.
     pub(super) fn keys(&self, tolerance: f64, progress: &mut Progress<'_>) -> Option<Vec<u32>> {
         let mut keys = vec![0];
         let mut key = 0;
@@ -142,7 +143,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The last frame of a straight stretch: by doubling, and then by halving.
+    /// The last frame of a linear stretch, found by doubling and then by halving.
     fn next_key(&self, key: u32, tolerance: f64) -> u32 {
         let is_straight = |end: u32| (key + 1..end).all(|frame| self.error([key, end], frame) <= tolerance);
         let (mut good, mut step) = (key + 1, 2);

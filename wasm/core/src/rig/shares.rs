@@ -1,7 +1,7 @@
-//! The shares of handles in the motions of sites: what a page needs to pose the handles without a solver.
+//! The shares of handles in the motions of sites, which let a page pose the handles without a solver.
 //!
-//! Only the harmonic mode has them: there every motion is a sum of those of handles (eq. 4). The rigid mode minimises
-//! an energy for each pose.
+//! Only the harmonic mode has shares: its motions are sums of handle motions (eq. 4). The rigid mode minimises an
+//! energy for each pose.
 
 use glam::DVec2;
 
@@ -29,7 +29,7 @@ pub(super) struct Shares {
     sites: Vec<Driven>,
     /// Shares are multiples of 2 to the power of minus this.
     bits: u8,
-    /// One for each virtual site.
+    /// One row for each virtual site.
     rows: Vec<Vec<Share>>,
 }
 
@@ -37,20 +37,20 @@ pub(super) struct Shares {
 struct Share {
     source: u32,
     share: u32,
-    /// How far along the bone the sites lie that the share comes from: a fraction of the same steps.
+    /// The position along the bone of the sites behind the share: a fraction in the same steps.
     along: u32,
 }
 
-/// The shares as they are in a solution.
+/// The shares of a solution.
 pub(super) struct ExactShares {
     sources: Sources,
     sites: Vec<Driven>,
-    /// For each virtual site its sources, ascending, with share and fraction along.
+    /// For each virtual site, its sources, ascending, with share and fraction along.
     rows: Vec<Vec<(u32, f64, f64)>>,
 }
 
 impl ExactShares {
-    /// `None` where poses need a solver: in the rigid mode, and with handles that turn by themselves.
+    /// `None` if poses need a solver: in the rigid mode, and with automatic rotations.
     pub(super) fn of(poser: &Poser, handles: &[Handle]) -> Option<Self> {
         if poser.is_rigid() || handles.is_empty() || handles.iter().any(turns_by_itself) {
             return None;
@@ -106,10 +106,10 @@ impl ExactShares {
 }
 
 impl Shares {
-    /// The motions of sites at these places, with the handles posed as given.
+    /// The motions of sites at these positions, with the handles posed as given.
     pub(super) fn motions(&self, rest: &[DVec2], handles: &[Handle]) -> Vec<Motion> {
         let sources = self.sources.posed(handles);
-        let source = |source: u32| sources[source as usize].as_ref().expect("bars are no sources");
+        let source = |source: u32| sources[source as usize].as_ref().expect("bars are not sources");
         let whole = f64::from(1_u32 << self.bits);
         let mut rows = self.rows.iter();
         let motion = |(&place, driven): (&DVec2, &Driven)| match *driven {
@@ -145,9 +145,9 @@ impl Shares {
         let sources = Sources::read(from, names)?;
         let driven = read_driven(from, &sources, sites)?;
         let bits = from.byte()?;
-        from.expect(bits <= MOST_BITS, "are too fine")?;
+        from.expect(bits <= MOST_BITS, "have too many bits")?;
         let rows = driven.iter().filter(|driven| **driven == Driven::Virtual).count();
-        let named = read_rows(from, rows, |source| sources.has(source), "name a handle or bone that there is not")?;
+        let named = read_rows(from, rows, |source| sources.has(source), "refer to an unknown handle or bone")?;
         let unread = |source: u32| Share { source, share: 0, along: 0 };
         let rows = named.into_iter().map(|row| row.into_iter().map(unread).collect()).collect();
         let mut shares = Self { sources, sites: driven, bits, rows };
@@ -163,7 +163,7 @@ impl Shares {
         let first_bone = shares.sources.handles.len();
         for part in shares.rows.iter_mut().flatten().filter(|part| part.source as usize >= first_bone) {
             part.along = from.varint()?;
-            from.expect(part.along <= whole, "come from beyond a bone")?;
+            from.expect(part.along <= whole, "refer to a point beyond the end of a bone")?;
         }
         Ok(shares)
     }

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use crate::{deform::Pose, pose::Motion, project::Blend, weight::SparseWeights};
 
-/// Vertices before sites move them, with their weights, and the rest places of the sites.
+/// Vertices before sites move them, with their weights, and the rest positions of the sites.
 #[derive(Debug)]
 pub(super) struct Skin {
     pub(super) vertices: Vec<DVec2>,
@@ -21,7 +21,7 @@ impl Skin {
     }
 }
 
-/// The greatest distance between two places of one vertex. It is infinite for places that are no numbers.
+/// The maximum distance between two positions of one vertex. It is infinite for non-finite positions.
 pub(super) fn greatest_distance(a: &[DVec2], b: &[DVec2]) -> f64 {
     let distance = |(a, b): (&DVec2, &DVec2)| a.distance(*b);
     let greater = |most: f64, d: f64| if d.is_nan() { f64::INFINITY } else { most.max(d) };

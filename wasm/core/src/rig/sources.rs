@@ -1,7 +1,7 @@
-//! Handles, and the motions that they and their bones have in a pose: the sources that sites have shares of.
+//! Handles and their bones with their motions in a pose: the sources in which sites have shares.
 //!
-//! A point is one source, and so is each bone of a bar or polygon. Every source is a map of the plane: it does not
-//! depend on the sites along a bone. So the shares of all those sites add up to one.
+//! A point is one source, and so is each bone of a bar or polygon. Every source is a map of the plane, independent of
+//! the sites along a bone. So the shares of all sites along a bone add up to one share.
 
 use glam::{DMat2, DVec2};
 
@@ -22,16 +22,16 @@ pub(super) struct Sources {
     pub(super) skeleton: Skeleton,
 }
 
-/// The map of a source: rotation and stretch around `anchor`, which goes to `posed`.
+/// The map of a source: rotation and stretch around `anchor`, which moves to `posed`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Source {
     anchor: DVec2,
     posed: DVec2,
-    /// The way from the anchor along the bone, to its end.
+    /// The vector from the anchor along the bone to its end.
     bone: DVec2,
     motion: Motion,
     linear: DMat2,
-    /// The motion as virtual sites get it: a bone that is posed to no length does not collapse them.
+    /// The motion passed to virtual sites: a bone that is posed to zero length does not collapse them.
     passed_on: Motion,
     passed_on_linear: DMat2,
 }
@@ -48,8 +48,8 @@ impl Source {
         Motion { translation: self.posed + self.linear * (place - self.anchor) - place, ..self.motion }
     }
 
-    /// The motion that a virtual site has a share of. The sites that it comes from lie at the mean fraction `along` of
-    /// the bone.
+    /// The motion in which a virtual site has a share. The sites behind it lie at the mean fraction `along` of the
+    /// bone.
     pub(super) fn spread(&self, place: DVec2, along: f64) -> Motion {
         let kept = along * ((self.linear - self.passed_on_linear) * self.bone);
         let translation = self.posed + self.passed_on_linear * (place - self.anchor) + kept - place;
@@ -70,7 +70,7 @@ impl Sources {
         self.handles.len() + self.skeleton.bones.len()
     }
 
-    /// Whether a number names a source: bars and polygons are none themselves.
+    /// Whether a number refers to a source: bars and polygons themselves are not sources.
     pub(super) fn has(&self, source: usize) -> bool {
         self.handles.get(source).map_or(source < self.count(), |handle| matches!(handle.shape, Shape::Point { .. }))
     }
@@ -83,7 +83,7 @@ impl Sources {
             && handles.iter().all(|handle| !turns_by_itself(handle))
     }
 
-    /// The maps of all sources, with the handles posed as given. Bars and polygons themselves have none.
+    /// The maps of all sources, with the handles posed as given. Bars and polygons themselves have no map.
     pub(super) fn posed(&self, handles: &[Handle]) -> Vec<Option<Source>> {
         let bones = self.skeleton.bones.iter().zip(self.skeleton.motions(handles));
         let of_bone = |(bone, motion): (&Bone, BoneMotion)| {
@@ -119,7 +119,7 @@ impl Sources {
     /// Reads the sources of named handles.
     pub(super) fn read(from: &mut Reader<'_>, names: &[String]) -> Result<Self, RigError> {
         let handles: Vec<Handle> = names.iter().map(|name| read_handle(name, from)).collect::<Result<_, _>>()?;
-        from.expect(check_handles(&handles).is_ok(), "have a handle that no project has")?;
+        from.expect(check_handles(&handles).is_ok(), "contain an invalid handle")?;
         let mut joints = Vec::new();
         for _ in 0..from.count(1)? {
             let anchors = (0..from.count(10)?).map(|_| read_anchor(from)).collect::<Result<Vec<_>, _>>()?;
@@ -128,12 +128,12 @@ impl Sources {
         let bones = (0..from.count(68)?).map(|_| read_bone(&handles, from)).collect::<Result<_, _>>()?;
         let skeleton = Skeleton { bones, joints };
         let is_whole = skeleton.is_consistent(handles.len()) && skeleton.fits(&handles);
-        from.expect(is_whole, "have bones that do not fit their handles")?;
+        from.expect(is_whole, "have bones that do not match their handles")?;
         Ok(Self { handles, skeleton })
     }
 }
 
-/// Whether the rotation of a handle depends on others: that of a bar or polygon does by whole turns.
+/// Whether the rotation of a handle depends on other handles; for a bar or polygon, by whole turns.
 pub(super) fn turns_by_itself(handle: &Handle) -> bool {
     handle.rotation == Rotation::Auto
 }
@@ -173,7 +173,7 @@ fn write_handle(handle: &Handle, to: &mut Writer) {
 
 fn read_handle(name: &str, from: &mut Reader<'_>) -> Result<Handle, RigError> {
     let kind = from.byte()?;
-    from.expect(kind <= POLYGON, "have a handle of an unknown kind")?;
+    from.expect(kind <= POLYGON, "contain a handle of an unknown kind")?;
     let corners = if kind == POINT { 1 } else { from.count(32)? };
     let rest = read_places(corners, from)?;
     let posed = read_places(corners, from)?;
@@ -199,7 +199,7 @@ fn read_bone(handles: &[Handle], from: &mut Reader<'_>) -> Result<Bone, RigError
     let are_numbers = rest[0] != rest[1]
         && rest.iter().all(|end| end.is_finite())
         && beyond.iter().chain(&beside).all(|number| number.is_finite());
-    from.expect(are_numbers, "have a bone without a length")?;
+    from.expect(are_numbers, "contain a bone of zero length")?;
     let of_loop = handles.get(handle as usize).is_some_and(|handle| matches!(handle.shape, Shape::Polygon { .. }));
     Ok(Bone { handle, segment, rest, of_loop, joints, beyond, beside, body: 0 })
 }

@@ -1,7 +1,7 @@
 //! The mesh between the triangles of the lattice and the outline.
 //!
 //! A constrained Delaunay triangulation fills it. Its constraints are the outline and the border of the lattice's
-//! triangles, which are Delaunay, too. So the whole is the constrained Delaunay mesh of all vertices.
+//! triangles, which are Delaunay, too. So the result is the constrained Delaunay mesh of all vertices.
 //!
 //! Cost: O(b log b) for b vertices along the outline, on bones, and on the lattice's border.
 
@@ -10,10 +10,10 @@ use glam::DVec2;
 use super::{lattice_triangles::LatticeTriangles, nearby::Nearby, nodes::Nodes};
 use crate::triangulation::{Locator, NONE, Triangulation};
 
-/// Triangles of the band for each vertex on the outline or on a bone, more than there are mostly.
+/// Number of triangles of the band for each vertex on the outline or on a bone, usually an overestimate.
 const ROOM: usize = 4;
 
-/// An edge of a lattice triangle without a neighbour there.
+/// An edge of a lattice triangle without a neighbour.
 struct BorderEdge {
     ends: [u32; 2],
     triangle: usize,
@@ -22,7 +22,7 @@ struct BorderEdge {
 
 /// The constrained Delaunay mesh inside closed chains of `segments`, and an index of its triangles.
 ///
-/// `of_nodes` are the vertices of the lattice's nodes. The other vertices come first: there are `others`.
+/// `of_nodes` are the vertices of the lattice's nodes. The `others` other vertices come first.
 pub(super) fn mesh(
     vertices: Vec<DVec2>,
     segments: Vec<[usize; 2]>,
@@ -72,7 +72,7 @@ fn border(triangles: &[[u32; 3]], neighbours: &[[u32; 3]]) -> Vec<BorderEdge> {
     neighbours.iter().enumerate().flat_map(of_triangle).map(|(triangle, side)| edge(triangle, side)).collect()
 }
 
-/// Makes the triangles from `first` on neighbours of those along the border.
+/// Connects the triangles from `first` on with those along the border.
 fn sew(triangles: &[[u32; 3]], neighbours: &mut [[u32; 3]], first: usize, border: &mut [BorderEdge]) {
     border.sort_unstable_by_key(|edge| edge.ends);
     for triangle in first..triangles.len() {

@@ -1,7 +1,7 @@
 //! The samples of a domain before point handles are inserted.
 //!
-//! They do not depend on point handles, so a solver keeps them. Handles are inserted into a copy one by one, in a first
-//! solve just as in a later one. Earlier solves therefore change no bit of the result.
+//! They do not depend on point handles, so a solver keeps them. Handles are inserted into a copy one by one, in the
+//! first solve and in later ones alike. Earlier solves therefore do not change a bit of the result.
 
 use std::sync::Arc;
 
@@ -32,9 +32,9 @@ impl BaseSamples {
     /// About `count` samples: points along the outline with all its corners, and a triangular lattice inside.
     ///
     /// The lattice is centred on the domain's bounding box, so samples of a symmetric domain are symmetric. `bones`
-    /// are straight lines in the domain. The mesh has edges along them wherever nothing else is close.
+    /// are straight lines in the domain. The mesh has edges along them where no other sample is close.
     ///
-    /// Cost: O(n) for n samples, and that of [`band`] for those near the outline and bones.
+    /// Cost: O(n) for n samples, plus the cost of [`band`] for samples near the outline and bones.
     pub(crate) fn new(prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
         let spacing = lattice::spacing(&prepared.domain, count);
         Self::of_outline(OutlineSamples::new(&prepared.domain, spacing), prepared, bones, count)
@@ -42,7 +42,7 @@ impl BaseSamples {
 
     /// The same samples with a skirt and a feather, if the domain needs them.
     ///
-    /// Cost: the same, and that of the skirt. Both are made on two cores.
+    /// Cost: the same, plus that of the skirt, on two cores.
     pub(super) fn with_skirt(prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
         let spacing = lattice::spacing(&prepared.domain, count);
         let outline = OutlineSamples::new(&prepared.domain, spacing);
@@ -87,7 +87,7 @@ impl BaseSamples {
 
     /// A copy with a sample at every site, and finer lattices around close sites (the paper's up-sampling).
     ///
-    /// `sites` must lie in the domain and be distinct. Their order must not depend on earlier solves.
+    /// `sites` must lie in the domain and be distinct. The order of sites must not depend on earlier solves.
     ///
     /// Cost: the copy, a walk from a nearby triangle for each inserted vertex, and the finer lattices (see [`refine`]).
     pub(crate) fn with_sites(&self, prepared: &PreparedDomain, sites: &[DVec2]) -> Samples {
@@ -166,12 +166,12 @@ fn located(navigation: &Navigation, p: DVec2) -> NavTriangle {
 /// A skirt without a fringe.
 struct NarrowSkirt {
     skirt: Skirt,
-    /// Whether it draws all of the picture.
+    /// Whether it draws the whole picture.
     is_enough: bool,
 }
 
 impl NarrowSkirt {
-    /// The skirt of samples. It is empty if nothing is around them.
+    /// The skirt of samples. It is empty if the picture ends at the outline.
     fn new(samples: &[DVec2], outline: &[Vec<u32>], prepared: &PreparedDomain) -> Self {
         let Some(opacity) = &prepared.around else { return Self { skirt: Skirt::default(), is_enough: true } };
         let skirt = Skirt::new(samples, outline, opacity.size());
@@ -184,7 +184,7 @@ impl NarrowSkirt {
         Self { skirt: self.skirt.renumbered(before, now), ..self }
     }
 
-    /// The skirt with a fringe if it does not draw all of the picture.
+    /// The skirt with a fringe if it does not draw the whole picture.
     fn completed(self, Samples { mesh, outline, .. }: &Samples, prepared: &PreparedDomain) -> Skirt {
         let Self { skirt, is_enough } = self;
         let Some(opacity) = prepared.around.as_ref().filter(|_| !is_enough) else { return skirt };

@@ -1,4 +1,4 @@
-//! Samples along bones, so that a bar that stays straight is drawn straight.
+//! Samples along bones, so that a straight bar is drawn straight.
 //!
 //! Cost: for each sample of a bone, the grid cells around it.
 
@@ -12,10 +12,10 @@ use crate::{domain::Domain, grid::Grid, triangulation::OUTLINE_TOLERANCE};
 /// It is less than twice the distance that other samples keep from the bone. The circle over two neighbours is then
 /// empty, so the edge between them belongs to the Delaunay mesh.
 const BONE_SPACING: f64 = 1.9 * LATTICE_CLEARANCE;
-/// Least distance of a bone's samples from earlier ones, as a multiple of the lattice spacing.
+/// Minimum distance of a bone's samples from earlier ones, as a multiple of the lattice spacing.
 const MIN_DISTANCE: f64 = 0.3;
 
-/// Adds samples evenly along each bone, both ends included.
+/// Adds evenly spaced samples along each bone, including both ends.
 ///
 /// Returns those on the outline between its vertices: they must split its edges.
 pub(super) fn add_bones(vertices: &mut Vec<DVec2>, bones: &[[DVec2; 2]], spacing: f64, domain: &Domain) -> Vec<DVec2> {

@@ -1,6 +1,6 @@
 //! Base samples that a solver keeps for the next solve.
 //!
-//! Fine and coarse samples do not depend on each other, so they are made on two cores.
+//! Fine and coarse samples are independent, so they are computed on two cores.
 
 use glam::DVec2;
 
@@ -11,7 +11,7 @@ use crate::{join::join, prepared_domain::PreparedDomain};
 #[derive(Debug, Default)]
 pub(crate) struct SamplingCache {
     fine: Option<BaseSamples>,
-    /// `None` while the fine ones serve as coarse ones, too.
+    /// `None` while the fine samples also serve as coarse samples.
     coarse: Option<BaseSamples>,
 }
 
@@ -47,7 +47,7 @@ impl SamplingCache {
     }
 }
 
-/// Coarse samples without others, about `count`.
+/// About `count` coarse samples, without others.
 pub(crate) fn coarse_samples(
     prepared: &PreparedDomain,
     Places { bones, points }: Places<'_>,
@@ -56,7 +56,7 @@ pub(crate) fn coarse_samples(
     CoarseSamples::new(&BaseSamples::new(prepared, bones, count), prepared, points)
 }
 
-/// The cached samples if they fit, or else new ones in their place.
+/// The cached samples if they fit, or else new ones that replace them.
 fn cached_or_new<'a>(
     cached: &'a mut Option<BaseSamples>,
     bones: &[[DVec2; 2]],

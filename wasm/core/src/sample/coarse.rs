@@ -1,10 +1,10 @@
 //! Coarse samples: a separate set on which cells and their farthest points are located (section IV-A).
 //!
-//! The positions of virtual sites must not depend on how finely the picture is drawn. They do not, because farthest
-//! points are exact, however few coarse samples there are. So their number is the one that makes the search fast.
+//! The positions of virtual sites must not depend on how finely the picture is drawn. This holds because farthest
+//! points are exact for any number of coarse samples. So the number is chosen to make the search fast.
 //!
-//! Known limit: a project with fewer samples has as few coarse samples. Contacts are sites that a density requests
-//! between handles, and they then lie elsewhere along the borders of cells.
+//! Known limit: a project with fewer samples also has fewer coarse samples. Contacts, the sites that a density requests
+//! between handles, then lie elsewhere along the borders of cells.
 
 use std::sync::{Arc, OnceLock};
 
@@ -21,10 +21,10 @@ use crate::{
 
 /// Upper limit of coarse samples, unless close sites need finer ones.
 ///
-/// With 2,500, the regions of a benchmark solve take a tenth longer. With 1,500 they take as long: distances take less
-/// time, but the search opens larger triangles.
+/// With 2,500, the regions of a benchmark solve take a tenth longer. With 1,500, they take the same time: distances
+/// take less, but the search opens larger triangles.
 const MAX_COARSE_SAMPLES: usize = 1_800;
-/// Coarse samples for each requested virtual site: a few across each cell.
+/// Number of coarse samples for each requested virtual site: a few across each cell.
 const COARSE_SAMPLES_PER_SITE: usize = 16;
 
 /// The number of coarse samples for a number of samples and a requested number of virtual sites. It is at most

@@ -1,14 +1,14 @@
-//! The feather of a domain of rings: a soft rim on which a moved part fades out.
+//! The feather of a domain of rings: a soft rim along which a moved part fades out.
 //!
 //! A [fringe](super::fringe) around the outline tiles the rim. Each vertex moves with a sample of the outline, and has
 //! a level: 1 on the outline, 0 where the rim ends, and linear in the distance between. A gap between two parts of the
-//! outline is cut along its middle, and the rims of both end there. Before a border of the picture they end at the
-//! border, so that no cut shows.
+//! outline is cut along its middle, and the rims of both end there. Near a border of the picture, they end at the
+//! border, so that no cut is visible.
 //!
-//! Over a fill the part moves with an opaque [skirt](super::skirt). The rim then begins at the end of the skirt.
+//! Over a fill, the part moves with an opaque [skirt](super::skirt), and the rim begins at the end of the skirt.
 //!
-//! Cost: that of a fringe, and a look at the nearest samples of the outline for each vertex. Known limits: a rim is
-//! drawn before all of the mesh. So a part has no soft rim over other parts of its own selection.
+//! Cost: that of a fringe, and a search of the nearest samples of the outline for each vertex. Known limits: rims are
+//! drawn before the whole mesh. So a part has no soft rim over other parts of its own selection.
 
 use std::collections::HashMap;
 
@@ -25,14 +25,14 @@ use crate::{
 
 /// Nodes across the width of the rim.
 const NODES_ACROSS: f64 = 3.0;
-/// The outline is sought among so many samples at first.
+/// Number of samples that are first searched for the outline.
 const NEAREST: usize = 8;
-/// An outline this close to a border of the picture, in pixels, lies on it: there is no room for a rim between.
+/// An outline this close to a border of the picture, in pixels, counts as lying on it, because a rim has no room.
 const ON_BORDER_PX: f64 = 1.0;
-/// Levels are this far from 0 at most. They fall as steeply in gaps of a pixel.
+/// Greatest absolute level. Levels are this steep in gaps of a pixel.
 const MOST_LEVEL: f64 = 64.0;
 
-/// A mesh around the samples of a domain, and how opaque it is. Empty without a feather.
+/// A mesh around the samples of a domain, and its opacity. Empty without a feather.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Feather {
     vertices: Vec<DVec2>,
@@ -84,7 +84,7 @@ impl Feather {
         &self.vertices
     }
 
-    /// The sample of the mesh that each vertex moves with: it has the weights of that sample.
+    /// For each vertex, the sample of the mesh that it moves with, and whose weights it has.
     #[must_use]
     pub fn owners(&self) -> &[u32] {
         &self.owners
@@ -114,7 +114,7 @@ struct Surroundings {
     numbers: HashMap<u32, u32>,
     tree: Tree,
     size: DVec2,
-    /// A way along the outline may be longer by this.
+    /// Tolerance for a longer way along the outline.
     slack: f64,
 }
 
@@ -129,7 +129,7 @@ impl Surroundings {
         Self { parts, segments, before, numbers, tree, size, slack }
     }
 
-    /// The level at a place that moves with a sample. The rim begins `start` pixels away from the outline.
+    /// The level at a point that moves with a sample. The rim begins `start` pixels away from the outline.
     fn level(&self, p: DVec2, owner: u32, start: f64, width: f64) -> f64 {
         let nearest = self.nearest(p, self.samples(p, NEAREST).into_iter());
         let away = p.distance(nearest);
@@ -138,12 +138,12 @@ impl Surroundings {
         if end <= start { 1.0 } else { ((end - away) / (end - start)).clamp(-MOST_LEVEL, MOST_LEVEL) }
     }
 
-    /// The samples nearest to a place.
+    /// The samples nearest to a point.
     fn samples(&self, p: DVec2, count: usize) -> Vec<u32> {
         self.tree.nearest(&self.parts.points, p, count).into_iter().map(|(_, sample)| sample).collect()
     }
 
-    /// The nearest place on the segments at some samples; infinitely far without samples.
+    /// The nearest point on the segments at the given samples; infinitely far without samples.
     fn nearest(&self, p: DVec2, samples: impl Iterator<Item = u32>) -> DVec2 {
         let segments = samples.flat_map(|sample| [sample as usize, self.before[sample as usize]]);
         let places = segments.map(|segment| {
@@ -154,8 +154,8 @@ impl Surroundings {
         places.fold(DVec2::INFINITY, nearer)
     }
 
-    /// The distance from a place to the nearest part of the outline that does not move as its owner does. Beyond twice
-    /// the reach of a rim it is infinite.
+    /// The distance from a point to the nearest part of the outline that moves differently from its owner. It is
+    /// infinite beyond twice the width of a rim.
     fn across(&self, p: DVec2, owner: u32, reach: f64) -> f64 {
         let (own, all) = (self.numbers[&owner], self.parts.points.len());
         let mut count = 2 * NEAREST;
@@ -172,7 +172,7 @@ impl Surroundings {
         }
     }
 
-    /// The distance from a place on the outline to the border of the picture, in the direction of another place.
+    /// The distance from a point on the outline to the border of the picture, in the direction of another point.
     fn border(&self, p: DVec2, from: DVec2) -> f64 {
         let along = (p - from).normalize_or_zero();
         let room = |axis: usize| {

@@ -6,14 +6,15 @@ use glam::DVec2;
 
 use crate::domain::Domain;
 
-/// Least distance of lattice points from the outline and from bones, as a multiple of the spacing.
+/// Minimum distance of lattice points from the outline and from bones, as a multiple of the spacing.
 ///
-/// Closer points make slivers. It is not one half: on outlines parallel to the lattice, rounding would decide then.
+/// Closer points make slivers. It is not one half, because rounding would then matter on outlines parallel to the
+/// lattice.
 pub(super) const LATTICE_CLEARANCE: f64 = 0.47;
 /// Height of a lattice row as a multiple of the spacing: √3 / 2.
 pub(super) const ROW_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
-/// A difference below this fraction of its terms has lost three digits to cancellation.
+/// Differences below this fraction of their terms have lost three digits to cancellation.
 const CANCELLATION: f64 = 1e-3;
 
 /// The spacing for about `count` points on lattice and outline together.
@@ -67,7 +68,8 @@ impl Lattice {
         row.abs_diff(self.rows / 2) % 2 == 1
     }
 
-    /// One more than the steps from the top left corner to any triangle: half a spacing to the right, or a row down.
+    /// One more than the maximum number of steps from the top left corner to a triangle: half a spacing to the right,
+    /// or a row down.
     pub(super) fn steps(&self) -> usize {
         self.rows + 2 * self.columns + 1
     }

@@ -1,16 +1,16 @@
-//! The triangles of the lattice that belong to the mesh whatever lies around them.
+//! The triangles of the lattice that belong to the mesh regardless of their surroundings.
 //!
 //! A triangle between three nodes is Delaunay if its circumcircle contains no other vertex. The only other vertices are
 //! those on the outline and on bones, so only triangles near them are left out.
 //!
-//! No edge of the outline crosses a triangle that is left. Such an edge is no longer than the spacing, and has its ends
+//! No edge of the outline crosses a remaining triangle. Such an edge is no longer than the spacing, and has its ends
 //! outside the circumcircle. So it cuts off at most a cap of a height of 0.29 spacings. A node in the cap would be
 //! closer to the edge than its clearance.
 //!
-//! They are numbered from the upper left to the lower right, across rows. Later triangles are drawn over earlier ones,
-//! so where a pose folds the picture, one side covers the other as a whole.
+//! Triangles are numbered from the upper left to the lower right, across rows. Later triangles are drawn over earlier
+//! ones, so where a pose folds the picture, one side covers the other completely.
 //!
-//! Cost: O(n) for n nodes, and a look at the triangles around each other vertex.
+//! Cost: O(n) for n nodes, and a visit of the triangles around each other vertex.
 
 use glam::DVec2;
 
@@ -28,7 +28,7 @@ const SIDES: [bool; 2] = [true, false];
 
 /// The triangles between lattice nodes whose circumcircles are empty.
 ///
-/// Each has a base, an edge along a row. It is found by the node at the left end of the base.
+/// Each has a base, an edge along a row, and is identified by the node at the left end of the base.
 #[derive(Debug)]
 pub(super) struct LatticeTriangles {
     /// The triangle from the base at each node to the next row, or [`NONE`].
@@ -42,7 +42,7 @@ pub(super) struct LatticeTriangles {
 }
 
 impl LatticeTriangles {
-    /// The triangles between nodes that are clear of `others`: all vertices that are no nodes.
+    /// The triangles between nodes that are clear of `others`, the vertices that are not nodes.
     pub(super) fn new(nodes: &Nodes, others: &[DVec2]) -> Self {
         let [mut clear_below, mut clear_above] = SIDES.map(|_| vec![true; nodes.numbers()]);
         for &p in others {
@@ -110,7 +110,7 @@ impl LatticeTriangles {
 }
 
 /// Calls `visit` with the triangles whose circumcircles contain a point: the left end of the base, and whether the apex
-/// is in the next row. Some of them may have corners that are no nodes.
+/// is in the next row. Some of them may have corners that are not nodes.
 fn close_triangles(nodes: &Nodes, p: DVec2, mut visit: impl FnMut(usize, bool)) {
     let lattice = nodes.lattice();
     let radius = CIRCUMRADIUS * lattice.spacing;

@@ -1,7 +1,7 @@
 //! 𝒫: points all over the domain, with a constrained Delaunay mesh over them (section V-B).
 //!
-//! Samples are the vertices of the drawn mesh. A separate, coarser set locates cells. Distances and weights depend on
-//! neither: they are evaluated.
+//! Samples are the vertices of the drawn mesh. A separate, coarser set locates cells. Distances and weights do not
+//! depend on either set, because they are evaluated in closed form.
 
 mod band;
 mod base;

@@ -1,8 +1,10 @@
 //! The triangle of the navigation mesh that contains each node of a lattice.
 //!
-//! A row of nodes crosses a triangle in one piece. Nodes at its ends are located one by one: they may lie on an edge.
+//! A row of nodes crosses a triangle in one run. Nodes at its ends are located one by one, because they may lie on an
+//! edge.
 //!
-//! Cost: O(n) for n nodes, a search of the rows for each navigation triangle, and a step for each row that it crosses.
+//! Cost: O(n) for n nodes, plus a search of the rows for each navigation triangle, and a step for each row that it
+//! crosses.
 
 use glam::DVec2;
 
@@ -12,10 +14,10 @@ use crate::{
     triangulation::NONE,
 };
 
-/// Nodes this close to an edge, in pixels, are located one by one. It is far above rounding.
+/// Nodes this close to an edge, in pixels, are located one by one. This is far above rounding errors.
 const MARGIN: f64 = 1e-6;
 
-/// The navigation triangle of each node. Numbers without a node have any.
+/// The navigation triangle of each node. Numbers without a node have arbitrary values.
 ///
 /// # Panics
 /// If a node is outside the domain.
@@ -34,7 +36,7 @@ pub(super) fn nav_triangles(nodes: &Nodes, navigation: &Navigation) -> Vec<NavTr
     found
 }
 
-/// The x between which a horizontal line lies inside a triangle, clear of its edges.
+/// The range of x in which a horizontal line lies inside a triangle, clear of its edges.
 fn span(corners: [DVec2; 3], y: f64) -> Option<[f64; 2]> {
     let mut span = [f64::NEG_INFINITY, f64::INFINITY];
     for k in 0..3 {

@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::{lattice_triangles::LatticeTriangles, nodes::Nodes};
 use crate::triangulation::{Locator, NONE};
 
-/// An index over the triangles of base samples. Those of the lattice come first.
+/// An index over the triangles of base samples. The triangles of the lattice come first.
 #[derive(Debug)]
 pub(crate) struct Nearby {
     nodes: Nodes,
@@ -23,7 +23,7 @@ impl Nearby {
         Self { nodes, lattice, band, first }
     }
 
-    /// A triangle not far from a point of the domain.
+    /// A triangle near a point of the domain.
     pub(crate) fn triangle(&self, p: DVec2) -> usize {
         let Self { nodes, lattice: LatticeTriangles { below, above, .. }, .. } = self;
         let on_lattice = nodes.in_box(p, p).flat_map(|(number, ..)| [below[number], above[number]]);

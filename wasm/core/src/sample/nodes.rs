@@ -1,7 +1,7 @@
 //! The lattice nodes inside a domain, in runs of consecutive nodes of a row.
 //!
 //! Cost: O(n + c log c) for n nodes inside and c crossings of the outline with rows, and the nodes around each segment.
-//! Space between islands costs nothing.
+//! Space between islands is free.
 
 use std::ops::Range;
 
@@ -32,19 +32,20 @@ struct Row {
 struct Runs {
     lattice: Lattice,
     runs: Vec<Run>,
-    /// The rows that have runs, ascending. They are sparse: a domain may be a few specks in a large box.
+    /// The rows that have runs, ascending. They are stored sparsely, because a domain may be a few specks in a large
+    /// box.
     rows: Vec<Row>,
 }
 
 impl Runs {
-    /// The rows that may have a y between two numbers.
+    /// The rows whose y may be between two numbers.
     fn rows_within(&self, low: f64, high: f64) -> impl Iterator<Item = &Row> {
         let rows = self.lattice.rows_within(low, high);
         let first = self.rows.partition_point(|row| row.row < rows.start);
         self.rows[first..].iter().take_while(move |row| row.row < rows.end)
     }
 
-    /// The nodes of a row that may have an x between two numbers: runs, and columns of each.
+    /// The nodes of a row whose x may be between two numbers: runs, and columns of each.
     fn pieces(&self, row: &Row, low: f64, high: f64) -> impl Iterator<Item = (&Run, Range<usize>)> {
         let columns = self.lattice.columns_within(row.row, low, high);
         let (start, end) = (columns.start, columns.end);
@@ -71,7 +72,7 @@ pub(super) struct NodeTriangle {
 #[derive(Debug)]
 pub(super) struct Nodes {
     runs: Runs,
-    /// Whether each number is that of a node that keeps its clearance.
+    /// For each number, whether it belongs to a node that keeps its clearance.
     is_node: Vec<bool>,
 }
 
@@ -159,7 +160,7 @@ impl Nodes {
         &self.runs.lattice
     }
 
-    /// One more than the greatest number.
+    /// One more than the maximum number.
     pub(super) fn numbers(&self) -> usize {
         self.is_node.len()
     }
@@ -179,13 +180,13 @@ impl Nodes {
         runs.iter().flat_map(of_run).filter(|&(number, _)| is_node[number])
     }
 
-    /// Number, row and column of the places on runs that may lie in a box.
+    /// Number, row and column of the positions on runs that may lie in a box.
     pub(super) fn in_box(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = (usize, usize, usize)> {
         let pieces = self.runs.rows_within(low.y, high.y).flat_map(move |row| self.runs.pieces(row, low.x, high.x));
         pieces.flat_map(|(run, columns)| columns.map(|column| (run.number(column), run.row, column)))
     }
 
-    /// Calls `visit` with the numbers of the places in a convex region, some of a row at a time. The region lies
+    /// Calls `visit` with the numbers of the positions in a convex region, part of a row at a time. The region lies
     /// between two y, and a horizontal line crosses it between the two x that `span` returns.
     pub(super) fn visit_spans(
         &self,
@@ -258,7 +259,7 @@ impl Run {
     }
 }
 
-/// The columns of a row with an x between two numbers, out of some more.
+/// The columns of a row with x between two numbers, out of a larger range.
 fn within(lattice: &Lattice, row: usize, mut columns: Range<usize>, low: f64, high: f64) -> Range<usize> {
     let x = |column: usize| lattice.node(row, column).x;
     while !columns.is_empty() && x(columns.start) <= low {

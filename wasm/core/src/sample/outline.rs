@@ -11,7 +11,7 @@ pub(super) struct OutlineSamples {
     pub(super) segments: Vec<[usize; 2]>,
     /// The samples along each ring.
     pub(super) rings: Vec<Vec<u32>>,
-    /// Greatest distance between consecutive samples, in pixels.
+    /// Maximum distance between consecutive samples, in pixels.
     pub(super) spacing: f64,
 }
 

@@ -1,10 +1,10 @@
 //! Finer lattices around sites that are too close for the lattice: the paper's up-sampling.
 //!
-//! Cells near such sites grow with the distance from them, so the spacing may grow, too. It halves towards the sites
-//! until it resolves the gap between them. A gap of 0.01 px in a picture of 1,000 px costs some 5,500 samples.
+//! Cells near such sites grow with the distance from them, so the spacing may also grow. It halves towards the sites
+//! until it resolves the gap between them. A gap of 0.01 px in a picture of 1,000 px costs about 5,500 samples.
 //!
-//! Cost of a patch: its nodes, and for each the nearest rivals. If some nodes are its own, the vertices around it and
-//! the outline. Cost of such a node: the vertices within about a spacing, and the outline edges of the patch.
+//! Cost of a patch: its nodes, and the nearest rivals of each. If some nodes are its own, also the vertices around it
+//! and the outline. Cost of such a node: the vertices within about a spacing, and the outline edges of the patch.
 
 use std::rc::Rc;
 
@@ -19,13 +19,14 @@ use crate::{
     segment::segment_distance,
 };
 
-/// Samples across the gap between two sites, and across the distance to them.
+/// Number of samples across the gap between two sites, and across the distance to them.
 const RESOLUTION: f64 = 6.0;
 
-/// Nodes lie within this fraction of a patch's radius. It excludes nodes on the circle itself, whatever their rounding.
+/// Nodes lie within this fraction of a patch's radius. This excludes nodes on the circle itself, regardless of
+/// rounding.
 const INSIDE_CIRCLE: f64 = 1.0 - 1e-9;
 
-/// A patch with a radius above so many cells of a grid is coarse: each cell has few vertices then.
+/// A patch whose radius exceeds this number of grid cells is coarse: each cell then has few vertices.
 const WIDE: f64 = 2.0;
 
 /// A round patch of triangular lattice around a site.
@@ -66,7 +67,7 @@ pub(super) fn patches(sites: &[DVec2], spacing: f64) -> Vec<Patch> {
     patches
 }
 
-/// The least and the greatest coordinates of vertices that patches look at.
+/// The least and the greatest coordinates of vertices that patches examine.
 pub(super) fn bounds(patches: &[Patch]) -> [DVec2; 2] {
     let low = patches.iter().fold(DVec2::INFINITY, |low, patch| low.min(patch.centre - patch.reach()));
     let high = patches.iter().fold(DVec2::NEG_INFINITY, |high, patch| high.max(patch.centre + patch.reach()));
@@ -109,8 +110,8 @@ impl Patch {
 
     /// The nodes that are no nearer to a rival.
     ///
-    /// Nodes of two patches with the same spacing keep more than the clearance between them, so neither has to give
-    /// way. Their order does not matter, and a symmetric scene has symmetric nodes.
+    /// Nodes of two patches with the same spacing keep more than the clearance between them, so both can keep their
+    /// nodes. Their order does not matter, and a symmetric scene has symmetric nodes.
     fn own_nodes(&self) -> impl Iterator<Item = DVec2> + '_ {
         let is_own = |rival: &DVec2, p: DVec2| {
             let to_border =
@@ -121,7 +122,7 @@ impl Patch {
         self.nodes().filter(move |&p| rivals.iter().all(|rival| is_own(rival, p)))
     }
 
-    /// The nodes within the radius, but for the centre, which is a site.
+    /// The nodes within the radius, except the centre, which is a site.
     fn nodes(&self) -> impl Iterator<Item = DVec2> + '_ {
         let steps = (self.radius / (self.spacing * ROW_HEIGHT)) as i32;
         (-steps..=steps).flat_map(move |j| (-steps - 1..=steps + 1).map(move |i| (i, j))).filter_map(move |(i, j)| {

@@ -41,7 +41,7 @@ impl Samples {
         Self::new(mesh, nav_triangles, outline, spacing)
     }
 
-    /// Samples without a skirt and a feather.
+    /// Samples without skirt and feather.
     pub(super) fn new(
         mesh: Triangulation,
         nav_triangles: Vec<NavTriangle>,

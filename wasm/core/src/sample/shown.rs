@@ -1,28 +1,28 @@
-//! Whether a mesh with a skirt draws all of a picture at rest.
+//! Checks whether a mesh with a skirt draws a whole picture at rest.
 //!
-//! Each pixel is looked at in 4 × 4 places, as the rasteriser does. How many triangles cover a place is the number of
-//! edges to its left, each counted by its direction. Edges between two triangles cancel out, and are left out.
+//! Each pixel is sampled at 4 × 4 points, as in the rasteriser. The number of triangles that cover a point is the
+//! number of edges to its left, counted with their direction. Edges between two triangles cancel out, and are left out.
 //!
-//! Cost: n log n for the edges in each row of places, and a visit of the visible pixels outside. It ends at the first
-//! pixel that is not drawn as it is.
+//! Cost: n log n for the edges in each row of points, and a visit of the visible pixels outside. It stops at the first
+//! pixel that is drawn wrongly.
 
 use glam::DVec2;
 
 use super::skirt::Skirt;
 use crate::opacity::Opacity;
 
-/// An edge of a segment of the outline and the triangles beside it cancels out with one of so many edges before it.
+/// Number of previous edges with which an edge along the outline may cancel out.
 const RECENT: usize = 6;
 /// Corners are rounded to 1/256 px, as the rasteriser does.
 const SUBPIXELS: f64 = 256.0;
-/// Places along the side of a pixel.
+/// Number of sample points along the side of a pixel.
 const PLACES: i64 = 4;
-/// Distance between places in subpixels. The first one lies half of this inside the pixel.
+/// Distance between sample points in subpixels. The first one lies half of this inside the pixel.
 const STEP: i64 = 64;
 /// Greatest error of a pixel, in levels. With rounding it is one level.
 const MAX_ERROR: f32 = 0.75;
 
-/// Whether the mesh inside the `outline` of samples and its skirt draw every visible pixel once, and none twice.
+/// Whether the mesh inside the `outline` of samples and its skirt draw every visible pixel exactly once.
 pub(super) fn shows_all(samples: &[DVec2], outline: &[Vec<u32>], skirt: &Skirt, opacity: &Opacity) -> bool {
     let edges = edges(samples, outline, skirt);
     let [width, height] = opacity.size().to_array().map(|side| side as i64);
@@ -101,7 +101,7 @@ fn rounded(p: DVec2) -> [i64; 2] {
     (p * SUBPIXELS).round().to_array().map(|x| x as i64)
 }
 
-/// An edge that some row of places may cross, in subpixels.
+/// An edge that a row of sample points may cross, in subpixels.
 #[derive(Clone, Copy)]
 struct Edge {
     top: [i64; 2],
@@ -122,7 +122,7 @@ impl Edge {
         })
     }
 
-    /// The first place of a row on the edge or to the right of it.
+    /// The first sample point of a row on the edge or to the right of it.
     fn first_place(&self, y: i64) -> i64 {
         let [dx, dy] = [0, 1].map(|axis| self.bottom[axis] - self.top[axis]);
         let right = (self.top[0] - STEP / 2) * dy + dx * (y - self.top[1]);

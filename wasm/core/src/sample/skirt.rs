@@ -1,11 +1,11 @@
 //! A narrow skirt around an alpha outline, so that soft edges of the picture are drawn.
 //!
-//! The outline runs where alpha crosses the threshold. The pixels that fade out beyond it belong to the picture, too.
-//! Each outline sample gets an offset vertex outside, with the same weights. Offset vertices stay on their half of a
-//! gap, so that no part draws the fringe of another.
+//! The outline runs where alpha crosses the threshold. Pixels that fade out beyond it also belong to the picture. Each
+//! outline sample gets an offset vertex outside, with the same weights. Offset vertices stay on their half of a gap, so
+//! that no part draws the fringe of another.
 //!
 //! Cost: O(n log n) for n samples on the outline. Known limits: a softer edge ends at [`WIDTH`], and in a narrow gap
-//! at the middle of the gap. A [fringe](super::fringe) draws all else that is visible.
+//! at the middle of the gap. A [fringe](super::fringe) draws the remaining visible content.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ use crate::domain::corners_between;
 
 /// Width of the skirt, in pixels. An antialiased edge fades within one pixel, a softly drawn edge within three.
 pub(super) const WIDTH: f64 = 3.0;
-/// Greatest distance of a corner's offset vertex, as a multiple of the width.
+/// Maximum distance of a corner's offset vertex, as a multiple of the width.
 const MAX_MITRE: f64 = 2.0;
 
 /// Vertices around the outline that move with its samples, and the triangles between both.
@@ -53,13 +53,13 @@ impl Skirt {
         skirt
     }
 
-    /// The rest place of a sample or of a vertex of the skirt.
+    /// The rest position of a sample or of a vertex of the skirt.
     pub(super) fn place(&self, samples: &[DVec2], vertex: u32) -> DVec2 {
         let vertex = vertex as usize;
         samples.get(vertex).copied().unwrap_or_else(|| self.vertices[vertex - samples.len()])
     }
 
-    /// The same skirt for samples that have grown from `before` to `now`, with no new one on the outline.
+    /// The same skirt after the number of samples has grown from `before` to `now`, without new samples on the outline.
     pub(crate) fn renumbered(&self, before: usize, now: usize) -> Self {
         let number = |v: u32| if (v as usize) < before { v } else { v + (now - before) as u32 };
         Self { triangles: self.triangles.iter().map(|t| t.map(number)).collect(), ..self.clone() }
@@ -107,7 +107,7 @@ impl<'a> Segments<'a> {
 
     /// Radius of the largest empty circle that touches the outline at a sample, on the side of the unit vector `out`.
     ///
-    /// Its centre is as far from any other part of the outline as from this sample.
+    /// Its centre is at least as far from the rest of the outline as from this sample.
     fn free_radius(&mut self, at: DVec2, [prev, own, next]: [u32; 3], out: DVec2) -> f64 {
         let [x, y] = (at / CELL_PX).floor().to_array().map(|cell| cell as i32);
         if self.near.0 != Some([y, x]) {

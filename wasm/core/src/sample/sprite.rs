@@ -1,26 +1,26 @@
-//! Few points over a domain: the corners of its outline, and the densest lattice that a number of points allows.
+//! Few points over a domain: the corners of its outline, and the densest lattice that a given number of points allows.
 //!
-//! Cost: some forty lattices of that many points.
+//! Cost: about forty lattices of that many points.
 
 use glam::DVec2;
 
 use super::{lattice, nodes::Nodes, outline::OutlineSamples};
 use crate::domain::Domain;
 
-/// From one spacing to the next, the number of points falls by some 5 %.
+/// From one spacing to the next, the number of points falls by about 5 %.
 const SPACING_STEP: f64 = 1.025;
 
 /// Points along an outline and inside it.
 pub(crate) struct SpriteSamples {
-    /// First those of the outline, ring by ring.
+    /// The points of the outline come first, ring by ring.
     pub(crate) vertices: Vec<DVec2>,
     /// The segments between consecutive points of the outline.
     pub(crate) segments: Vec<[usize; 2]>,
 }
 
 impl SpriteSamples {
-    /// As many points as possible up to `most`, for meshes that may use those of the outline `again`. `None` if the
-    /// corners alone are too many.
+    /// As many points as possible up to `most`, for meshes that may duplicate `again` points of the outline. `None` if
+    /// there are too many corners.
     pub(crate) fn new(domain: &Domain, most: usize, again: bool) -> Option<Self> {
         let count = |on_outline: usize, inside: usize| on_outline * (1 + usize::from(again)) + inside;
         let corners: usize = domain.rings().iter().map(Vec::len).sum();

@@ -15,7 +15,7 @@ use crate::{
 
 const SIZE: (u32, u32) = (96, 64);
 
-/// Polygons of a mesh, each by its vertices. Where a triangulation is arbitrary, its triangles form one polygon.
+/// Polygons of a mesh, each by its vertices. Triangles of an ambiguous triangulation form one polygon.
 fn polygons(mesh: &Triangulation) -> BTreeSet<Vec<u32>> {
     let mut polygons = BTreeSet::new();
     mesh.visit_polygons(
@@ -59,7 +59,8 @@ fn check(samples: &Samples, domain: &Domain) {
     assert_eq!(polygons(mesh), polygons(&whole));
 }
 
-/// Checks the samples of a domain with bones and sites at some of its points. `seeds` are places in its bounding box.
+/// Checks the samples of a domain with bones and sites at some of its points. `seeds` are positions in its bounding
+/// box.
 fn check_samples(domain: Domain, count: usize, seeds: &[(f64, f64)]) {
     let (low, high) = domain.bounds();
     let prepared = PreparedDomain::without_picture(domain);

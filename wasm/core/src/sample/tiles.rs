@@ -1,8 +1,8 @@
-//! Triangles that should tile a region: which of them overlap, and whether they cover a point.
+//! Triangles that should tile a region: finds overlaps, and whether they cover a point.
 //!
 //! The tests are exact (Shewchuk 1997): triangles that only touch do not overlap.
 //!
-//! Cost: linear in the triangles and in the cells of a grid that their bounding boxes touch, with some tests for each.
+//! Cost: linear in the triangles and in the cells of a grid that their bounding boxes touch, with a few tests for each.
 
 use std::ops::RangeInclusive;
 
@@ -26,7 +26,7 @@ pub(super) struct Tiles {
 }
 
 impl Tiles {
-    /// Triangles in a picture of `size`. Those without a positive area are ignored.
+    /// Triangles in a picture of `size`. Triangles without a positive area are ignored.
     pub(super) fn new(triangles: Vec<Corners>, size: DVec2) -> Self {
         let [columns, rows] = (size / CELL_PX).to_array().map(|cells| cells as usize + 1);
         let cells = Rows::from_pairs(columns * rows, || {
@@ -50,7 +50,7 @@ impl Tiles {
                 && cells_of(own, self.columns, self.rows).any(|cell| self.cells.row(cell).iter().any(overlaps))
     }
 
-    /// Whether a point lies in one of the triangles that count.
+    /// Whether a point lies in one of the accepted triangles.
     pub(super) fn cover(&self, p: DVec2, counts: impl Fn(usize) -> bool) -> bool {
         let cells = cells_of(&[p; 3], self.columns, self.rows);
         let covers = |&t: &u32| {

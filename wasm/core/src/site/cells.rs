@@ -3,7 +3,7 @@
 //! Inserting a site updates the cells. The new site takes the coarse samples that are nearer to it from other cells.
 //!
 //! Cost of an insertion: the samples of the new cell, a margin of one sample around it, and the cells that lose
-//! samples. Before that, `reach_of` looks at the samples that a cell without obstacles would have.
+//! samples. Before that, `reach_of` visits the samples that a cell without obstacles would have.
 
 use glam::DVec2;
 
@@ -52,8 +52,8 @@ impl Cells {
     /// An upper bound for the distances from a new site to the corners of all triangles that its cell will enter.
     /// Infinite for the first site of an island.
     ///
-    /// `expected` has upper bounds for the distances of the samples once a set of sites has been inserted, one of them
-    /// the new one.
+    /// `expected` has upper bounds for the distances of the samples after a set of sites, including the new one, has
+    /// been inserted.
     pub(super) fn reach_of(
         &mut self,
         coarse: &CoarseSamples,
@@ -150,7 +150,7 @@ impl Cells {
         first
     }
 
-    /// Whether the last insertion visited all three samples. The new cell has points only in triangles with such
+    /// Whether the last insertion visited all three samples. The new cell only has points in triangles with such
     /// corners.
     pub(super) fn visited_all(&self, samples: [u32; 3]) -> bool {
         samples.iter().all(|&at| self.visited.has(at))
@@ -162,7 +162,7 @@ impl Cells {
         std::iter::successors(some(self.first[site]), move |&at| some(self.next[at]))
     }
 
-    /// The greatest distance of a cell's samples, 0 if the cell has none: a lower bound of the cell radius.
+    /// The maximum distance of a cell's samples, 0 if the cell has none: a lower bound of the cell radius.
     pub(super) fn sampled_radius(&self, site: usize) -> f64 {
         let farthest = self.farthest[site];
         if farthest == NONE { 0.0 } else { self.distance[farthest as usize] }

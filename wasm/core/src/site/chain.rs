@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::{SiteKind, TIE};
 use crate::{domain::corners_between, segment::nearest_on_segment};
 
-/// Greatest gap between two sites, over the reach of each.
+/// Greatest gap between two sites, relative to the reach of each.
 const MAX_GAP: f64 = 0.5;
 /// A corner of a held outline gets a site if the cosine of its turning angle is below this: more than 20°.
 const SHARP_COSINE: f64 = 0.94;
@@ -23,7 +23,7 @@ pub(crate) fn sharp_corners(ring: &[DVec2]) -> impl Iterator<Item = usize> + '_ 
 pub(super) struct Chain {
     pub(super) kind: SiteKind,
     corners: Vec<DVec2>,
-    /// Edges + 1: the arc length at each corner, and at the end.
+    /// The arc length at each corner, and at the end.
     lengths: Vec<f64>,
     closed: bool,
     /// Arc length and index of each site, ascending.
@@ -61,7 +61,7 @@ impl Chain {
         if sharp.is_empty() { self.extremes() } else { sharp }
     }
 
-    /// Arc lengths of the leftmost, rightmost, uppermost and lowest corners. A mirror image has the same.
+    /// Arc lengths of the leftmost, rightmost, uppermost and lowest corners. A mirror image has the same ones.
     fn extremes(&self) -> Vec<f64> {
         let [low, high] = [DVec2::min, DVec2::max].map(|of| self.corners.iter().copied().fold(self.corners[0], of));
         let slack = TIE * (high - low).max_element();
@@ -78,8 +78,8 @@ impl Chain {
         length.clamp(free[0] / 3.0, self.length() - free[1] / 3.0)
     }
 
-    /// The straight distance from a point, and the arc lengths of the nearest points of the chain. Tied points that are
-    /// no farther than `apart` from each other count as one.
+    /// The straight distance from a point, and the arc lengths of the nearest points of the chain. Tied points at most
+    /// `apart` from each other count as one.
     pub(super) fn nearest(&self, p: DVec2, apart: f64) -> (f64, Vec<f64>) {
         let n = self.corners.len();
         let feet: Vec<(DVec2, f64)> = (0..self.lengths.len() - 1)
@@ -105,8 +105,8 @@ impl Chain {
         self.sites.iter().any(|&(known, _)| (known - length).abs() < within)
     }
 
-    /// Arc lengths of new sites, one in each gap that is too large for the sites at its ends. `reach` returns how far
-    /// the support of a site may reach.
+    /// Arc lengths of new sites, one in each gap that is too large for the sites at its ends. `reach` returns the
+    /// greatest support radius of a site.
     pub(super) fn missing_sites(&self, reach: impl Fn(usize) -> f64) -> Vec<f64> {
         let mut missing = Vec::new();
         let limit = |i: usize, j: usize| MAX_GAP * reach(self.sites[i].1).min(reach(self.sites[j].1));

@@ -1,18 +1,18 @@
 //! Contacts: points where the cells of two handles meet and no virtual site is nearer.
 //!
-//! There the picture passes from one motion to another within the reach of both, by the slope of φ alone. A site
-//! halfway takes a share of that change, and its motion is free. Algorithm 1 inserts at the farthest point of a cell,
-//! which is on its open side. So it would divide a narrow gap between two bars last.
+//! There, the picture changes from one motion to another within the supports of both, determined only by the slope of
+//! φ. A site halfway takes a share of that change, and its motion is free. Algorithm 1 inserts at the farthest point of
+//! a cell, which is on its open side. So it would divide a narrow gap between two bars last.
 //!
 //! Each contact is found between two coarse samples, and lies exactly on the border of the cells.
 //!
-//! Cost: each time that real sites are new, a look at every coarse sample for each of them, and at every triangle of
-//! the coarse mesh. For each sample near a new site and on the border of a cell, a look at the real sites about as near
-//! as its own. For each pair of such samples of two handles, a look at all sites. Later rounds look at the contacts
-//! left and at the new sites.
+//! Cost: whenever real sites are new, a visit of every coarse sample for each of them, and of every triangle of the
+//! coarse mesh. For each sample near a new site and on the border of a cell, a visit of the real sites about as near as
+//! its own. For each pair of such samples of two handles, a visit of all sites. Later rounds visit the remaining
+//! contacts and the new sites.
 //!
-//! Limits: the coarse samples decide where along the border a contact lies: where the edge between two of them crosses
-//! it. So these sites change with the lattice, for example if the picture is rotated or its outline has one more
+//! Limits: the coarse samples determine where along the border a contact lies: where the edge between two of them
+//! crosses it. So these sites depend on the lattice, for example if the picture is rotated or its outline gets another
 //! corner.
 
 use std::collections::HashMap;
@@ -22,21 +22,21 @@ use glam::DVec2;
 use super::{Site, SiteField, SiteInserter, TIE, farthest::FarPoint, obstacles::Obstacles, room, voronoi::Voronoi};
 use crate::{grid::Grid, limits::MIN_SEPARATION, rank::sort_by_rank};
 
-/// Steps of Newton's method onto the border. Between two points the first step reaches it.
+/// Steps of Newton's method to the border. Between two points, the first step reaches it.
 const STEPS: usize = 3;
-/// If the squared difference of two gradients is smaller, it leads along the border, not to it.
+/// If the squared difference of two gradients is smaller, a step leads along the border, not to it.
 const ALONG: f64 = 1e-3;
 
 /// All contacts that are not known to be closed.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
-    /// Those with contacts, ascending by their samples.
+    /// Pairs with contacts, ascending by their samples.
     borders: Vec<Border>,
     /// The real sites when the borders were found.
     grid: Option<Grid<usize>>,
     /// Number of sites when the borders were found.
     found_at: usize,
-    /// The first so many sites do not close any contact.
+    /// The number of leading sites that do not close any contact.
     sites: usize,
 }
 
@@ -50,7 +50,7 @@ struct Border {
 }
 
 impl Contacts {
-    /// The open contacts whose sites are farthest apart, with all ties. Empty if none is open.
+    /// The open contacts whose sites are farthest apart, with all ties. Empty if all are closed.
     pub(super) fn widest(&mut self, inserter: &SiteInserter) -> Vec<FarPoint> {
         let voronoi = &inserter.voronoi;
         self.close(voronoi);
@@ -77,7 +77,7 @@ impl Contacts {
         self.sites = voronoi.sites.len();
     }
 
-    /// Finds all contacts between the sites inserted so far. Those far from new sites are known.
+    /// Finds all contacts between the sites inserted so far. Contacts far from new sites are already known.
     fn find(&mut self, voronoi: &Voronoi, obstacles: &Obstacles) {
         let is_near_new = samples_near(voronoi, &voronoi.sites[self.found_at..]);
         self.borders.retain(|border| !border.samples.iter().any(|&at| is_near_new[at as usize]));
@@ -103,7 +103,7 @@ impl Contacts {
         self.found_at = voronoi.sites.len();
     }
 
-    /// For each of some coarse samples, the nearest real sites, ascending. A sample on a border has several, as on an
+    /// The nearest real sites of given coarse samples, ascending. A sample on a border has several, for example on an
     /// axis of symmetry.
     fn nearest_real_sites(&mut self, voronoi: &Voronoi, samples: &[u32]) -> HashMap<u32, Vec<usize>> {
         let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
@@ -134,7 +134,7 @@ impl Contacts {
     }
 }
 
-/// Coarse samples: whether one of some sites is about as near to each as its own site, or nearer.
+/// For each coarse sample, whether one of the given sites is at least about as near as its own site.
 fn samples_near(voronoi: &Voronoi, sites: &[Site]) -> Vec<bool> {
     let samples = voronoi.coarse.mesh.vertices.iter().zip(&voronoi.cells.distance);
     let is_near = |(&p, &distance): (&DVec2, &f64)| {
@@ -227,7 +227,7 @@ mod tests {
     };
 
     #[test]
-    fn nearest_real_sites_are_those_of_a_search_over_all() {
+    fn nearest_real_sites_match_a_brute_force_search() {
         let prepared = PreparedDomain::without_picture(Domain::rectangle(200, 150));
         let navigation = &prepared.navigation;
         let scattered = (0..20)

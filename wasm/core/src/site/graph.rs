@@ -1,20 +1,20 @@
 //! The cell graph: links between neighbouring sites, with weights (the Delaunay graph of section IV-B).
 //!
 //! Cells that touch have d(h_i, h_j) ≤ r_d(h_i) + r_d(h_j). Sites are linked up to [`LINK_REACH`] times that distance.
-//! The weight of a link falls smoothly to zero there, while the paper's links all weigh the same.
+//! The weight of a link falls smoothly to zero there, while the paper gives all links the same weight.
 //!
-//! Cells that touch are always linked, so the graph is connected wherever the domain is. The dual of a sampled Voronoi
-//! diagram gains and loses links where four cells meet. This graph depends on exact lengths only: it changes smoothly
-//! with the position of a handle, and keeps the symmetry of a scene.
+//! Cells that touch are always linked, so the graph is connected in every connected part of the domain. The dual of a
+//! sampled Voronoi diagram gains and loses links where four cells meet. This graph depends only on exact lengths: it
+//! changes smoothly with the position of a handle, and preserves the symmetry of a scene.
 //!
-//! Cost: O(n²) for n sites, and a look at every bone for each link.
+//! Cost: O(n²) for n sites, plus a visit of every bone for each link.
 
 use super::{Site, SiteField};
 use crate::bone::Skeleton;
 
-/// Greatest distance of linked sites, over the distance at which their cells can touch. In a regular packing neighbours
-/// are at 0.87 of that distance and second neighbours at 1.5; in a corridor, at 1 and 2. Second neighbours stay
-/// unlinked.
+/// Maximum distance of linked sites, over the distance at which their cells can touch. In a regular packing, neighbours
+/// are at 0.87 of that distance and second neighbours at 1.5; in a corridor, at 1 and 2. Second neighbours are not
+/// linked.
 const LINK_REACH: f64 = 1.3;
 
 /// Weighted links between sites.
@@ -27,8 +27,8 @@ pub(crate) struct SiteGraph {
 }
 
 impl SiteGraph {
-    /// The bound that the field of a site needs, in pixels. The field then reaches every site with a cell no larger
-    /// that may be linked.
+    /// The bound that the field of a site needs, in pixels. The field then reaches every site that may be linked and
+    /// whose cell is not larger.
     pub(crate) fn field_bound(cell_radius: f64) -> f64 {
         2.0 * LINK_REACH * cell_radius
     }

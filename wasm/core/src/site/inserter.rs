@@ -20,15 +20,15 @@ use crate::{
     sample::CoarseSamples,
 };
 
-/// Bound of the fields of real sites, over the greatest distance in their cells. If there are bones, the bound of all
-/// fields. Nearly all supports end within it, so the fields find their obstacles.
+/// Bound of the fields of real sites, relative to the maximum distance in their cells. If there are bones, the bound of
+/// all fields. Nearly all supports end within it, so the fields find their obstacles.
 const FIELD_REACH: f64 = 1.75;
 
 /// The domain, partitioned into the cells of its sites.
 #[derive(Debug)]
 pub(crate) struct Partition {
     pub(crate) sites: Vec<Site>,
-    /// Sites: the distance field of each.
+    /// For each site, its distance field.
     pub(crate) fields: Vec<SiteField>,
     /// The rounds of Algorithm 1.
     pub(crate) rounds: Vec<Round>,
@@ -46,7 +46,8 @@ pub(crate) struct SiteInserter<'a> {
     steps_before: u64,
     /// Memory of the fields of all sites, in bytes.
     field_bytes: usize,
-    /// Coarse samples: an upper bound for the distance of each to its nearest site, once those announced are inserted.
+    /// For each coarse sample, an upper bound of its distance to the nearest site, after the announced sites are
+    /// inserted.
     expected: Vec<f64>,
 }
 
@@ -86,8 +87,8 @@ impl<'a> SiteInserter<'a> {
         mesh.triangles.iter().map(twice).sum::<f64>() / 2.0
     }
 
-    /// Announces sites that are to be inserted, by their positions. Their fields then reach no farther than the cells
-    /// that all of them will have.
+    /// Announces the positions of sites that will be inserted. Their fields are then limited to the cells that they
+    /// will have.
     pub(super) fn expect(&mut self, sites: impl Iterator<Item = DVec2>) {
         if self.obstacles.has_lines() {
             return;
@@ -103,7 +104,7 @@ impl<'a> SiteInserter<'a> {
     /// # Errors
     /// - [`Error::TooMuchMemory`] if the fields of all sites exceed [`MAX_FIELD_BYTES`], or the search for farthest
     ///   points its limit.
-    /// - [`Error::TooMuchWork`] if both have taken more than [`MAX_STEPS`].
+    /// - [`Error::TooMuchWork`] if they have taken more than [`MAX_STEPS`] in total.
     pub(super) fn check_bounds(&self) -> Result<(), Error> {
         if self.propagation.steps() - self.steps_before + self.farthest.steps() > MAX_STEPS {
             return Err(Error::TooMuchWork);
@@ -117,7 +118,7 @@ impl<'a> SiteInserter<'a> {
     /// Inserts a site at a point of the domain.
     ///
     /// # Errors
-    /// Those of [`check_bounds`](Self::check_bounds).
+    /// The errors of [`check_bounds`](Self::check_bounds).
     pub(super) fn insert(&mut self, rest: DVec2, triangle: NavTriangle, kind: SiteKind) -> Result<(), Error> {
         let (navigation, coarse) = (self.voronoi.navigation, self.voronoi.coarse);
         let island = navigation.island_of(triangle);
@@ -190,7 +191,7 @@ impl<'a> SiteInserter<'a> {
     /// Sites of one body do not limit each other, so the nearest other site may be many cells away.
     ///
     /// # Errors
-    /// Those of [`check_bounds`](Self::check_bounds).
+    /// The errors of [`check_bounds`](Self::check_bounds).
     pub(crate) fn extend_fields(&mut self, radii: &[f64]) -> Result<(), Error> {
         for (site, &radius) in radii.iter().enumerate() {
             if radius > self.voronoi.fields[site].distances.bound() {

@@ -9,7 +9,7 @@
 //! - `farthest`: the farthest points of a cell, at distance r_d.
 //! - `inserter`: inserts one site and updates all of the above.
 //! - `chain`, `tessellation`: sites along bars and a held outline (section V-D).
-//! - `contacts`: places where the cells of two handles meet.
+//! - `contacts`: points where the cells of two handles meet.
 //! - `round`: a round of Algorithm 1, for a replay.
 //! - `virtual_sites`: Algorithm 1.
 //! - `graph`: the cell graph (section IV-B).
@@ -40,16 +40,17 @@ pub use round::{Round, RoundPoint};
 pub(crate) use tessellation::Tessellation;
 pub(crate) use virtual_sites::{allowed_score, insert_virtual_sites, score};
 
-/// Scores and radii whose relative difference is smaller are tied. Rounding is far smaller; handles differ by far more.
+/// Scores and radii with a smaller relative difference are tied. Rounding errors are far smaller, and differences
+/// between handles far greater.
 const TIE: f64 = 1e-9;
 
-/// Greatest cell radius over its site's separation, where no real site limits it. See [`Site::reach_limit`].
+/// Greatest cell radius relative to its site's separation, if no real site limits it. See [`Site::reach_limit`].
 const GRADING: f64 = 1.7;
-/// Greatest cell radius in an acute joint, over the clearance of its site. See [`Site::in_acute_joint`].
+/// Greatest cell radius in an acute joint, relative to the clearance of its site. See [`Site::in_acute_joint`].
 const ACUTE_JOINT_GRADING: f64 = 1.1;
 
-/// A C² support may reach this far, over the distance up to which shortest paths are unique. A path around the other
-/// side of a hole is then longer by 10 % of the support's radius.
+/// Greatest radius of a C² support, relative to the distance up to which shortest paths are unique. A path around the
+/// other side of a hole is then longer by at least 10 % of the support's radius.
 const UNIQUE: f64 = 0.95;
 
 /// The kind of a site, with the handle that it belongs to.
@@ -139,21 +140,21 @@ pub struct Site {
     /// Whether the site has no body and lies close to two bones that meet at an acute angle, between them. The sides of
     /// a sharp corner of a held outline count as bones, too.
     ///
-    /// Its support must not reach either bone. Towards the joint the cell ends at the bones' sites. However many these
-    /// are, the cell reaches about as far as the support may. If the cell needed a margin there, Algorithm 1 would
-    /// insert sites towards the joint without end. So the cell may reach a little farther than the support. The
-    /// supports of the two bones may overlap and cover the rest.
+    /// Its support must not reach either bone. Towards the joint the cell ends at the bones' sites. Regardless of their
+    /// number, the cell extends about as far as the support may. If the cell needed a margin there, Algorithm 1 would
+    /// insert sites towards the joint endlessly. So the cell may extend slightly beyond the support. The supports of
+    /// the two bones may overlap and cover the rest.
     pub(crate) in_acute_joint: bool,
 }
 
 impl Site {
-    /// The greatest radius that the site's support, and so its cell, may have.
+    /// The greatest allowed radius of the site's support, and thus of its cell.
     ///
     /// The paper's condition r_d ≤ r_h (eq. 3) makes a support cover its cell and end before every other site. If
-    /// Algorithm 1 meets it exactly, all cells have similar sizes. On a picture of 1,000 px, two handles 10 px apart
-    /// then cause 1,000 virtual sites. At 5 px they cause more than 20,000.
+    /// Algorithm 1 enforced it exactly, all cells would have similar sizes. On a picture of 1,000 px, two handles 10 px
+    /// apart would then cause 1,000 virtual sites. At 5 px, they would cause more than 20,000.
     ///
-    /// But only real handles need interpolation. So a support must end before real sites, and may reach over virtual
+    /// But only real handles need interpolation. So a support must end before real sites, and may extend over virtual
     /// ones by a factor of [`GRADING`]. The gaps between inserted sites then grow by that factor. Cells grow with the
     /// distance from a close pair, and their number grows with the logarithm of the gap, as in Ruppert's Delaunay
     /// refinement (1995).
@@ -163,7 +164,7 @@ impl Site {
     }
 }
 
-/// The distance field of a site and the place of its source.
+/// The distance field of a site and the location of its source.
 #[derive(Debug, Clone)]
 pub(crate) struct SiteField {
     pub(crate) island: usize,

@@ -16,8 +16,8 @@ use crate::{
 pub(super) const BOUNDARY: u32 = u32::MAX;
 
 /// A point lies between two bones, or two edges of a held outline, if the cosine of the angle between the directions to
-/// them is below this. Both then meet at less than 20°. At greater angles the sites of both are close enough to bound a
-/// cell between them.
+/// them is below this. Both then meet at less than 20°. At greater angles, the sites of both are close enough to bound
+/// a cell between them.
 const OPPOSITE_COSINE: f64 = -0.94;
 
 /// Obstacles of supports, besides sites.
@@ -103,7 +103,7 @@ impl<'a> Obstacles<'a> {
         is_between || feet.is_some_and(|feet| feet.into_iter().all(reaches))
     }
 
-    /// The bones up to `within` from a point that have a bone that they meet on its other side.
+    /// The bones up to `within` from a point that meet a bone on the other side of the point.
     fn bones_around(&self, p: DVec2, within: f64) -> Vec<usize> {
         let bones = &self.skeleton.bones;
         let near: Vec<(usize, DVec2)> = bones

@@ -1,4 +1,4 @@
-//! The separation r_h and the clearance of each site: how far its support may reach (section III-B).
+//! The separation r_h and the clearance of each site, which limit its support (section III-B).
 //!
 //! Cost of an insertion: a pass over all sites, and a query for each bone that is nearer than the nearest site.
 
@@ -11,7 +11,7 @@ use super::{
 };
 use crate::distance::{DistanceField, Propagation};
 
-/// Greatest distance of the farther bone of an acute joint, over that of the nearer one.
+/// Greatest ratio of the distances of the farther and the nearer bone of an acute joint.
 const ACUTE_JOINT_RATIO: f64 = 1.5;
 
 /// The room of one site.
@@ -30,12 +30,12 @@ impl Room {
         Self { separation, clearance, in_acute_joint }
     }
 
-    /// The distance within which a site of a kind reduces the room. Only real sites count for the clearance.
+    /// The distance within which a site of a given kind reduces the room. Only real sites count for the clearance.
     fn reduced_within(&self, kind: SiteKind) -> f64 {
         if kind.is_real() { self.separation.max(self.clearance) } else { self.separation }
     }
 
-    /// Reduces the room by a site of a kind at a distance.
+    /// Reduces the room by a site of a given kind at a distance.
     fn reduce(&mut self, kind: SiteKind, distance: f64) {
         self.separation = self.separation.min(distance);
         if kind.is_real() {
@@ -82,8 +82,7 @@ pub(super) fn make_room(
     room
 }
 
-/// Replaces a site's field by one that reaches farther, and reduces the site's room by the obstacles that it now
-/// reaches.
+/// Replaces a site's field by a larger one, and reduces the site's room by the obstacles that it now reaches.
 pub(super) fn extend_field(voronoi: &mut Voronoi, obstacles: &Obstacles, site: usize, distances: DistanceField) {
     let Site { rest, kind, .. } = voronoi.sites[site];
     let (island, body) = (voronoi.fields[site].island, obstacles.body(kind));

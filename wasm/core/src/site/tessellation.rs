@@ -1,17 +1,17 @@
 //! Sites along bones and along a held outline (section V-D). The spacing is locally adapted, which the paper's
 //! conclusion leaves to future work.
 //!
-//! The paper divides all bars into pieces as long as the least distance between any two handles. Here a gap between
-//! sites depends on the reach of the sites at its ends, so a close pair costs sites near it only. If a gap is too large
-//! for their reach, a site enters at its midpoint. Supports then overlap so far that the weight of a bar is constant
-//! along it within a few per cent. Gaps are checked again after each round of Algorithm 1.
+//! The paper divides all bars into pieces as long as the minimum distance between any two handles. Here, a gap between
+//! sites depends on the reach of the sites at its ends, so a close pair only costs sites near it. If a gap is too large
+//! for their reach, a site is inserted at its midpoint. Supports then overlap enough for the weight of a bar to be
+//! constant along it within a few per cent. Gaps are checked again after each round of Algorithm 1.
 //!
-//! A virtual site must keep clear of the whole bone, not of its sites alone. If it would be much nearer to the bone
-//! than to any site, the bone gets a site instead. In the same way Ruppert's Delaunay refinement (1995) splits a
-//! segment that a new vertex encroaches on. Otherwise ever smaller cells would fill the gaps along the bone.
+//! A virtual site must keep clear of the whole bone, not only of its sites. If it would be much nearer to the bone than
+//! to any site, the bone gets a site instead. In the same way Ruppert's Delaunay refinement (1995) splits a segment
+//! that a new vertex encroaches on. Otherwise, ever smaller cells would fill the gaps along the bone.
 //!
 //! Sites of a bone keep half a gap from its ends, and so a whole gap across a joint. A site at the joint itself would
-//! belong to one bone alone.
+//! belong to only one bone.
 //!
 //! Cost: for each round a pass over all chains and their sites.
 
@@ -26,11 +26,11 @@ use crate::{
     rank::{from_top, sort_by_rank},
 };
 
-/// Only rounding asks for a site that is closer to another than this, in pixels. Insertion would then not end.
+/// Only rounding errors require a site closer to another than this, in pixels. Insertion would then not terminate.
 const MIN_SPACING_PX: f64 = 1e-9;
-/// Least distance of a virtual site from a bone or held outline, over its distance from the nearest site.
+/// Minimum distance of a virtual site from a bone or held outline, relative to its distance from the nearest site.
 const LINE_CLEARANCE: f64 = 0.9;
-/// A chain needs no new site if it has one this near to the encroached point, over the distance of that point.
+/// A chain needs no new site if it has one this close to the encroached point, relative to the distance of that point.
 const NEAR_ENOUGH: f64 = 0.05;
 
 /// The chains of a scene: its bones and the rings of a held outline.

@@ -1,21 +1,21 @@
 //! Algorithm 1, virtual handle insertion (section IV-A).
 //!
-//! While some cell is larger than its site's support may reach, insert a site at the farthest point of the worst cell.
+//! While a cell is larger than the greatest support of its site, insert a site at the farthest point of the worst cell.
 //!
 //! The limit of a cell, [`Site::reach_limit`], is less strict than the paper's r_d ≤ r_h for virtual sites and in
 //! [acute joints](Site::in_acute_joint). Three conditions are stricter:
 //!
 //! - Farthest points are those of the cell itself, not of its samples.
-//! - Tied points, of one cell or of several, enter in one round. So a symmetric scene stays symmetric.
-//! - The condition holds with a [`MARGIN`]. At r_d = r_h the farthest point of a cell would have no weight at all.
+//! - Tied points, of one cell or of several, are inserted in one round. So a symmetric scene remains symmetric.
+//! - The condition holds with a [`MARGIN`]. At r_d = r_h, the farthest point of a cell would have no weight at all.
 //!
-//! A virtual site enters at distance r_d from its nearest site, and r_d > (1 − MARGIN) · reach_limit of the cell that
-//! it splits. So spacing cannot shrink without end. Either r_d is above 1.6 times the separation of that cell's site,
-//! or it is above 0.95 times its clearance. On a picture of 1,000 px, two handles 10 px apart cause about 90 virtual
-//! sites. At 0.01 px they cause about 300.
+//! A virtual site is inserted at distance r_d from its nearest site, and r_d > (1 − MARGIN) · reach_limit of the cell
+//! that it splits. So spacing cannot shrink endlessly. Either r_d is above 1.6 times the separation of that cell's
+//! site, or it is above 0.95 times its clearance. On a picture of 1,000 px, two handles 10 px apart cause about 90
+//! virtual sites. At 0.01 px they cause about 300.
 //!
-//! Cost: for each round the insertion of its sites (see `inserter` and `farthest`), and a look at all cells. From
-//! [`MANY_SITES`] on, few rounds are left.
+//! Cost: for each round, the insertion of its sites (see `inserter` and `farthest`), and a visit of all cells. Above
+//! [`MANY_SITES`], few rounds remain.
 
 use std::collections::BinaryHeap;
 
@@ -33,33 +33,32 @@ use crate::{
     rank::{descending, from_top, sort_by_rank},
 };
 
-/// Cells must be smaller than their limit by this share. At the limit the farthest point of a cell has no weight, and
-/// near it weights are steep.
+/// Cells must be smaller than their limit by this share. At the limit, the farthest point of a cell has no weight, and
+/// near the limit, weights are steep.
 const MARGIN: f64 = 0.05;
 /// Tied points crowd each other if they are closer than this, relative to their distance to the nearest site.
 const CROWDED: f64 = 0.5;
 
-/// Weight of a contact against a cell in the choice of the next site: compares `CONTACT · √distance` with
-/// [`size_rank`]. With 1.5 in place of 2, narrow gaps between bars stay without sites; with 3, sites are missing
-/// elsewhere.
+/// Weight of a contact relative to a cell in the choice of the next site: compares `CONTACT · √distance` with
+/// [`size_rank`]. With 1.5 instead of 2, narrow gaps between bars have no sites; with 3, sites are missing elsewhere.
 const CONTACT: f64 = 2.0;
 
 /// Cells with a smaller radius than this fraction of the mean spacing of `density` sites are divided last. Without it,
-/// sites crowd around handles closer than samples: of 400 sites, twice as many triangles fold. With 0.7, 150 sites
-/// distort by 3 % more.
+/// sites crowd around handles that are closer than samples: with 400 sites, twice as many triangles fold. With 0.7, 150
+/// sites distort by 3 % more.
 const CLOSEST: f64 = 0.55;
 
-/// From so many sites on, a round divides all cells that are too large. The number of rounds then grows with the
+/// Above this number of sites, a round divides all cells that are too large. The number of rounds then grows with the
 /// logarithm of the number of sites, as in parallel Delaunay refinement (Spielman, Teng and Üngör, 2007).
 const MANY_SITES: usize = 500;
 
-/// Inserts virtual sites until every cell is smaller than its site's support may reach, by [`MARGIN`].
+/// Inserts virtual sites until every cell is smaller than the greatest support of its site, by [`MARGIN`].
 ///
-/// Then more sites enter where the picture bends most, until there are `density` virtual ones. They enter between
-/// handles, at the [widest contacts](Contacts). They also enter at the farthest points of cells that are
-/// [large](size_rank) for their distance from handles.
+/// Then inserts more sites where the picture bends most, until there are `density` virtual ones: between handles, at
+/// the [widest contacts](Contacts), and at the farthest points of cells that are [large](size_rank) for their distance
+/// from handles.
 ///
-/// Returns the rounds: their scores are the curve of figure 3 (right). The last one inserts nothing.
+/// Returns the rounds: their scores are the curve of figure 3 (right). The last round inserts nothing.
 ///
 /// # Errors
 /// [`Error::TooManySites`], [`Error::TooMuchMemory`], [`Error::TooMuchWork`].
@@ -98,8 +97,8 @@ pub(crate) fn insert_virtual_sites(
     }
 }
 
-/// A point with the site whose cell it divides; `None` on an island without sites. Of several cells that meet there,
-/// the worst.
+/// A point with the site whose cell it divides; `None` on an island without sites. If several cells meet there, the
+/// worst.
 fn round_point(voronoi: &Voronoi, &FarPoint { at, triangle, distance }: &FarPoint) -> Option<RoundPoint> {
     let most = distance * (1.0 + SAME_POINT);
     let meets =
@@ -110,7 +109,7 @@ fn round_point(voronoi: &Voronoi, &FarPoint { at, triangle, distance }: &FarPoin
     Some(RoundPoint { at, owner, distance, limit: limit(owner), path })
 }
 
-/// The greatest score that ends Algorithm 1.
+/// The score at or below which Algorithm 1 ends.
 pub(crate) fn allowed_score() -> f64 {
     // δ / r_d = 1 − r_h / r_d, and r_d = (1 − MARGIN) r_h on the limit.
     1.0 - 1.0 / (1.0 - MARGIN)
@@ -133,7 +132,7 @@ fn score_rank(radius: f64, site: &Site) -> f64 {
 /// Ranks cells for sites beyond those that Algorithm 1 needs: r_d over the square root of the distance to the next
 /// handle.
 ///
-/// Around a displaced handle the picture bends roughly in inverse proportion to that distance. Radii in proportion to
+/// Around a displaced handle, the picture bends roughly in inverse proportion to that distance. Radii in proportion to
 /// the distance itself would crowd sites around handles. Cells with a radius below `closest` come last.
 fn size_rank(closest: f64) -> impl Fn(f64, &Site) -> f64 {
     move |radius, site| {
@@ -143,7 +142,7 @@ fn size_rank(closest: f64) -> impl Fn(f64, &Site) -> f64 {
     }
 }
 
-/// The greatest rank of all cells. Computes farthest points only for cells that may have it.
+/// The greatest rank of all cells. Computes farthest points only for cells that may have that rank.
 fn greatest_rank(inserter: &mut SiteInserter, rank: Rank<'_>) -> f64 {
     let is_known = |inserter: &SiteInserter, site: usize| inserter.farthest.known(site).is_some();
     // The rank of a known cell, and an upper bound for another.
@@ -172,11 +171,11 @@ fn tied_farthest_points(inserter: &mut SiteInserter, rank: Rank<'_>, greatest: f
     spread_out(inserter, points)
 }
 
-/// The farthest points of all cells whose score is above `limit`, as far as they keep apart: a point is left out if one
-/// that is as far from the sites, or farther, is nearer to it than they are.
+/// The farthest points of all cells whose score is above `limit`, without crowding: a point is left out if another
+/// point is at least as far from the sites, and nearer than they are.
 ///
-/// So each enters at the distance from its nearest site that it would have if they entered one by one. Their order does
-/// not depend on that of the sites.
+/// So each point has the same distance from its nearest site as if the points were inserted one by one. Their order
+/// does not depend on that of the sites.
 fn far_points_apart(inserter: &mut SiteInserter, limit: f64) -> Vec<FarPoint> {
     let mut points = far_points(inserter, &|radius, site| score_rank(radius, site) > limit);
     sort_by_rank(&mut points, |point| from_top(point.at));
@@ -191,7 +190,7 @@ fn far_points_apart(inserter: &mut SiteInserter, limit: f64) -> Vec<FarPoint> {
     chosen
 }
 
-/// The farthest points of the cells that are to be divided, by their radius and site. Searches no other cells.
+/// The farthest points of the cells to divide, chosen by radius and site. Other cells are not searched.
 fn far_points(inserter: &mut SiteInserter, is_divided: &dyn Fn(f64, &Site) -> bool) -> Vec<FarPoint> {
     let mut points: Vec<FarPoint> = Vec::new();
     for at in 0..inserter.sites().len() {
@@ -213,7 +212,7 @@ fn far_points(inserter: &mut SiteInserter, is_divided: &dyn Fn(f64, &Site) -> bo
     points
 }
 
-/// Replaces tied points that crowd each other by one between them or, if that is impossible, by some of them.
+/// Replaces tied points that crowd each other by one point between them or, if that is impossible, by some of them.
 fn spread_out(inserter: &mut SiteInserter, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
     sort_by_rank(&mut points, |point| from_top(point.at));
     let mut groups: Vec<Vec<FarPoint>> = Vec::new();
@@ -228,7 +227,7 @@ fn spread_out(inserter: &mut SiteInserter, mut points: Vec<FarPoint>) -> Vec<Far
     groups.iter().flat_map(|group| representatives(inserter, group)).collect()
 }
 
-/// The points that enter for a group of points that crowd each other.
+/// The points to insert for a group of points that crowd each other.
 fn representatives(inserter: &mut SiteInserter, group: &[FarPoint]) -> Vec<FarPoint> {
     if let [alone] = group {
         return vec![*alone];

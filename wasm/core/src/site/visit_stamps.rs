@@ -4,7 +4,7 @@
 /// Visited flags of the items 0 to n − 1.
 #[derive(Debug, Clone)]
 pub(super) struct VisitStamps {
-    /// Items: the last search that visited each.
+    /// For each item, the last search that visited it.
     last: Vec<u32>,
     search: u32,
 }

@@ -17,7 +17,7 @@ pub(crate) struct Voronoi<'a> {
     pub(super) navigation: &'a Navigation,
     pub(super) coarse: &'a CoarseSamples,
     pub(super) sites: Vec<Site>,
-    /// Sites: the distance field of each.
+    /// For each site, its distance field.
     pub(super) fields: Vec<SiteField>,
     pub(super) cells: Cells,
 }

@@ -1,8 +1,8 @@
-//! The domain as square cells, with whole-number distances inside it.
+//! The domain as square cells, with integer distances inside it.
 //!
 //! A unit is a fifth of a cell. Steps cost 5, 7 and 11 (Borgefors, "Distance transformations in digital images",
-//! 1986): at most 2 % too much or too little. Sums of whole numbers are exact, so equal ways tie exactly, and mirrored
-//! domains have mirrored distances.
+//! 1986): the error is at most 2 %. Integer sums are exact, so equal ways tie exactly, and mirrored domains have
+//! mirrored distances.
 //!
 //! Cost: linear in the cells.
 
@@ -13,17 +13,17 @@ use crate::{
     rank::sort_by_rank,
 };
 
-/// Units of a side of a cell.
+/// Units per side of a cell.
 pub(super) const UNITS: u32 = 5;
-/// The distance of a cell that no way leads to.
+/// The distance of an unreachable cell.
 pub(super) const FAR: u32 = u32::MAX;
-/// About as many cells as this cover a domain.
+/// Approximate number of cells that cover a domain.
 const CELLS: f64 = 120_000.0;
-/// At most as many cells cover its bounding box.
+/// Maximum number of cells that cover its bounding box.
 const BOX_CELLS: f64 = 6e5;
-/// Smaller cells would tell nothing about a picture, in pixels.
+/// Smallest useful cell of a picture, in pixels.
 const LEAST_SIDE: f64 = 0.25;
-/// Empty cells around the domain. No step leaves them.
+/// Margin of empty cells around the domain, so that no step leaves the grid.
 const MARGIN: usize = 2;
 /// A number above the cost of each step.
 const BUCKETS: u32 = 12;
@@ -57,7 +57,7 @@ impl Cells {
         cells
     }
 
-    /// Adds the cells that the outline passes, so that each shares a side with the next one.
+    /// Adds the cells that the outline passes, each of which shares a side with the next.
     fn add_outline(&mut self, domain: &Domain) {
         for ring in domain.rings() {
             let mut last = self.cell_of(ring[0]);
@@ -132,7 +132,7 @@ impl Cells {
         both as f64 / cells().count().max(1) as f64
     }
 
-    /// The nearby cell in the middle of a wide place: uphill from a cell to the greatest distance from the outline.
+    /// The nearby cell in the middle of a wide part: climbs from a cell to the maximum distance from the outline.
     pub(super) fn widest_near(&self, clearance: &[u32], cell: usize) -> usize {
         let mut at = cell;
         loop {
@@ -194,7 +194,7 @@ impl Cells {
         parts
     }
 
-    /// For each cell the distance to the outline.
+    /// For each cell, its distance to the outline.
     pub(super) fn clearance(&self) -> Vec<u32> {
         let is_edge = |&cell: &usize| {
             self.inside[cell]
@@ -204,14 +204,14 @@ impl Cells {
         self.distances(edge, FAR)
     }
 
-    /// Distances from sources, each with a distance of its own to begin with. Greater ones than `bound` are [`FAR`].
+    /// Distances from sources, each with an initial distance. Distances greater than `bound` are [`FAR`].
     pub(super) fn distances(&self, sources: impl IntoIterator<Item = (usize, u32)>, bound: u32) -> Vec<u32> {
         let mut distances = vec![FAR; self.len()];
         self.shorten(&mut distances, sources, bound);
         distances
     }
 
-    /// Shortens distances where a way from a source is shorter.
+    /// Reduces distances where a way from a source is shorter.
     pub(super) fn shorten(&self, distances: &mut [u32], sources: impl IntoIterator<Item = (usize, u32)>, bound: u32) {
         let mut sources: Vec<(usize, u32)> = sources.into_iter().filter(|&(_, from)| from <= bound).collect();
         sort_by_rank(&mut sources, |&(_, from)| [-i64::from(from), 0]);

@@ -1,29 +1,29 @@
-//! Where a limb has its end, its neck and its bends.
+//! Finds the end, the neck and the bends of a limb.
 
 use super::{
     cells::{Cells, UNITS},
     skeleton::{Limb, Skeleton},
 };
 
-/// A head is a wide place before a neck. Its middle is at most this many times farther from the tip than from the
+/// A head is a wide part before a neck. Its middle is at most this many times farther from the tip than from the
 /// outline. So ears, toes and tongues belong to it.
 const HEAD: f64 = 2.6;
-/// After a head, a limb is at most this wide, as a share of the head.
+/// Maximum width of a limb after a head, as a share of the head.
 const AFTER_HEAD: f64 = 0.93;
 /// In a round end, cells are about as far from the outline as from the tip.
 const ROUND: f64 = 0.85;
-/// A line along the axis of symmetry is at most this many cells beside it.
+/// A line along the axis of symmetry is at most this many cells away from it.
 const NEAR_AXIS: usize = 2;
-/// The least distance of an end handle from the tip, as a share of the limb.
+/// The minimum distance of an end handle from the tip, as a share of the limb.
 const INSET: f64 = 0.07;
 /// A neck is this many times narrower than both of its sides.
 const NECK: f64 = 1.35;
-/// A bend departs by this share of the part's longest way from the straight line.
+/// A bend deviates from the straight line by this share of the part's longest way.
 const BEND: f64 = 0.09;
-/// How often a limb is divided at its strongest bend.
+/// How many times a limb is divided at its strongest bend.
 const DIVISIONS: usize = 3;
 
-/// A limb, measured.
+/// The measurements of a limb.
 pub(super) struct MeasuredLimb<'a> {
     cells: &'a Cells,
     clearance: &'a [u32],
@@ -48,13 +48,13 @@ impl<'a> MeasuredLimb<'a> {
         (f64::from(self.diameter) * share) as u32
     }
 
-    /// How far the limb stands out of the rest, in units.
+    /// How far the limb protrudes from the rest, in units.
     pub(super) fn length(&self) -> u32 {
         let base = self.limb.own.min(self.ways.len() - 1);
         self.ways[base].saturating_sub(self.clearance[self.limb.path[base]])
     }
 
-    /// The number of cells from the tip on that stand out of the rest.
+    /// The number of protruding cells, from the tip on.
     fn inside(&self) -> usize {
         let own = self.length().max(1);
         self.ways.iter().take_while(|&&way| way <= own).count().max(1)
@@ -111,7 +111,7 @@ impl<'a> MeasuredLimb<'a> {
         self.head(self.inside()).is_some()
     }
 
-    /// The cells that belong to a head: those no farther from its middle than a tip may be.
+    /// The cells that belong to a head, as far from its middle as a tip may be.
     pub(super) fn around_head(&self, head: usize) -> Vec<u32> {
         self.cells.distances([(head, 0)], (HEAD * f64::from(self.clearance[head])) as u32)
     }
@@ -121,7 +121,7 @@ impl<'a> MeasuredLimb<'a> {
         self.limb.path[0]
     }
 
-    /// The narrowest cell between two wider places, and its strength from 0 on.
+    /// The narrowest cell between two wider parts, and its strength, at least 0.
     pub(super) fn neck(&self) -> Option<(f64, usize)> {
         let widths: Vec<u32> = self.limb.path.iter().map(|&cell| self.clearance[cell]).collect();
         let mut after = widths.clone();
@@ -140,7 +140,7 @@ impl<'a> MeasuredLimb<'a> {
         best.map(|(ratio, at)| ((ratio - 1.0).min(1.0) * 0.15, self.limb.path[at]))
     }
 
-    /// The cells at bends, each with its departure from the straight line as a share of the part's longest way.
+    /// The cells at bends, each with its deviation from the straight line as a share of the part's longest way.
     pub(super) fn bends(&self) -> Vec<(f64, usize)> {
         let mut bends = Vec::new();
         self.divide(self.end_index(), self.limb.path.len() - 1, DIVISIONS, &mut bends);

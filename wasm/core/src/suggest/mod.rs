@@ -1,8 +1,8 @@
-//! Handles that suit a shape: where an animator would begin.
+//! Suggests handles for a shape, where an animator would begin.
 //!
 //! One handle lies in the middle of each part of the domain, and one at the end of each limb. Joints follow at necks
-//! and bends, and where a limb would have no handle for a long way. A picture without an outline, such as a
-//! photograph, has handles in even rows.
+//! and bends, and where a limb has no handle for a long way. A picture without an outline, such as a photograph, has
+//! handles in even rows.
 //!
 //! - Limbs come from the medial axis, by TEASAR: see `skeleton`.
 //! - Long ways are filled by farthest points (Gonzalez, "Clustering to minimize the maximum intercluster distance",
@@ -10,7 +10,7 @@
 //!
 //! The same domain has the same handles on every platform. A mirrored domain has mirrored handles, within a few cells.
 //!
-//! Cost: linear in about 120,000 cells for each handle, whatever the size of the picture.
+//! Cost: linear in about 120,000 cells for each handle, regardless of the size of the picture.
 
 mod cells;
 mod joints;
@@ -34,11 +34,11 @@ use crate::{
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct SuggestedHandle {
-    /// Where it lies, in words: `top-left-end`. Unique, and not empty.
+    /// A description of its place: `top-left-end`. Unique, and not empty.
     pub id: String,
     /// Its position, in pixels. It is in the domain.
     pub rest: DVec2,
-    /// Why it is there.
+    /// Why it was suggested.
     pub role: SuggestedRole,
 }
 
@@ -89,10 +89,10 @@ pub fn suggest(domain: &Domain, count: Option<usize>) -> Vec<SuggestedHandle> {
     named(domain, places, &[])
 }
 
-/// Suggests point handles beside those that are there, from top to bottom.
+/// Suggests point handles beside the existing ones, from top to bottom.
 ///
-/// None of them is near to a handle that is there, or has an id that reads like one. They are at most 12, and none if
-/// every place is near to a handle. Without handles, they are those of [`suggest`].
+/// None of them is near an existing handle, or has an id that reads like an existing one. They are at most 12, and none
+/// if every place is near to a handle. Without handles, they are those of [`suggest`].
 ///
 /// ```
 /// use c2warp::{domain::Domain, project::Handle, suggest::suggest_beside};

@@ -1,6 +1,6 @@
-//! Names of handles by where they lie.
+//! Names of handles by their position.
 //!
-//! The names of a mirrored picture are mirrored: only its left and right are exchanged.
+//! The names of a mirrored picture are mirrored: only left and right are exchanged.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,11 +10,12 @@ use crate::rank::{ascending, sort_by_rank};
 
 /// Handles within this share of the width from the axis are on neither side of it.
 const ON_AXIS: f64 = 0.03;
-/// How much farther up a handle must lie to come before one that is farther out, as a share of that distance.
+/// How much higher a handle must be to come before one that is farther out, as a share of that distance.
 const OUTWARDS: f64 = 0.5;
 
-/// Gives each handle an id by its place in a rectangle and its role, such as `top-left-end`. Handles of equal place and
-/// role get sides if they lie on both sides of the axis, or else numbers. No id reads like a `taken` one.
+/// Gives each handle an id by its position in a rectangle and its role, such as `top-left-end`. Handles with equal
+/// position and role get sides if they lie on both sides of the axis, or else numbers. No id reads like an id in
+/// `taken`.
 pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&str]) -> Vec<String> {
     let size = (high - low).max(DVec2::splat(1e-9));
     let shares: Vec<DVec2> = places.iter().map(|&(p, _)| (p - low) / size).collect();
@@ -44,7 +45,7 @@ pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&s
     ids
 }
 
-/// The indices of equal words.
+/// The indices of equal names.
 fn groups(words: &[String]) -> Vec<Vec<usize>> {
     let mut groups: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     words.iter().enumerate().for_each(|(k, word)| groups.entry(word).or_default().push(k));
@@ -56,12 +57,12 @@ fn is_on_both_sides(members: &[usize], shares: &[DVec2]) -> bool {
     left > 0 && left < members.len()
 }
 
-/// An id as people read it: editors show hyphens as spaces. The words here have no letters but those of ASCII.
+/// An id as displayed: editors show hyphens as spaces. The words here contain only ASCII letters.
 fn read(id: &str) -> String {
     id.trim().to_ascii_lowercase().replace(['_', ' '], "-")
 }
 
-/// The side that the outer thirds of the width lie on.
+/// The side of a position in the outer thirds of the width.
 fn third(x: f64) -> &'static str {
     match x {
         x if x < 0.36 => "left",
@@ -70,7 +71,7 @@ fn third(x: f64) -> &'static str {
     }
 }
 
-/// The name of a place, with heights from 0 to 1.
+/// The name of a position, with heights from 0 to 1.
 fn name(y: f64, side: &str, role: &str) -> String {
     let height = match y {
         y if y < 0.36 => "top",
@@ -94,13 +95,13 @@ mod tests {
     }
 
     #[test]
-    fn ids_tell_the_place_and_are_unique() {
+    fn ids_contain_the_position_and_are_unique() {
         let places = [([5.0, 5.0], "end"), ([8.0, 9.0], "end"), ([50.0, 50.0], "middle"), ([50.0, 95.0], "joint")];
         assert_eq!(named(&places, &[]), ["top-left-end", "top-left-end-2", "middle", "bottom-joint"]);
     }
 
     #[test]
-    fn mirrored_places_have_mirrored_ids() {
+    fn mirrored_positions_have_mirrored_ids() {
         let legs = [(8.0, 90.0), (30.0, 95.0), (44.0, 86.0), (56.0, 86.0), (70.0, 95.0), (92.0, 90.0)];
         let end = |(x, y): (f64, f64)| ([x, y], "end");
         let mirrored = |(x, y): (f64, f64)| end((100.0 - x, y));

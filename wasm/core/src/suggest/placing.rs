@@ -24,24 +24,25 @@ const END_ROOM: f64 = 0.13;
 const JOINT_ROOM: f64 = 0.13;
 /// Ways longer than this share of the longest one get a joint.
 const LONG_WAY: f64 = 0.17;
-/// A domain is symmetric if the mirror image of this share of it is in it, too. Then handles come in pairs.
+/// A domain is symmetric if it contains the mirror image of this share of its cells. Then handles come in pairs.
 const SYMMETRIC: f64 = 0.94;
-/// Pairs are farther apart than this share of the room around joints. Nearer ones are one handle on the axis.
+/// Pairs are farther apart than this share of the room around joints. Nearer pairs are merged into one handle on the
+/// axis.
 const PAIR_ROOM: f64 = 0.7;
-/// In wide places, pairs are this many times farther apart.
+/// In wide parts, pairs are this many times farther apart.
 const WIDE_PAIR: u32 = 2;
-/// Places in wide parts that are farther than this share from all handles get one.
+/// Positions in wide parts that are farther than this share from all handles get one.
 const WIDE: f64 = 0.26;
 /// Room around all handles, as a share of their mean distance in a square.
 const ROOM: f64 = 0.3;
 /// Handles are at least this far apart, in pixels.
 const LEAST_ROOM_PX: f64 = 1.5;
-/// Points of a cell that are looked at, on each side of its centre.
+/// Number of points of a cell that are tried, on each side of its centre.
 const PROBES: i32 = 4;
-/// A handle in a wide part is this many times nearer to other handles than to the outline, or less.
+/// Greatest ratio of a handle's distance to other handles and to the outline, in a wide part.
 const FROM_OUTLINE: u32 = 3;
 
-/// Positions of handles with their roles, the most important first. Handles that are there have room around them, too.
+/// Positions of handles with their roles, the most important first. Existing handles also have room around them.
 pub(super) fn places(domain: &Domain, count: Option<usize>, there: &[Handle]) -> Vec<(DVec2, SuggestedRole)> {
     let cells = Cells::new(domain);
     let clearance = cells.clearance();
@@ -86,17 +87,17 @@ struct Placing<'a> {
     clearance: &'a [u32],
     /// Whether handles come in pairs, on both sides of the vertical axis.
     symmetric: bool,
-    /// The least distance of a pair.
+    /// The minimum distance of a pair.
     pair_room: u32,
     most: usize,
-    /// Cells: the way to the nearest chosen one.
+    /// For each cell, the way to the nearest chosen one.
     nearest: Vec<u32>,
     chosen: Vec<(usize, SuggestedRole)>,
 }
 
 impl Placing<'_> {
-    /// Chooses a cell if another handle is wanted and it has room. In a symmetric domain its mirror image is chosen,
-    /// too, or both are one cell on the axis.
+    /// Chooses a cell if another handle is wanted and it has room. In a symmetric domain, its mirror image is also
+    /// chosen, or both are merged into one cell on the axis.
     fn choose(&mut self, cell: usize, role: SuggestedRole, room: u32) {
         let room = room.max(self.cells.units(LEAST_ROOM_PX));
         let apart = self.pair_room * if role == SuggestedRole::Spread { WIDE_PAIR } else { 1 };
@@ -128,7 +129,7 @@ impl Placing<'_> {
         [cell, twin]
     }
 
-    /// Chooses ends, those of the longest limbs first. Returns the limbs without those on a head, which have no handles
+    /// Chooses ends, those of the longest limbs first. Returns the limbs except those on a head, which have no handles
     /// of their own.
     fn choose_ends<'b>(&mut self, mut limbs: Vec<MeasuredLimb<'b>>) -> Vec<MeasuredLimb<'b>> {
         sort_by_rank(&mut limbs, |limb| [-i64::from(limb.length()), 0]);
@@ -161,8 +162,8 @@ impl Placing<'_> {
         joints.into_iter().for_each(|(_, joint, room)| self.choose(joint, SuggestedRole::Joint, room));
     }
 
-    /// Chooses the cell with the greatest score, again and again, up to a number of handles: the distance to the
-    /// nearest handle, but at most some multiple of the distance to the outline. Lower scores than `least` have no
+    /// Repeatedly chooses the cell with the greatest score, up to a number of handles. The score is the distance to the
+    /// nearest handle, but at most a multiple of the distance to the outline. Cells with scores below `least` have no
     /// room.
     fn fill(&mut self, of: &[usize], role: SuggestedRole, wanted: usize, least: u32, from_outline: u32) {
         while self.chosen.len() < wanted {
@@ -181,7 +182,7 @@ impl Placing<'_> {
     }
 }
 
-/// The position of a cell, in whole pixels where the domain has room for it.
+/// The position of a cell, in whole pixels if the domain has room for it.
 fn position(cells: &Cells, domain: &Domain, cell: usize, clearance: u32) -> DVec2 {
     let centre = cells.centre(cell);
     if cells.px(clearance) > cells.side + 1.0 {

@@ -1,9 +1,9 @@
 //! The middle of a part, and its limbs: a tree of lines along the medial axis.
 //!
 //! After Sato et al., "TEASAR: tree-structure extraction algorithm for accurate and robust skeletons" (2000): the
-//! farthest point from the root that no line covers begins the next line. The line follows the way to the root that
-//! keeps away from the outline. It covers all within a multiple of its distance from the outline. So ears, fingers and
-//! a rough outline make no limbs of their own.
+//! farthest point from the root that no line covers begins the next line. The line follows a way to the root that keeps
+//! away from the outline. It covers everything within a multiple of its distance from the outline. So ears, fingers and
+//! a rough outline do not become separate limbs.
 //!
 //! Cost: O(n log n) for the cells of a part, and a search in the covered cells of each limb.
 
@@ -18,13 +18,13 @@ use crate::rank::sort_by_rank;
 const COVER_TENTHS: u32 = 12;
 /// Limbs shorter than this share of the longest way in the part are bumps of the outline.
 const LEAST_LIMB: f64 = 0.06;
-/// A hair or whisker has an outer third that many times thinner than the widest place of the part.
+/// A hair or whisker has an outer third this many times thinner than the widest point of the part.
 const HAIR: u64 = 14;
-/// A rough outline has many ends. The longest limbs come first.
+/// Maximum number of limbs, the longest first, because a rough outline has many ends.
 const MOST_LIMBS: usize = 24;
-/// Ends from which the middle is measured.
+/// Number of ends from which the middle is measured.
 const MOST_EXTREMES: usize = 8;
-/// How much a cell near the outline costs more than one in the middle of the widest place.
+/// How much more a cell near the outline costs than one in the middle of the widest part.
 const CENTRING: u64 = 16;
 
 /// The tree of a part.
@@ -33,7 +33,7 @@ pub(super) struct Skeleton {
     pub(super) root: usize,
     /// The longest way between two ends, in units.
     pub(super) diameter: u32,
-    /// The limbs, from the one with the farthest end on.
+    /// The limbs, starting with the farthest end.
     pub(super) limbs: Vec<Limb>,
 }
 
@@ -41,7 +41,7 @@ pub(super) struct Skeleton {
 pub(super) struct Limb {
     /// Cells from the end to the root.
     pub(super) path: Vec<usize>,
-    /// Number of the first cells that no limb before it has.
+    /// Number of leading cells that no previous limb has.
     pub(super) own: usize,
 }
 
@@ -79,7 +79,7 @@ impl Skeleton {
     }
 }
 
-/// Marks all cells within the radius of any of some cells.
+/// Marks all cells within the radius of any of the given cells.
 fn cover(cells: &Cells, line: &[usize], radius: impl Fn(usize) -> u32, is_covered: &mut [bool]) {
     let greatest = line.iter().map(|&cell| radius(cell)).max().unwrap_or_default();
     let sources = line.iter().map(|&cell| (cell, greatest - radius(cell)));
@@ -87,7 +87,7 @@ fn cover(cells: &Cells, line: &[usize], radius: impl Fn(usize) -> u32, is_covere
     is_covered.iter_mut().zip(distances).for_each(|(covered, distance)| *covered |= distance != FAR);
 }
 
-/// The cell from which no end is far, and that is far from the outline; and the longest way between two ends.
+/// The cell that is near to all ends and far from the outline, and the longest way between two ends.
 fn middle(cells: &Cells, clearance: &[u32], part: &[usize]) -> (usize, u32) {
     let widest = part.iter().map(|&cell| clearance[cell]).max().unwrap_or_default();
     let start = part.iter().filter(|&&cell| clearance[cell] == widest).map(|&cell| (cell, 0));
@@ -123,14 +123,14 @@ fn middle(cells: &Cells, clearance: &[u32], part: &[usize]) -> (usize, u32) {
     (central(cells, &ties), diameter)
 }
 
-/// The cell nearest to the mean of some cells.
+/// The cell nearest to the mean of the given cells.
 fn central(cells: &Cells, of: &[usize]) -> usize {
     let mean = of.iter().map(|&cell| cells.centre(cell)).sum::<DVec2>() / of.len() as f64;
     let from_mean = |&cell: &usize| cells.centre(cell).distance_squared(mean);
     of.iter().copied().min_by(|a, b| from_mean(a).total_cmp(&from_mean(b))).expect("there is a cell")
 }
 
-/// For each cell of a part the next one on the way to the root that keeps away from the outline.
+/// For each cell of a part, the next cell on the way to the root that keeps away from the outline.
 fn centred_ways(cells: &Cells, clearance: &[u32], part: &[usize], root: usize) -> Vec<usize> {
     let widest = u64::from(part.iter().map(|&cell| clearance[cell]).max().unwrap_or(1));
     let weight = |cell: usize| {

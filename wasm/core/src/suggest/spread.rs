@@ -9,14 +9,14 @@ use crate::{
     segment::segment_distance,
 };
 
-/// Rows of handles, and handles in a row, if their number is left open.
+/// Rows of handles, and handles in a row, if no number is given.
 const ROWS: f64 = 3.0;
-/// The least distance of handles then, in pixels.
+/// The minimum distance of handles in that case, in pixels.
 const ROOM: f64 = 8.0;
 /// Distance of the outer handles from the sides, as a share of the side.
 const INSET: f64 = 0.12;
 
-/// Handles that are nearer than this share of a row's or column's distance take a place.
+/// An existing handle occupies a position if it is closer than this share of the distance between rows or columns.
 const NEAR: f64 = 0.6;
 
 /// Handles in a rectangle: in rows of almost equal length, from top to bottom.
@@ -24,7 +24,7 @@ pub(super) fn spread(domain: &Domain, count: Option<usize>) -> Vec<(DVec2, Sugge
     points(domain, count).into_iter().map(|p| (p, SuggestedRole::Spread)).collect()
 }
 
-/// The same without those near to handles that are there.
+/// The same without positions near existing handles.
 pub(super) fn spread_beside(domain: &Domain, handles: &[Handle]) -> Vec<(DVec2, SuggestedRole)> {
     let points = points(domain, None);
     let apart = |p: DVec2| points.iter().filter(|&&q| q != p).map(|q| q.distance(p)).fold(f64::INFINITY, f64::min);
@@ -56,7 +56,7 @@ fn points(domain: &Domain, count: Option<usize>) -> Vec<DVec2> {
     places(rows).enumerate().flat_map(row).map(|at| low + at * size).collect()
 }
 
-/// Even places between 0 and 1.
+/// Evenly spaced positions between 0 and 1.
 fn places(count: usize) -> impl Iterator<Item = f64> {
     let place = move |at: usize| INSET + (1.0 - 2.0 * INSET) * at as f64 / (count - 1) as f64;
     (0..count).map(move |at| if count == 1 { 0.5 } else { place(at) })

@@ -1,4 +1,4 @@
-//! The cells of handles that are there already.
+//! The cells of existing handles.
 
 use glam::DVec2;
 
@@ -8,10 +8,10 @@ use crate::{
     segment::segment_distance,
 };
 
-/// A handle that stands a few cells beside the domain counts as one at the outline.
+/// A handle a few cells outside the domain counts as lying on the outline.
 const BESIDE: i32 = 3;
 
-/// The cells that handles hold at rest: around points, along bars, and inside polygons.
+/// The cells that handles occupy at rest: around points, along bars, and inside polygons.
 pub(super) fn taken_cells(cells: &Cells, handles: &[Handle]) -> Vec<usize> {
     handles.iter().flat_map(|handle| held_cells(cells, &handle.shape)).collect()
 }
@@ -30,7 +30,7 @@ fn held_cells(cells: &Cells, shape: &Shape) -> Vec<usize> {
     held
 }
 
-/// The cells in the box around some corners whose centre is held.
+/// The cells in the box around corners whose centre is occupied.
 fn within(cells: &Cells, corners: &[DVec2], is_held: impl Fn(DVec2) -> bool) -> Vec<usize> {
     let first = corners[0];
     let (low, high) = corners.iter().fold((first, first), |(low, high), &p| (low.min(p), high.max(p)));

@@ -160,7 +160,7 @@ fn tiny_and_thin_domains_have_handles() {
 }
 
 #[test]
-fn as_many_handles_as_asked_for() {
+fn suggests_the_requested_number_of_handles() {
     let (star, _) = star(5);
     let picture = Domain::rectangle(640, 480);
     for count in [1, 2, 3, 8, 20, 60] {
@@ -181,7 +181,7 @@ fn pictures_without_an_outline_have_even_rows() {
     assert!(handles.iter().all(|handle| handle.role == SuggestedRole::Spread));
 }
 
-/// The way from each suggested handle to the nearest of some handles.
+/// The way from each suggested handle to the nearest of the given handles.
 fn ways_to(domain: &Domain, suggested: &[SuggestedHandle], there: &[DVec2]) -> Vec<f64> {
     let way = |handle: &SuggestedHandle| there.iter().map(|p| p.distance(handle.rest)).fold(f64::INFINITY, f64::min);
     assert_usable(domain, suggested);
@@ -189,7 +189,7 @@ fn ways_to(domain: &Domain, suggested: &[SuggestedHandle], there: &[DVec2]) -> V
 }
 
 #[test]
-fn handles_that_are_there_keep_their_places() {
+fn existing_handles_keep_their_positions() {
     let (star, tips) = star(5);
     let all = suggest(&star, None);
     assert_eq!(suggest_beside(&star, &[]), all);
@@ -201,13 +201,13 @@ fn handles_that_are_there_keep_their_places() {
     assert!(ways.iter().all(|&way| way > 40.0), "{suggested:?}");
     assert_eq!(of_role(&suggested, SuggestedRole::End).len(), 4);
     assert!(suggested.iter().all(|handle| handle.id != "middle" && handle.id != "hand"));
-    // All of them are there already.
+    // All of them exist already.
     let full: Vec<Handle> = all.iter().map(|handle| Handle::point(handle.id.clone(), handle.rest)).collect();
     assert_eq!(suggest_beside(&star, &full), []);
 }
 
 #[test]
-fn bars_and_polygons_hold_the_places_along_and_inside_them() {
+fn bars_and_polygons_occupy_the_cells_along_and_inside_them() {
     let animal = domain(&[animal()]);
     let bar = Handle::bar("tail", [(230.0, 160.0), (340.0, 68.0)]);
     let polygon = Handle::polygon("head", [(50.0, 30.0), (125.0, 30.0), (140.0, 60.0), (120.0, 90.0), (55.0, 85.0)]);
@@ -221,7 +221,7 @@ fn bars_and_polygons_hold_the_places_along_and_inside_them() {
 }
 
 #[test]
-fn many_handles_leave_no_place() {
+fn many_handles_leave_no_position() {
     let picture = Domain::rectangle(640, 480);
     let grid =
         (0..64).map(|k| Handle::point(k.to_string(), [f64::from(k % 8) * 80.0 + 40.0, f64::from(k / 8) * 60.0 + 30.0]));

@@ -14,8 +14,8 @@ type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 impl Triangulation {
     /// The constrained Delaunay triangulation of the region inside closed chains of `segments`, by the even-odd rule.
     ///
-    /// Vertices must be finite, and keep their indices. They should be distinct, and segments should not cross. Of
-    /// vertices that coincide only the first is used, and edges are missing where segments cross.
+    /// Vertices must be finite, and keep their indices. They should be distinct, and segments should not cross. If
+    /// vertices coincide, only the first is used, and edges are missing where segments cross.
     pub(crate) fn constrained_delaunay(vertices: Vec<DVec2>, segments: Vec<[usize; 2]>) -> Self {
         Self::from_faces(vertices, segments, Some(true))
     }

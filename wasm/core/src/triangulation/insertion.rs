@@ -1,11 +1,11 @@
 //! Insertion of a vertex into a constrained Delaunay triangulation (Lawson 1977).
 //!
 //! The triangle around the vertex is split. Then edges are flipped until the circumcircle of each triangle is empty
-//! again. The predicates are exact (Shewchuk 1997), so flipping terminates. Edges with a triangle on one side only
+//! again. The predicates are exact (Shewchuk 1997), so flipping terminates. Edges with a triangle on only one side
 //! bound the region and are never flipped.
 //!
-//! Cost: the walk from a nearby triangle, and some six flips. Where the walk ends at the border of the region, some
-//! triangles more, and all triangles if it took a long way around.
+//! Cost: the walk from a nearby triangle, and about six flips. If the walk ends at the border of the region, a few more
+//! triangles, or all triangles if a detour is long.
 
 use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
@@ -15,7 +15,7 @@ use super::{
     mesh::{NONE, Triangulation},
 };
 
-/// Number of triangles that are searched where a walk ends at the border of the region. All are searched after them.
+/// Number of triangles that are searched where a walk ends at the border of the region, before searching all.
 const AROUND: usize = 100;
 
 /// The result of an insertion.
@@ -46,7 +46,7 @@ impl Triangulation {
     /// Inserts a vertex at a point of the region, within [`OUTLINE_TOLERANCE`]. A vertex that close to a boundary
     /// edge is placed on it.
     ///
-    /// `near` is a triangle not far from the point.
+    /// `near` is a triangle near the point.
     pub(crate) fn insert(&mut self, near: usize, p: DVec2) -> Inserted {
         let t = self.triangle_at(near, p);
         let corners = self.triangles[t];
@@ -76,14 +76,14 @@ impl Triangulation {
 
     /// The triangle that contains a point, or the nearest triangle if the point is outside the region.
     ///
-    /// `near` is a triangle not far from the point.
+    /// `near` is a triangle near the point.
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
         let depths = || (0..self.triangles.len()).map(|t| (signed_distance(self.corners(t), p), t));
         let deepest = || depths().reduce(|best, at| if at.0 > best.0 { at } else { best }).map(|(_, t)| t);
         self.walk(near, p).or_else(|| self.triangle_around(near, p)).or_else(deepest).unwrap_or(near)
     }
 
-    /// The triangle that contains a point with some depth, if it is one of the [`AROUND`] triangles next to `near`.
+    /// The triangle that clearly contains a point, if it is one of the [`AROUND`] triangles next to `near`.
     fn triangle_around(&self, near: usize, p: DVec2) -> Option<usize> {
         let mut known = vec![near as u32];
         let mut at = 0;
@@ -101,7 +101,7 @@ impl Triangulation {
         None
     }
 
-    /// The triangle that contains a point, found from triangle to triangle. `None` if the walk gets stuck, as the
+    /// The triangle that contains a point, found from triangle to triangle. `None` if the walk gets stuck, because the
     /// region need not be convex.
     pub(crate) fn walk(&self, near: usize, p: DVec2) -> Option<usize> {
         let mut t = near;

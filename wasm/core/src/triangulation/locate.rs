@@ -1,8 +1,8 @@
 //! Point location: a uniform grid over the triangles of a mesh.
 //!
-//! Cost of a lookup: a handful of triangles. Construction visits each cell of the bounding box of each triangle, and
-//! stores four bytes for each cell that the triangle may touch. The box of a long triangle across the grid may have
-//! as many cells as the mesh has triangles.
+//! Cost of a lookup: a few triangles. Construction visits each cell of the bounding box of each triangle, and stores
+//! four bytes for each cell that the triangle may touch. The box of a long triangle across the grid may have as many
+//! cells as the mesh has triangles.
 
 use std::iter;
 
@@ -13,7 +13,7 @@ use crate::{min_max::fast_min, rows::Rows, segment::segment_distance};
 
 /// Points up to this far outside every triangle, in pixels, count as inside.
 ///
-/// It is above the rounding of a point computed to lie on the outline, and far too small to be visible.
+/// This exceeds the rounding errors of points on the outline, and is far too small to be visible.
 pub(crate) const OUTLINE_TOLERANCE: f64 = 1e-6;
 
 /// An index over the triangles of one mesh.
@@ -61,7 +61,7 @@ impl Locator {
         best.1
     }
 
-    /// A triangle not far from a point. The mesh must have triangles.
+    /// A triangle near a point. The mesh must not be empty.
     pub(crate) fn nearby_triangle(&self, p: DVec2) -> usize {
         let cell = ((p - self.low) / self.cell).max(DVec2::ZERO);
         let (x, y) = ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1));
@@ -97,7 +97,7 @@ impl Locator {
 
 /// Distance of a point to the nearest line through an edge of a triangle: negative outside the triangle.
 ///
-/// Beyond a sharp corner the lines are much nearer than the triangle (see [`signed_distance`]).
+/// Beyond a sharp corner, the lines are much nearer than the triangle (see [`signed_distance`]).
 pub(crate) fn signed_depth([a, b, c]: [DVec2; 3], p: DVec2) -> f64 {
     let side = |from: DVec2, to: DVec2| (to - from).perp_dot(p - from) / (to - from).length();
     fast_min(fast_min(side(a, b), side(b, c)), side(c, a))

@@ -5,7 +5,7 @@ use glam::DVec2;
 /// "No triangle" in [`Triangulation::neighbours`].
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Four points count as cocircular if opposite angles add up to π within this sine. It is above rounding.
+/// Four points count as cocircular if opposite angles add up to π within this sine. This exceeds rounding errors.
 const COCIRCULAR_SINE: f64 = 1e-9;
 
 /// A triangle mesh. Every triangle has positive signed area (`perp_dot`).
@@ -20,7 +20,7 @@ pub(crate) struct Triangulation {
 }
 
 impl Triangulation {
-    /// A copy with capacity for more vertices and the triangles that they add.
+    /// A copy with capacity for additional vertices and their triangles.
     pub(crate) fn with_capacity_for(&self, vertices: usize) -> Self {
         fn extended<T: Copy>(list: &[T], more: usize) -> Vec<T> {
             let mut copy = Vec::with_capacity(list.len() + more);

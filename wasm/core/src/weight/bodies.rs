@@ -1,7 +1,6 @@
-//! Redistributes the weight of a body among its bones, so that on each bone only its own map acts (section V-D).
+//! Redistributes the weight of a body among its bones, so that only its own map moves each bone (section V-D).
 //!
-//! Supports of connected bones overlap. But a point of a bone must move by that bone's map alone. So this replaces φ_j
-//! by
+//! Supports of connected bones overlap. But only a bone's own map may move points on the bone. So this replaces φ_j by
 //!
 //! ```text
 //! Φ (φ_j / q_j) / Σ_k (φ_k / q_k),  Φ = Σ_k φ_k,
@@ -10,13 +9,13 @@
 //! with sums over the body's sites. The [falloff](Bone::falloff) q_j of the point from the bone of site j is about its
 //! squared distance.
 //!
-//! On a bone its own sites have all of Φ; at a joint, those of all bones that meet there. The total of the body does
-//! not change, so neither do the partition of unity and the weights of other sites. As q is C² and zero only on its
-//! bone, weights are C² except at joints. There the maps agree, and the body bends.
+//! On a bone, its own sites have the whole of Φ; at a joint, the sites of all bones that meet there. The total of the
+//! body does not change, so neither do the partition of unity and the weights of other sites. As q is C² and zero only
+//! on its bone, weights are C² except at joints. At joints, the maps agree, and the body bends.
 //!
-//! Cost: O(n log n) for the n influences of bones at a point, however many bones there are.
+//! Cost: O(n log n) for the n influences of bones at a point, regardless of the number of bones.
 //!
-//! Limits: gradients have no bound at joints.
+//! Limits: gradients are unbounded at joints.
 
 use glam::DVec2;
 
@@ -27,15 +26,15 @@ use crate::{
     site::{Site, SiteKind},
 };
 
-/// The bones of all bodies that have several.
+/// The bones of all bodies with several bones.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BodyWeights {
     bones: Vec<Bone>,
-    /// Sites: the bone of each; `None` unless its body has several bones. Empty if no body has.
+    /// For each site, its bone; `None` unless its body has several bones. Empty if no body has several.
     bone_of: Vec<Option<u32>>,
 }
 
-/// The influence of a bone whose body has several.
+/// The influence of a bone whose body has several bones.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BoneInfluence {
     body: u32,
@@ -90,7 +89,7 @@ impl BodyWeights {
         }
     }
 
-    /// As [`redistribute`](Self::redistribute), for the rows of many points.
+    /// Like [`redistribute`](Self::redistribute), for the rows of many points.
     pub(super) fn redistribute_rows(&self, points: &[DVec2], weights: &mut SparseWeights) {
         if self.bone_of.is_empty() {
             return;

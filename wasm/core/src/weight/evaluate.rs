@@ -3,7 +3,7 @@
 //! Cost: for each support that reaches the point's triangle, the windows of its field there. If bones share a body,
 //! O(n log n) in these supports.
 //!
-//! Limits: where two paths to a site are equally short, weights have a crease, and the gradient is a mean. With
+//! Limits: where two paths to a site are equally short, weights have a crease, and the gradient is the mean. With
 //! penumbrae, no support reaches such points.
 
 use std::{collections::HashSet, ops::Range};
@@ -160,8 +160,8 @@ impl WeightFunctions {
         influences
     }
 
-    /// As [`at`](Self::at), with gradients from central differences over `step`. On a crease they are the mean of both
-    /// sides.
+    /// Like [`at`](Self::at), with gradients from central differences over `step`. On a crease they are the mean of
+    /// both sides.
     pub(crate) fn across(
         &self,
         navigation: &Navigation,
@@ -185,10 +185,10 @@ impl WeightFunctions {
 
     /// The weights of all samples.
     ///
-    /// Cost: see [`sweep`]. A look at every site for each sample that no support covers; there should be none.
+    /// Cost: see [`sweep`]. A visit of every site for each sample that no support covers, which should not occur.
     ///
     /// # Errors
-    /// [`Error::TooMuchMemory`] if they are more than [`MAX_WEIGHTS`](crate::limits::MAX_WEIGHTS).
+    /// [`Error::TooMuchMemory`] if there are more than [`MAX_WEIGHTS`](crate::limits::MAX_WEIGHTS).
     pub(crate) fn of_samples(&self, navigation: &Navigation, samples: &Samples) -> Result<SampleWeights, Error> {
         let mut swept = sweep(samples, &self.basis, |triangle| {
             self.reaching_in(triangle).iter().map(|Reaching { site, windows, penumbrae }| ReachingSite {

@@ -1,7 +1,7 @@
 //! The weights w_i of linear blending (section III-B, eq. 2), in closed form at any point.
 //!
 //! - `basis`: φ (section V-A, eq. 5).
-//! - `precedence`: the share that point handles take from others, where the outline is held.
+//! - `precedence`: the share that point handles take from other sites if the outline is held.
 //! - `support`: r_i (eq. 3).
 //! - `evaluate`: w_i and its gradient at one point, as an `influence`.
 //! - `sweep`: w_i at all samples, stored in `sparse`.
@@ -12,12 +12,11 @@
 //!
 //! Limits:
 //!
-//! - Weights are C² except at joints of bones and where distances are not C², behind reflex corners. Where two paths to
-//!   a site are equally short, weights have a crease. Where paths begin to bend around a corner, weights are C¹: their
+//! - Weights are C² except at joints of bones and where distances are not C², behind reflex corners. Weights have a
+//!   crease where two paths to a site are equally short. They are C¹ where paths begin to bend around a corner: their
 //!   second derivative jumps, and the jump grows towards the corner.
-//! - With `"continuity": "c2"` neither is so. Penumbrae blend distances where paths begin to bend, and supports end
-//!   before two paths are equally short. Weights are then C² except at joints of bones and at reflex corners
-//!   themselves.
+//! - `"continuity": "c2"` avoids both. Penumbrae blend distances where paths begin to bend, and supports end before two
+//!   paths are equally short. Weights are then C² except at joints of bones and at reflex corners themselves.
 //! - Eq. 2 does not rule out second maxima: a weight may grow again in a dead end, or where several supports end
 //!   together.
 

@@ -1,15 +1,15 @@
-//! The precedence of point handles over other sites, where the outline is held.
+//! The precedence of point handles over other sites if the outline is held.
 //!
-//! Around a moved point the motions of virtual sites fall off as a logarithm does, so most of the way is lost in the
-//! first ring of them. A held outline lies on all sides and makes that steeper. Lines through the handle then have a
-//! cusp, and the sharper, the more virtual sites there are.
+//! Around a moved point, the motions of virtual sites fall off logarithmically, so most of the motion is lost in their
+//! first ring. A held outline on all sides makes this steeper. Lines through the handle then have a cusp, which becomes
+//! sharper with more virtual sites.
 //!
-//! So every point handle takes a share s = [`SHARE`] · φ(d / R) of the weight that others would have, at the distance
-//! d from it. Their φ is multiplied by 1 − s. R is [`REACH`] times the distance to the nearest real site or the
-//! outline. The handle's own support reaches as far as R.
+//! So every point handle takes a share s = [`SHARE`] · φ(d / R) of the weight of other sites, at the distance d from
+//! it. Their φ is multiplied by 1 − s. R is [`REACH`] times the distance to the nearest real site or the outline. The
+//! handle's own support reaches as far as R.
 //!
-//! Weights stay C², as s is. They stay 1 at their own handle and 0 at others and on the outline, as R ends before
-//! these. Only supports that reach a handle's surroundings change.
+//! Weights remain C², because s is C². They remain 1 at their own handle and 0 at others and on the outline, because R
+//! ends before these. Only supports that reach a handle's surroundings change.
 //!
 //! Cost: for each sample within R of a handle, one φ and a product for each support that reaches it.
 
@@ -20,15 +20,16 @@ use crate::{
 
 use super::Basis;
 
-/// R over the distance to the nearest real site or the outline. With 0.8 some pulls fold the picture more often.
+/// R relative to the distance to the nearest real site or the outline. With 0.8, some pulls fold the picture more
+/// often.
 const REACH: f64 = 0.9;
-/// The share of a handle in its own place. Of 88 pulls, the second differences are at most 1.45 times those between
-/// handles, with 10,000 samples. With 0.6 it is 1.7 times, without precedence 2.6 times. A greater share folds more in
-/// front of a handle.
+/// The share of a handle at its own position. In 88 pulls, second differences are at most 1.45 times those between
+/// handles, with 10,000 samples. With 0.6, they are 1.7 times as large, and without precedence, 2.6 times. A greater
+/// share folds more in front of a handle.
 const SHARE: f64 = 0.7;
 
-/// Sites: R of each, in pixels; 0 for those without precedence. These are all sites unless the outline is held and
-/// supports are smooth, and all sites but those of point handles.
+/// Sites: R of each site, in pixels; 0 for sites without precedence. Only sites of point handles have precedence, and
+/// only if the outline is held and supports are smooth.
 pub(crate) fn precedence_radii<'a>(weighting: &Weighting, sites: &'a [Site]) -> impl Iterator<Item = f64> + use<'a> {
     let is_smooth = matches!(weighting.support, Support::Smooth);
     let has_any = is_smooth && sites.iter().any(|site| site.kind == SiteKind::Boundary);
@@ -38,12 +39,12 @@ pub(crate) fn precedence_radii<'a>(weighting: &Weighting, sites: &'a [Site]) -> 
     })
 }
 
-/// The part of their φ that others keep at a distance from a site with precedence up to `radius`: 1 − s.
+/// The fraction of φ that other sites keep at a distance from a site with precedence up to `radius`: 1 − s.
 pub(super) fn kept(basis: &Basis, distance: f64, radius: f64) -> f64 {
     if distance < radius { 1.0 - SHARE * basis.value(distance / radius) } else { 1.0 }
 }
 
-/// The derivative of [`kept`] by the distance.
+/// The derivative of [`kept`] with respect to the distance.
 pub(super) fn kept_slope(basis: &Basis, distance: f64, radius: f64) -> f64 {
     if distance < radius { -SHARE * basis.derivative(distance / radius) / radius } else { 0.0 }
 }

@@ -2,7 +2,7 @@
 //!
 //! Cost: 12 bytes for each entry, and 4 for each point.
 
-/// Initial capacity, in supports over a point: the average under the paper's rule. Smooth supports take more.
+/// Initial capacity, in supports over a point: the average under the paper's rule. Smooth supports need more.
 const EXPECTED_COVER: usize = 3;
 
 /// The weights w_i of points (eq. 2): a sparse matrix of points × sites.
@@ -31,7 +31,7 @@ pub struct SparseWeights {
 }
 
 impl SparseWeights {
-    /// A matrix without rows, with capacity for `points` of them.
+    /// A matrix without rows, with capacity for `points` rows.
     pub(crate) fn with_capacity(points: usize) -> Self {
         let mut offsets = Vec::with_capacity(points + 1);
         offsets.push(0);
@@ -42,7 +42,7 @@ impl SparseWeights {
         }
     }
 
-    /// A matrix of compressed arrays, as [`into_parts`](Self::into_parts) returns them; `None` if they are
+    /// A matrix from compressed arrays, as returned by [`into_parts`](Self::into_parts); `None` if they are
     /// inconsistent.
     #[must_use]
     pub fn from_parts(offsets: Vec<u32>, sites: Vec<u32>, weights: Vec<f64>) -> Option<Self> {

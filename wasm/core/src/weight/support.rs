@@ -8,22 +8,23 @@ use crate::{
     site::Site,
 };
 
-/// A support ends this far before the site that it must not reach, relative to its radius. So rounding cannot make them
-/// touch.
+/// A support ends this far before the site that it must not reach, relative to its radius, so that rounding cannot make
+/// them touch.
 const ROUNDING_MARGIN: f64 = 1e-12;
-/// With a shape factor of 0 a support still extends beyond its cell, by this share of the room up to its limit.
+/// With a shape factor of 0, a support still extends beyond its cell, by this share of the room up to its limit.
 /// Otherwise the farthest point of the cell would have no weight.
 const MIN_SUPPORT_SHARE: f64 = 0.25;
-/// Radius of a smooth support over the cell radius, if no real site is nearer. Between 1.5 and 2 the bending energy of
-/// the sample poses hardly changes; larger supports cost more.
+/// Radius of a smooth support relative to the cell radius, if no real site is nearer. Between 1.5 and 2, the bending
+/// energy of the sample poses hardly changes; larger supports cost more.
 const OVERLAP: f64 = 1.75;
 
 /// The support radius of every site, in pixels.
 ///
-/// - The paper's rule: r_i = (1 − α) r_d + α r_h. Here r_d has some room added, and r_h is no less than that.
-/// - The smooth rule: a multiple of r_d replaces r_h, as far as no real site is nearer.
+/// - The paper's rule: r_i = (1 − α) r_d + α r_h. Here, r_d includes some additional room, and r_h is at least that
+///   large.
+/// - The smooth rule: a multiple of r_d replaces r_h, unless a real site is nearer.
 ///
-/// A support reaches at least as far as the precedence of its site.
+/// A support extends at least as far as the precedence of its site.
 ///
 /// If an island has no site outside a site's body, the radius is infinite. No support reaches another real site.
 pub(crate) fn support_radii(weighting: &Weighting, sites: &[Site]) -> Vec<f64> {

@@ -3,8 +3,8 @@
 //! Samples in one triangle of the navigation mesh are consecutive and share its windows. So each window is evaluated
 //! for a [`BATCH`] of samples at once, in branchless loops over flat arrays, unless it cannot reach their bounding box.
 //!
-//! Cost: for each sample and each support that reaches into its triangle, about 4 ns a window. As much again for φ and
-//! the row.
+//! Cost: for each sample and each support that reaches into its triangle, about 4 ns per window. φ and the row take the
+//! same time again.
 
 use std::ops::Range;
 
@@ -19,7 +19,8 @@ use crate::{
     triangulation::NONE,
 };
 
-/// Samples evaluated at once. With twice as many, their bounding boxes are larger and more windows reach them.
+/// Number of samples evaluated together. With twice as many, their bounding boxes are larger and more windows reach
+/// them.
 const BATCH: usize = 32;
 
 /// The weights of all samples, and the sums that normalise them.
@@ -27,9 +28,10 @@ const BATCH: usize = 32;
 pub(crate) struct SampleWeights {
     /// Samples × sites.
     pub(crate) weights: SparseWeights,
-    /// Samples: Σφ at each.
+    /// Samples: Σφ at each sample.
     pub(crate) phi_sums: Vec<f64>,
-    /// Samples: the nearest of the sites whose supports reach the sample or its batch; [`NONE`] if none reaches.
+    /// For each sample, the nearest of the sites whose supports reach the sample or its batch; [`NONE`] if there is
+    /// none.
     pub(crate) nearest: Vec<u32>,
 }
 
@@ -106,7 +108,7 @@ pub(super) fn sweep<'a, R: Iterator<Item = ReachingSite<'a>>>(
 }
 
 impl Batch {
-    /// Takes up to [`BATCH`] points, at least one.
+    /// Takes 1 to [`BATCH`] points.
     fn fill(&mut self, points: &[DVec2]) {
         self.count = points.len();
         (self.low, self.high) = points.iter().fold((points[0], points[0]), |(low, high), &p| (low.min(p), high.max(p)));
@@ -123,7 +125,7 @@ impl Default for Column {
 }
 
 impl Column {
-    /// Evaluates the distances of a site and φ at a batch. Returns false if its support covers none of it.
+    /// Evaluates the distances of a site and φ at a batch. Returns false if its support does not overlap it.
     fn fill(&mut self, reaching: &ReachingSite, batch: &Batch, basis: &Basis) -> bool {
         let Self { distance, phi, .. } = self;
         let &ReachingSite { site, support_radius: radius, precedence_radius, windows, ref penumbrae } = reaching;

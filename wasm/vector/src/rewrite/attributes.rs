@@ -1,13 +1,13 @@
-//! Attributes as usvg writes them, and as they are written again.
+//! Reads attributes as usvg writes them, and writes changed ones.
 
 use kurbo::{Affine, Point, Rect};
-use roxmltree::Node;
+use usvg::roxmltree::Node;
 
 use crate::xml::number;
 
 pub(super) const XLINK: &str = "http://www.w3.org/1999/xlink";
 
-/// The attributes x, y, width and height; those left out as in another rectangle. `None` without an area.
+/// The attributes x, y, width and height; missing ones are taken from another rectangle. `None` if the area is 0.
 pub(super) fn rectangle(node: Node<'_, '_>, or: Rect) -> Option<Rect> {
     let length = |name: &str| node.attribute(name).and_then(|text| text.parse::<f64>().ok());
     let origin = Point::new(length("x").unwrap_or(or.x0), length("y").unwrap_or(or.y0));

@@ -5,11 +5,11 @@ use kurbo::Affine;
 /// How an element follows the warp.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Follow {
-    /// Not at all.
+    /// It does not follow.
     Stay,
-    /// By bending; with the map from the element's units to image pixels.
+    /// It bends; holds the map from the element's units to image pixels.
     Bend(Affine),
-    /// By an affine map in the units of the element that is painted.
+    /// It follows an affine map in the units of the painted element.
     Move(Affine),
 }
 
@@ -19,7 +19,7 @@ impl Follow {
         if let Self::Bend(to_pixels) = self { Self::Bend(to_pixels * transform) } else { Self::Stay }
     }
 
-    /// Bending where the units are not squeezed into a line.
+    /// Bending, unless the units are degenerate.
     pub(super) fn to_pixels(self) -> Option<Affine> {
         match self {
             Self::Bend(to_pixels) => {

@@ -1,11 +1,11 @@
-//! A drawing again, with bent paths.
+//! Writes a drawing with bent paths.
 //!
-//! Groups keep their transforms: a path is bent in image pixels, and written in its own units again. A definition is
-//! written once for each place that it is bent for. A clip path or mask bends as the paths do. Gradients and
-//! patterns follow the affine map that is closest to the warp over the path. Rectangles of masks and filters grow to
-//! hold the bent ones.
+//! Groups keep their transforms: a path is bent in image pixels, and converted back to its own units. A definition is
+//! written once for each way in which it is bent. A clip path or mask bends like the paths. Gradients and patterns
+//! follow the affine map closest to the warp over the path. Rectangles of masks and filters grow to contain the bent
+//! rectangles.
 //!
-//! - `rewriter`: element by element. `follow`: how each follows the warp. `attributes`: their values.
+//! - `rewriter`: rewrites element by element. `follow`: how elements follow the warp. `attributes`: their values.
 
 mod attributes;
 mod follow;
@@ -13,12 +13,12 @@ mod rewriter;
 
 use c2warp::ContinuedMap;
 use kurbo::{Affine, Rect};
-use roxmltree::{Document, Node};
+use usvg::roxmltree::{Document, Node};
 
 use self::{attributes::XLINK, follow::Follow, rewriter::Rewriter};
 use crate::{
+    drawing::Drawing,
     error::VectorError,
-    plain::PlainDrawing,
     warp::Warp,
     xml::{Xml, number},
 };
@@ -28,9 +28,9 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 /// How a bent drawing is framed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BentOptions {
-    /// Size of the file's picture for each unit of the drawing's own size.
+    /// Size of the output relative to the drawing's own size.
     pub scale: f64,
-    /// Grow the frame to hold all paths.
+    /// Grow the frame to contain all paths.
     pub grow: bool,
 }
 
@@ -45,14 +45,14 @@ impl Default for BentOptions {
 pub struct Bent {
     /// The SVG file.
     pub svg: String,
-    /// Nodes of the paths that bent, before and after.
+    /// Number of nodes of the bent paths, before and after.
     pub nodes: [usize; 2],
     /// The upper left corner of the frame in the units of the drawing's own size: (0, 0) unless it grew.
     pub origin: [f64; 2],
 }
 
-impl PlainDrawing {
-    /// Bends the drawing. It lies over the whole picture of the solution, whose size is given in pixels.
+impl Drawing {
+    /// Bends the drawing. The drawing covers the solution's whole picture, whose size is given in pixels.
     ///
     /// # Errors
     /// [`VectorError::TooManyNodes`].

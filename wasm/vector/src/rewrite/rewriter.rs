@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use kurbo::{Affine, BezPath, Point, Rect, Shape};
-use roxmltree::{Document, Node};
+use usvg::roxmltree::{Document, Node};
 
 use super::{
     attributes::{matrix, numbers, qualified, rectangle, rectangle_attributes, stroke_width, transform},
@@ -17,15 +17,15 @@ use crate::{
     xml::{Xml, number},
 };
 
-/// Most segments of all paths.
+/// Maximum number of segments of all paths.
 const MAX_NODES: usize = 300_000;
-/// Points along each side of a rectangle, and of a picture, that the warp is looked up at.
+/// Number of points along each side of a rectangle, and of a picture, at which the warp is evaluated.
 const SIDE_POINTS: u32 = 8;
 
 pub(super) struct Rewriter<'a, 'input> {
     by_id: HashMap<&'a str, Node<'a, 'input>>,
     taken: HashSet<String>,
-    /// Names of written definitions, by name and the way that they follow.
+    /// Names of written definitions, by original name and how they follow the warp.
     made: HashMap<String, String>,
     pub(super) defs: String,
     warp: Warp<'a>,
@@ -89,7 +89,7 @@ impl<'a, 'input> Rewriter<'a, 'input> {
         node.children().filter(Node::is_element).try_for_each(|child| self.element(xml, child, follow, None))
     }
 
-    /// Writes an attribute, with new names of its definitions.
+    /// Writes an attribute, with the new names of its definitions.
     fn attribute(
         &mut self,
         xml: &mut Xml,
@@ -190,7 +190,7 @@ impl<'a, 'input> Rewriter<'a, 'input> {
         self.drawn = Some(self.drawn.map_or(drawn, |known| known.union(drawn)));
     }
 
-    /// The name of a definition that follows in this way. Writes the definition the first time.
+    /// The name of a definition that follows in this way. Writes the definition on first use.
     fn referred(&mut self, id: &str, follow: Follow) -> Result<String, VectorError> {
         let Some(&node) = self.by_id.get(id) else { return Ok(id.to_owned()) };
         let key = format!("{id} {follow:?}");

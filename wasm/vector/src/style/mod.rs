@@ -21,7 +21,7 @@ use std::{
     rc::Rc,
 };
 
-use roxmltree::{Document, Node, NodeId};
+use usvg::roxmltree::{Document, Node, NodeId};
 
 use self::{
     property::{Kind, Known, has_geometry, known, longhands},

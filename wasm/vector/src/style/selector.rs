@@ -5,7 +5,6 @@ use std::{borrow::Borrow, fmt};
 
 use cssparser::{ParseError, Parser, ToCss, serialize_identifier, serialize_string};
 use precomputed_hash::PrecomputedHash;
-use roxmltree::Node;
 use selectors::{
     Element, OpaqueElement, SelectorImpl, SelectorList,
     attr::{AttrSelectorOperation, CaseSensitivity, NamespaceConstraint},
@@ -14,6 +13,7 @@ use selectors::{
     matching::{ElementSelectorFlags, matches_selector},
     parser::{Component, NonTSPseudoClass, ParseRelative, PseudoElement, Selector, SelectorParseErrorKind},
 };
+use usvg::roxmltree::Node;
 
 use super::value::Effort;
 

@@ -6,8 +6,8 @@ use cssparser::{
     AtRuleParser, CowRcStr, DeclarationParser, ParseError, Parser, ParserState, QualifiedRuleParser,
     RuleBodyItemParser, RuleBodyParser, StyleSheetParser, Token, parse_important,
 };
-use roxmltree::{Document, Node};
 use selectors::parser::Selector;
+use usvg::roxmltree::{Document, Node};
 
 use super::{
     property::{Known, known, longhands},

@@ -82,7 +82,7 @@ export class DragPoint {
     });
   }
 
-  /** In whole pixels, unless the nearest place is none. */
+  /** In whole pixels, unless rounding leaves the domain. */
   #move([x, y]: Point): void {
     const at = this.#options.allowed([Math.round(x), Math.round(y)]);
     if (at[0] === this.#at[0] && at[1] === this.#at[1]) return;

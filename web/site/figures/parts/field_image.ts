@@ -12,14 +12,14 @@ export interface Isolines {
   readonly field: Float64Array;
   /** The first level, and the distance to each next one. */
   readonly step: number;
-  /** The last level, where lines end before the greatest value. */
+  /** The last level, where lines end before the largest value. */
   readonly most?: number;
   readonly colour: Rgb;
   /** Device pixels. */
   readonly width: number;
 }
 
-/** The colours of a ramp that are told apart. */
+/** The number of distinct colours of a ramp. */
 const SHADES = 256;
 
 /** @param isolines The last ones lie on top. */

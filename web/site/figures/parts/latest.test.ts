@@ -23,7 +23,7 @@ it('answers one question at a time, and of those that wait the last one', async 
   expect(gates).toHaveLength(2);
 });
 
-it('goes on after a failure', async () => {
+it('continues after a failure', async () => {
   const errors: unknown[] = [];
   let fails = true;
   let answers = 0;

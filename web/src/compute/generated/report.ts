@@ -14,7 +14,7 @@ export interface Inspection {
   readonly specks: number;
   /** How closely the outline follows the picture. */
   readonly outline: OutlineDetail;
-  /** Greatest width of a gap that the domain takes in, in pixels. */
+  /** Maximum width of a gap that the domain includes, in pixels. */
   readonly bridged_gap: number;
   /** Corners of the outline at which shortest paths may bend. */
   readonly reflex_corners: number;
@@ -30,17 +30,17 @@ export interface Inspection {
   readonly real_sites: number;
   /** Sites that Algorithm 1 inserted. */
   readonly virtual_sites: number;
-  /** The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right). Here δ is r_d minus the greatest radius that the cell may have, in place of r_d − r_h. */
+  /** The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right). Here δ is r_d minus the greatest allowed radius of the cell, instead of r_d − r_h. */
   readonly scores: readonly number[];
-  /** Mean number of supports over a sample. */
+  /** Mean number of supports that contain a sample. */
   readonly cover_mean: number;
-  /** Greatest number of supports over a sample. */
+  /** Maximum number of supports that contain a sample. */
   readonly cover_max: number;
   /** Least Σφ over the samples of islands with handles. */
   readonly min_phi_sum: number;
-  /** Triangles of the posed mesh that turned over. */
+  /** Flipped triangles of the posed mesh. */
   readonly folded_triangles: number;
-  /** A hash of the samples' weights. It changes with any bit of them. */
+  /** A hash of the samples' weights. It changes if any bit of them changes. */
   readonly weights_hash: string;
   /** The time of each stage. */
   readonly ms: StageTimes;

@@ -1,29 +1,34 @@
 /** Worker: makes one export with a solver. Each kind of export is a file in `exports`. */
-import type { ExportReply, ExportRequest } from '../exporting_messages';
+import type { ExportReply, ExportRequest, PictureRequest } from '../exporting_messages';
 import init from '../generated/c2warp_export';
 import { bentDrawing } from './exports/bent_drawing';
+import { drawnPicture } from './exports/drawn_picture';
 import { engineRig } from './exports/engine_rig';
 import { mapFile } from './exports/map_file';
 import { webRig } from './exports/web_rig';
 
 declare const self: DedicatedWorkerGlobalScope;
 
-self.onmessage = async ({ data: request }: MessageEvent<ExportRequest>) => {
+self.onmessage = async ({ data: request }: MessageEvent<ExportRequest | PictureRequest>) => {
   try {
     await init({ module_or_path: request.module });
+    if (!('pixels' in request)) {
+      post({ made: drawnPicture(request.order) });
+      return;
+    }
     const rgba = await received(request.pixels);
-    const tell = (part: number) => post({ part });
+    const onProgress = (part: number) => post({ part });
     const { order } = request;
     if (order.kind === 'web-rig') {
-      const rig = webRig(request, order, rgba, tell);
+      const rig = webRig(request, order, rgba, onProgress);
       post({ made: rig }, [rig.buffer]);
     } else if (order.kind === 'map') {
-      const file = mapFile(request, order, rgba, tell);
+      const file = mapFile(request, order, rgba, onProgress);
       post({ made: file }, [file.buffer]);
     } else if (order.kind === 'drawing') {
-      post({ made: bentDrawing(request, order, rgba, tell) });
+      post({ made: bentDrawing(request, order, rgba, onProgress) });
     } else {
-      const rig = engineRig(request, order, rgba, tell);
+      const rig = engineRig(request, order, rgba, onProgress);
       post(
         { made: rig },
         rig.files.map(({ bytes }) => bytes.buffer),
@@ -42,7 +47,7 @@ function received(port: MessagePort): Promise<Uint8Array> {
     port.onmessage = ({ data }: MessageEvent<Uint8Array | null>) => {
       port.close();
       if (data) resolve(data);
-      else reject(new Error('the pixels of the picture are gone: open the picture again'));
+      else reject(new Error('the pixels of the picture are no longer in memory: open the picture again'));
     };
   });
 }

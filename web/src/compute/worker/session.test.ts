@@ -13,7 +13,7 @@ function project(...rest: [number, number][]): string {
   });
 }
 
-/** The number of handles of what was solved last. */
+/** The number of handles of the last solve. */
 function handles(session: Session): number {
   const solution = session.solution();
   const report = JSON.parse(solution.report) as { point_handles: number };
@@ -31,7 +31,7 @@ describe('Session', () => {
     initSync({ module: readFileSync(new URL('../generated/c2warp_bg.wasm', import.meta.url)) });
   });
 
-  it('keeps what was solved last until another solve has finished', () => {
+  it('keeps the last solution until another solve has finished', () => {
     const session = new Session();
     session.set_picture(SIZE, SIZE, new Uint8Array(4 * SIZE * SIZE).fill(255));
     expect(() => session.solution()).toThrow('no solution yet');

@@ -1,4 +1,4 @@
-/** The solving worker: a {@link SolverService} that hears and answers the page. */
+/** The solving worker: a {@link SolverService} that receives requests from the page and responds. */
 import { SolverService } from '../solver_service';
 
 declare const self: DedicatedWorkerGlobalScope;

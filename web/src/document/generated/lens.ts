@@ -4,7 +4,7 @@
 export interface Lens {
   /** The point at rest, in image pixels. */
   readonly at: readonly [number, number];
-  /** The handles that a path leads to, in the order of the project. A held boundary is last. */
+  /** The handles with a path to the point, in the order of the project. A held boundary comes last. */
   readonly shares: readonly Share[];
   /** The weights of all virtual sites together. */
   readonly virtual_weight: number;
@@ -12,17 +12,17 @@ export interface Lens {
   readonly sites: readonly LensSite[];
 }
 
-/** The part of one handle in the motion of a point. */
+/** The share of one handle in the motion of a point. */
 export interface Share {
   /** Index of the handle in the project; −2 for a held boundary. */
   readonly handle: number;
   /** The weights of its own sites together. */
   readonly weight: number;
-  /** The part that virtual sites pass on from it: their weights times the harmonic fields of its sites. */
+  /** Its share through virtual sites: their weights times the harmonic fields of its sites. */
   readonly passed_on: number;
   /** Its site nearest to the point. */
   readonly site: number;
-  /** Length of the shortest path from there to the point, in pixels. */
+  /** Length of the shortest path from that site to the point, in pixels. */
   readonly distance: number;
   /** The vertices of that path, from the point to the site. */
   readonly path: readonly (readonly [number, number])[];

@@ -8,7 +8,7 @@ export interface Project {
   readonly image: ImageRef;
   /** The part of the picture to warp. The default is the opaque part of a picture with transparency, and all of any other. */
   readonly domain?: Domain;
-  /** How the picture behind a domain of rings is filled. Without it, what moves away leaves a gap. Other domains have nothing behind them, and ignore it. */
+  /** How the picture behind a domain of rings is filled. Without it, a part that moves away leaves a gap. Other domains have nothing behind them, and ignore it. */
   readonly fill?: Fill;
   /** Approximate number of samples, from 100 to 2,000,000. Left out: 10000. */
   readonly samples?: number;
@@ -26,7 +26,7 @@ export interface Project {
   readonly handles: readonly Handle[];
   /** Poses of handles over time. */
   readonly clips?: readonly Clip[];
-  /** How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects rigid mode alone. The default is a picture without stiff places. */
+  /** How stiff the picture is, as a grid over it: distortion counts more where it is stiff. It affects only rigid mode. The default is a picture without stiff places. */
   readonly stiffness?: Stiffness;
   /** How a brush has moved places of the picture at rest, before the handles pose them: a displacement field. The default is a picture that no brush has moved. */
   readonly displacement?: Displacement;
@@ -53,16 +53,16 @@ export interface ImageDomain {
 /** The part of the picture with enough opacity. */
 export interface AlphaDomain {
   readonly kind: 'alpha';
-  /** Least opacity of the domain, above 0 and up to 1. Left out: 0.5. */
+  /** Minimum opacity of the domain, above 0 and up to 1. Left out: 0.5. */
   readonly threshold?: number;
 }
 
-/** The inside of closed rings by the even-odd rule: a ring inside a ring is a hole. The rest of the picture stays in place. */
+/** The inside of closed rings by the even-odd rule: a ring inside a ring is a hole. The rest of the picture does not move. */
 export interface PolygonDomain {
   readonly kind: 'polygon';
   /** One or more rings of at least three points `[x, y]`. */
   readonly rings: readonly (readonly Point[])[];
-  /** Width of the soft rim around the rings, in pixels, from 0 to 64. What moves away goes on that far beyond its outline, and fades out. At rest nothing changes. Left out: 0. */
+  /** Width of the soft rim around the rings, in pixels, from 0 to 64. Moving parts extend this far beyond their outline and fade out. At rest, nothing changes. Left out: 0. */
   readonly feather?: number;
 }
 
@@ -72,28 +72,28 @@ export type Domain = ImageDomain | AlphaDomain | PolygonDomain;
 /** A point `[x, y]` in image pixels, with pixel centres at +0.5 and y down. */
 export type Point = readonly [number, number];
 
-/** How the picture behind a domain of rings is filled, where the part that bends moves away. */
+/** How the picture behind a domain of rings is filled where the bending part moves away. */
 export interface Fill {
-  /** Where the colours come from. Left out: "patches". */
+  /** The source of the colours. Left out: "patches". */
   readonly method?: FillMethod;
-  /** Chooses one of many results, each as good as another. The same seed always gives the same pixels. Left out: 0. */
+  /** Chooses one of many equally good results. The same seed always gives the same pixels. Left out: 0. */
   readonly seed?: number;
 }
 
-/** Where the colours of a fill come from. */
+/** The source of the colours of a fill. */
 export type FillMethod = 'patches';
 
 /** The parameters of the weights. */
 export interface Weighting {
   /** α, from 0 (smallest supports) to 1 (widest supports). Left out: 1. */
   readonly shape_factor?: number;
-  /** Degree n of the Bézier polynomial φ, from 5 to 32. From 5 on it is C². Left out: 5. */
+  /** Degree n of the Bézier polynomial φ, from 5 to 32. It is C² for degrees from 5. Left out: 5. */
   readonly degree?: number;
-  /** Position of the inner control points of φ. Continuity leaves them free. Left out: "line". */
+  /** Position of the inner control points of φ. They do not affect continuity. Left out: "line". */
   readonly filling?: Filling;
   /** Rule for the radius of a support. Left out: "paper". */
   readonly support?: Support;
-  /** Where weights have two continuous derivatives. Left out: "exact". */
+  /** The region in which weights have two continuous derivatives. Left out: "exact". */
   readonly continuity?: Continuity;
 }
 
@@ -103,20 +103,20 @@ export type Filling = 'line' | 'half';
 /** The rule for the radius of a support. */
 export type Support = 'paper' | 'smooth';
 
-/** Where weights have two continuous derivatives. */
+/** The region in which weights have two continuous derivatives. */
 export type Continuity = 'exact' | 'c2';
 
 /** Settings of the pose. */
 export interface Pose {
-  /** How virtual sites get their motions. Left out: "harmonic". */
+  /** How virtual sites derive their motions. Left out: "harmonic". */
   readonly mode?: PoseMode;
   /** How the motions at a point are blended. Left out: "linear". */
   readonly blend?: Blend;
-  /** Least number of virtual sites, up to 4,096. With 0, Algorithm 1 decides. Left out: 0. */
+  /** Least number of virtual sites, up to 4,096. With 0, Algorithm 1 determines the number. Left out: 0. */
   readonly density?: number;
 }
 
-/** How virtual sites get their motions from handles. */
+/** How virtual sites derive their motions from handles. */
 export type PoseMode = 'harmonic' | 'rigid';
 
 /** How the motions at a point are blended. */
@@ -127,7 +127,7 @@ export type LooseParts = 'stay' | 'follow';
 
 /** One point. */
 export interface PointHandle {
-  /** A name, unique in the project and not empty. */
+  /** A name of 1 to 200 characters, unique in the project. */
   readonly id: string;
   /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
@@ -135,7 +135,7 @@ export interface PointHandle {
   readonly scale?: number;
   /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
-  /** How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds have none. It affects rigid mode alone. */
+  /** Stiffness of the picture inside a polygon, from 0 to 1: distortion counts more where it is stiff. Other kinds have no stiffness. It only affects rigid mode. */
   readonly stiffness?: number;
   readonly kind: 'point';
   /** The point at rest. */
@@ -146,7 +146,7 @@ export interface PointHandle {
 
 /** An open line through two or more points. */
 export interface BarHandle {
-  /** A name, unique in the project and not empty. */
+  /** A name of 1 to 200 characters, unique in the project. */
   readonly id: string;
   /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
@@ -154,7 +154,7 @@ export interface BarHandle {
   readonly scale?: number;
   /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
-  /** How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds have none. It affects rigid mode alone. */
+  /** Stiffness of the picture inside a polygon, from 0 to 1: distortion counts more where it is stiff. Other kinds have no stiffness. It only affects rigid mode. */
   readonly stiffness?: number;
   readonly kind: 'bar';
   /** The corners at rest. */
@@ -165,7 +165,7 @@ export interface BarHandle {
 
 /** A closed ring of three or more points. */
 export interface PolygonHandle {
-  /** A name, unique in the project and not empty. */
+  /** A name of 1 to 200 characters, unique in the project. */
   readonly id: string;
   /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
@@ -173,7 +173,7 @@ export interface PolygonHandle {
   readonly scale?: number;
   /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
-  /** How stiff the picture inside a polygon is, from 0 to 1: distortion counts more where it is stiff. Other kinds have none. It affects rigid mode alone. */
+  /** Stiffness of the picture inside a polygon, from 0 to 1: distortion counts more where it is stiff. Other kinds have no stiffness. It only affects rigid mode. */
   readonly stiffness?: number;
   readonly kind: 'polygon';
   /** The corners at rest. */
@@ -190,17 +190,17 @@ export type Rotation = number | 'auto';
 
 /** Poses of handles over time. */
 export interface Clip {
-  /** A name, unique in the project and not empty. */
+  /** A name of 1 to 200 characters, unique in the project. */
   readonly name: string;
   /** Length in seconds, above 0 and up to 3,600. */
   readonly duration: number;
-  /** What follows the end. Left out: "repeat". */
+  /** What happens after the end. Left out: "repeat". */
   readonly loop?: Loop;
-  /** Moving handles, each at most once. The others keep their pose. */
+  /** The moving handles, each at most once. Other handles keep their pose. */
   readonly tracks: readonly Track[];
 }
 
-/** What follows the end of a clip. */
+/** What happens after the end of a clip. */
 export type Loop = 'repeat' | 'alternate' | 'none';
 
 /** The keys of one handle in a clip. */
@@ -211,7 +211,7 @@ export interface Track {
   readonly keys: readonly Key[];
 }
 
-/** The pose of a handle at one time. Values that are left out do not stop there. */
+/** The pose of a handle at one time. Values that are left out are interpolated past this key. */
 export interface Key {
   /** Seconds from the beginning of the clip, up to its duration. */
   readonly time: number;
@@ -221,34 +221,34 @@ export interface Key {
   readonly rotation?: Rotation;
   /** The scale, above 0. */
   readonly scale?: number;
-  /** The depth. */
+  /** The depth. A whole number holds until another key. */
   readonly depth?: number;
-  /** How values go on to the next key. Left out: "smooth". */
+  /** How values change to the next key. Left out: "smooth". */
   readonly ease?: Ease;
 }
 
 /** A posed point, or posed corners. */
 export type Posed = Point | readonly Point[];
 
-/** How values go from a key to the next one. */
+/** How values change from a key to the next one. */
 export type Ease = 'smooth' | 'linear' | 'hold';
 
-/** How stiff each place of the picture at rest is: a grid of equal cells that covers the picture, whatever its aspect.  In between the centres of cells values are bilinear; beyond the outermost centres they stay.  ``` use c2warp::project::{Project, Stiffness};  let mut project = Project::for_picture(640, 480); // The right half is stiff. project.stiffness = Some(Stiffness::new(4, 3, [0, 0, 255, 255].repeat(3))); assert!(project.to_json().contains(r#""stiffness": { "width": 4, "height": 3, "values": "AAD//wAA//8AAP//" }"#)); assert_eq!(Project::from_json(&project.to_json())?, project); # Ok::<(), c2warp::project::ProjectError>(()) ``` */
+/** The stiffness of each point of the picture at rest: a grid of equal cells that covers the picture, regardless of its aspect ratio.  Between the centres of cells, values are bilinear; beyond the outermost centres, they are constant.  ``` use c2warp::project::{Project, Stiffness};  let mut project = Project::for_picture(640, 480); // The right half is stiff. project.stiffness = Some(Stiffness::new(4, 3, [0, 0, 255, 255].repeat(3))); assert!(project.to_json().contains(r#""stiffness": { "width": 4, "height": 3, "values": "AAD//wAA//8AAP//" }"#)); assert_eq!(Project::from_json(&project.to_json())?, project); # Ok::<(), c2warp::project::ProjectError>(()) ``` */
 export interface Stiffness {
   /** Number of columns, from 1 to 128. */
   readonly width: number;
   /** Number of rows, from 1 to 128. */
   readonly height: number;
-  /** A byte for each cell in base64, rows from top to bottom: 0 is as soft as without, 255 is stiff. */
+  /** A byte for each cell in base64, rows from top to bottom: 0 is as soft as without a mask, 255 is stiff. */
   readonly values: string;
 }
 
-/** How places of the picture at rest are moved before the handles pose them: a cubic B-spline over the picture.  A place p goes where the handles would take p + d(p), by the weights of p. Of `width` × `height` control points, one row and column lies beyond each edge of the picture. Beyond the picture the displacement at its edge stays.  ``` use c2warp::project::{Displacement, Project};  let mut project = Project::for_picture(640, 480); // Everything moves by half a spacing to the right, and by a quarter up: a segment has 320 × 240 px. project.displacement = Some(Displacement::new(5, 5, [128, -64].repeat(25))); let displacement = project.displacement.as_ref().unwrap(); let moved = displacement.at([320.0, 90.0].into(), [640.0, 480.0].into()); assert!(moved.distance([160.0, -60.0].into()) < 1e-9); assert_eq!(Project::from_json(&project.to_json())?, project); # Ok::<(), c2warp::project::ProjectError>(()) ``` */
+/** The displacement of the picture at rest, applied before the handles pose it: a cubic B-spline over the picture.  A point p moves where the handles would move p + d(p), with the weights of p. Of `width` × `height` control points, one row and column lies beyond each edge of the picture. Beyond the picture, the displacement at its edge continues.  ``` use c2warp::project::{Displacement, Project};  let mut project = Project::for_picture(640, 480); // Everything moves by half a spacing to the right, and by a quarter up: a segment has 320 × 240 px. project.displacement = Some(Displacement::new(5, 5, [128, -64].repeat(25))); let displacement = project.displacement.as_ref().unwrap(); let moved = displacement.at([320.0, 90.0].into(), [640.0, 480.0].into()); assert!(moved.distance([160.0, -60.0].into()) < 1e-9); assert_eq!(Project::from_json(&project.to_json())?, project); # Ok::<(), c2warp::project::ProjectError>(()) ``` */
 export interface Displacement {
   /** Number of columns of control points, from 4 to 259. They are the picture's width / (`width` − 3) apart. */
   readonly width: number;
   /** Number of rows of control points, from 4 to 259. They are the picture's height / (`height` − 3) apart. */
   readonly height: number;
-  /** For each control point, rows from top to bottom, its displacement in x, then in y: 256 is the distance between columns, or rows. In base64: whole numbers of 16 bits with a sign, the lower byte first. */
+  /** For each control point, rows from top to bottom, its displacement in x, then in y: 256 is the distance between columns, or rows. In base64: signed 16-bit integers, little-endian. */
   readonly values: string;
 }

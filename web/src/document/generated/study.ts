@@ -8,9 +8,9 @@ export interface Study {
   readonly sites: readonly SiteStudy[];
   /** φ at even steps from 0 to 1. */
   readonly falloff: readonly number[];
-  /** The rounds of Algorithm 1; none without sites. */
+  /** The rounds of Algorithm 1; empty without sites. */
   readonly rounds: readonly Round[];
-  /** The greatest score that ends Algorithm 1. */
+  /** The score at or below which Algorithm 1 ends. */
   readonly allowed_score: number;
 }
 
@@ -34,9 +34,9 @@ export interface SiteStudy {
   readonly to_nearest: readonly (readonly [number, number])[];
 }
 
-/** The state of Algorithm 1 before a round, and the points where the round inserts. The last round has no points. */
+/** The state of Algorithm 1 before a round, and the points that the round inserts. The last round has no points. */
 export interface Round {
-  /** The score δ / r_d of the worst cell. Here δ is r_d minus the greatest radius that the cell may have, in place of r_d − r_h. */
+  /** The score δ / r_d of the worst cell. Here δ is r_d minus the greatest allowed radius of the cell, instead of r_d − r_h. */
   readonly score: number;
   /** The number of sites before the round. The sites that it inserts follow them. */
   readonly sites: number;
@@ -52,7 +52,7 @@ export interface RoundPoint {
   readonly owner: number;
   /** Its distance from the owner, in pixels: the radius r_d of the cell if it is the farthest point. */
   readonly distance: number;
-  /** The greatest radius that the cell may have, in pixels. */
+  /** The greatest allowed radius of the cell, in pixels. */
   readonly limit: number;
   /** The vertices of the shortest path from the owner to the point. */
   readonly path: readonly (readonly [number, number])[];

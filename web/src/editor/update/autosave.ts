@@ -1,9 +1,9 @@
-/** Autosave: the work is stored under a key after each step, and tabs that share the key hear of it. */
+/** Autosave: the work is stored under a key after each step, and tabs that share the key are notified. */
 
 import { fileProject } from '../../document/document';
 import { recordOf, timeline } from '../../document/history';
 import { say } from '../../texts/wording';
-import { drawingsOf } from '../../tools/machine';
+import { drawingOf } from '../../tools/machine';
 import type { AutosaveState } from '../autosave_state';
 import type { Emit } from '../effects';
 import type { EditorState } from '../state';
@@ -17,13 +17,16 @@ const withAutosave = (state: EditorState, change: Partial<AutosaveState>): Edito
   autosave: { ...state.autosave, ...change },
 });
 
-export const workOf = ({ document, tools, view, pixelated }: EditorState): Work => ({
-  record: recordOf(document.history),
-  drawings: drawingsOf(tools),
-  view,
-  pixelated,
-  saved: document.saved,
-});
+export function workOf({ document, tools, view, pixelated }: EditorState): Work {
+  const drawing = drawingOf(tools);
+  return {
+    record: recordOf(document.history),
+    drawings: drawing ? [drawing] : [],
+    view,
+    pixelated,
+    saved: document.saved,
+  };
+}
 
 /** The open picture and its work; during a trial, the previous ones. */
 export function snapshotOf(state: EditorState): WorkSnapshot | null {
@@ -59,12 +62,12 @@ export function saveWork(state: EditorState, emit: Emit): EditorState {
   const { unread, step, key } = state.autosave;
   if (!work || (unread && !isWorkedOn(work))) return state;
   const now = stepKey(work);
-  const untold = state.autosave.untold || now !== step;
-  if (key !== null) emit({ type: 'store', work, recent: state.opening.recent, changed: untold });
-  return withAutosave(state, { unread: false, step: now, untold, storing: key !== null });
+  const unannounced = state.autosave.unannounced || now !== step;
+  if (key !== null) emit({ type: 'store', work, recent: state.opening.recent, changed: unannounced });
+  return withAutosave(state, { unread: false, step: now, unannounced, storing: key !== null });
 }
 
-/** Stores the recent work alone. */
+/** Stores only the recent work. */
 export function saveRecent(state: EditorState, emit: Emit): EditorState {
   const { recent } = state.opening;
   if (state.autosave.key !== null) emit({ type: 'store', work: null, recent, changed: false });
@@ -90,16 +93,20 @@ export const autosaveHandlers: Handlers<
   },
   'work-stored': (before, { stored, newest }, emit) => {
     const state = newest ? withAutosave(before, { storing: false }) : before;
-    if (stored) {
-      const tells = newest && state.autosave.untold;
-      if (tells) emit({ type: 'tell-tabs' });
-      return withAutosave(state, { failing: false, ...(tells && { untold: false, overwritten: false }) });
+    if (stored === true) {
+      const announces = newest && state.autosave.unannounced;
+      if (announces) emit({ type: 'notify-tabs' });
+      return withAutosave(state, {
+        failing: false,
+        ...(announces && { unannounced: false, overwritten: false }),
+      });
     }
     const work = snapshotOf(state);
     // A picture that was opened and not touched is no loss.
     if (!work || !isWorkedOn(work) || state.autosave.failing) return state;
     const next = withAutosave(state, { failing: true });
-    return state.page.posable ? next : notify(next, { kind: 'error', text: say('notices.notKept') }, emit);
+    const text = stored === 'newer' ? say('notices.newerWork') : say('notices.notKept');
+    return state.page.posable ? next : notify(next, { kind: 'error', text }, emit);
   },
   'project-saved': (state, { project }, emit) => {
     // Another picture may have been opened while the person chose a file.

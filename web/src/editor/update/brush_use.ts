@@ -1,4 +1,4 @@
-/** The effects of the brush that a person has used: their hints have done their work. */
+/** The effects of the brush that a person has used: their hints are no longer needed. */
 import { isBrushing } from '../hit_areas';
 import type { EditorState } from '../state';
 

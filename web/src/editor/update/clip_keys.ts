@@ -4,9 +4,12 @@ import { restingRotation } from '../../document/bending';
 import {
   allowedMove,
   easeKeys,
+  isKeyed,
+  isSameKey,
   KEYED_VALUES,
   type KeyedValue,
   type KeyRef,
+  keyBeside,
   keyCorners,
   keyOf,
   keysAt,
@@ -17,30 +20,34 @@ import {
   removeKeys,
   roundedTime,
   trackOf,
+  withKey,
 } from '../../document/clip_keys';
 import { addClip, changeClip, freeClipName, newClip } from '../../document/clips';
-import { type Document, handleById, selectedHandles } from '../../document/document';
+import { handleById, selectedHandles } from '../../document/document';
 import { changeHandles } from '../../document/edits';
-import { atRest, corners, isLine } from '../../document/handle';
+import { atRest, corners, isAutomatic, isLine } from '../../document/handle';
 import { mirrorHandles } from '../../document/mirror';
 import type { Clip, Handle, Key, Project } from '../../document/project';
 import type { Vec } from '../../geometry/vec';
 import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
+import { holdsKeys, keysInHand } from '../keys_in_hand';
 import { openClip } from '../open_clip';
 import { mayEdit } from '../permissions';
-import { documentOf, type EditorState, filedProject, selectionOf } from '../state';
+import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from '../state';
 import { withTimeline } from './clip_slice';
 import { editClip, editProject } from './clips';
+import { focus } from './corners';
 import type { Handlers } from './handlers';
-import { announce, inform } from './notices';
+import { inform } from './notices';
+import { movePlayhead } from './playhead';
 import { select } from './selection';
 
-/** Selects keys, and their handles with them. */
+/** Selects keys, and their handles with them. The last one leads. */
 function selectKeys(state: EditorState, keys: readonly KeyRef[], emit: Emit): EditorState {
   const clip = openClip(state);
   if (!clip) return state;
-  const known = keysAt(clip, keys).map(refOf);
+  const known = keys.filter((ref) => keysAt(clip, [ref]).length > 0);
   const handles = [...new Set(known.map(({ handle }) => handle))];
   const selected = handles.length > 0 ? select(state, handles, emit) : state;
   return withTimeline(selected, { selected: known });
@@ -66,7 +73,47 @@ function move(state: EditorState, by: number, key: string | null, emit: Emit): E
   return withTimeline(next, { selected: moved.refs });
 }
 
-/** Sets keys of the selected handles at the playhead, in the pose that they have. */
+/** Goes from the last selected key to the one beside it, and moves the playhead there. */
+function walk(state: EditorState, by: Vec, extend: boolean, emit: Emit): EditorState {
+  const clip = openClip(state);
+  const keys = keysInHand(state);
+  const from = keys.at(-1);
+  const handles = projectOf(state).handles.map(({ id }) => id);
+  const to = clip && from && keyBeside(clip, handles, from, by);
+  if (!to) return state;
+  const others = extend ? keys.filter((key) => !isSameKey(key, to)) : [];
+  return focusLead(movePlayhead(selectKeys(state, [...others, to], emit), to.time, emit), emit);
+}
+
+/** If a key has the focus, moves the focus to the last selected key. */
+function focusLead(state: EditorState, emit: Emit): EditorState {
+  const key = keysInHand(state).at(-1);
+  if (key && state.focus.on === 'key') focusKey(key, emit);
+  return state;
+}
+
+/** The focus goes along with the selection, from a key to a handle and back. */
+export function followSelection(state: EditorState, emit: Emit): EditorState {
+  const { on } = state.focus;
+  const key = keysInHand(state).at(-1);
+  if (key && (on === 'handle' || on === 'corner')) focusKey(key, emit);
+  else if (!key && on === 'key' && mayEdit(state)) focus(emit, selectionOf(state)[0]);
+  return state;
+}
+
+const focusKey = (key: KeyRef, emit: Emit): void =>
+  emit({ type: 'focus', target: { handle: null, corner: null, key } });
+
+export function selectAllKeys(state: EditorState, emit: Emit): EditorState {
+  const { tracks } = openClip(state) ?? { tracks: [] };
+  const all = tracks.flatMap(({ handle, keys }) => keys.map(({ time }) => ({ handle, time })));
+  return selectKeys(state, all, emit);
+}
+
+/**
+ * Sets keys of the selected handles at the playhead, in the pose that they have. The keyboard stays with the
+ * handles, or with keys.
+ */
 export function setKeys(before: EditorState, emit: Emit): EditorState {
   const state = withClip(before, emit);
   const clip = openClip(state);
@@ -75,11 +122,11 @@ export function setKeys(before: EditorState, emit: Emit): EditorState {
   const { time } = state.timeline;
   const placed = selectionOf(state).flatMap((id): readonly PlacedKey[] => {
     const handle = handleById(document, id);
-    return handle ? [{ handle: id, key: keyOf(handle, time, keyedValues(clip, handle)) }] : [];
+    return handle ? [{ handle: id, key: keyOf(handle, time, keyedValues(clip, handle, time)) }] : [];
   });
   const label = say('steps.setKeys', placed.length);
   const next = editClip(state, label, (clip) => putKeys(clip, placed), emit);
-  return withTimeline(next, { selected: placed.map(refOf) });
+  return withTimeline(next, { selected: holdsKeys(before) ? placed.map(refOf) : [] });
 }
 
 /** Adds a clip if there is none. */
@@ -92,62 +139,56 @@ function withClip(state: EditorState, emit: Emit): EditorState {
   );
 }
 
-function keyedValues(clip: Clip, handle: Handle): readonly KeyedValue[] {
-  const keys = trackOf(clip, handle.id)?.keys ?? [];
+function keyedValues(clip: Clip, handle: Handle, time: number): readonly KeyedValue[] {
+  const track = trackOf(clip, handle.id);
   return KEYED_VALUES.filter(
-    (value) => keys.some((key) => key[value] !== undefined) || (value === 'rotation' && hasOwnTurn(handle)),
+    (value) => isKeyed(track, time, value) || (value === 'rotation' && hasOwnTurn(handle)),
   );
 }
 
-const hasOwnTurn = (handle: Handle): boolean => !isLine(handle) && typeof handle.rotation === 'number';
+const hasOwnTurn = (handle: Handle): boolean => !isLine(handle) && !isAutomatic(handle);
 
-/** The selected keys with the first of them at time 0. */
-function copy(state: EditorState): EditorState {
+/**
+ * Pastes keys from the playhead on. Those of handles that are gone, or beyond the end, are left out.
+ * @throws RangeError with the reason if a handle cannot have the values of its key.
+ */
+export function pasteKeys(state: EditorState, keys: readonly PlacedKey[], emit: Emit): EditorState {
+  const { time } = state.timeline;
   const clip = openClip(state);
-  const chosen = clip ? keysAt(clip, state.timeline.selected) : [];
-  const first = Math.min(...chosen.map(({ key }) => key.time));
-  const copied = chosen.map(({ handle, key }) => ({
-    handle,
-    key: { ...key, time: roundedTime(key.time - first) },
-  }));
-  if (copied.length === 0) return announce(state, say('notices.noKeysSelected'));
-  return announce(withTimeline(state, { copied }), say('notices.copiedKeys', copied.length));
-}
-
-/** Pastes the copied keys from the playhead on. Those of handles that are gone, or beyond the end, are left out. */
-function paste(state: EditorState, emit: Emit): EditorState {
-  const { copied, time } = state.timeline;
-  const clip = openClip(state);
-  if (!clip || copied.length === 0) return announce(state, say('notices.noCopiedKeys'));
+  if (!clip) return inform(state, say('reasons.noClipOpen'), emit);
   const document = documentOf(state);
-  const pasted = copied
+  const pasted = keys
     .map(({ handle, key }) => ({ handle, key: { ...key, time: roundedTime(time + key.time) } }))
     .filter(({ handle, key }) => key.time <= clip.duration && fits(key, handleById(document, handle)));
-  const left = copied.length - pasted.length;
+  const left = keys.length - pasted.length;
   const label = say('steps.pasteKeys', pasted.length);
-  const next = withTimeline(
+  const next = selectKeys(
     editClip(state, label, (clip) => putKeys(clip, pasted), emit),
-    { selected: pasted.map(refOf) },
+    pasted.map(refOf),
+    emit,
   );
   return left > 0 ? inform(next, say('notices.keysLeftOut', left), emit) : next;
 }
 
-const fits = ({ posed }: Key, handle: Handle | undefined): boolean =>
-  handle !== undefined && (!posed || keyCorners(posed).length === corners(handle).length);
+function fits(key: Key, handle: Handle | undefined): boolean {
+  if (!handle) return false;
+  const isAsLong = !Array.isArray(key.posed) || keyCorners(key.posed).length === corners(handle).length;
+  return isAsLong && withKey(handle, key) !== null;
+}
 
 /** Gives the selected keys to the handles on the other side, mirrored. */
-function mirror(state: EditorState, emit: Emit): EditorState {
+export function mirrorSelectedKeys(state: EditorState, emit: Emit): EditorState {
   const clip = openClip(state);
   const deformation = state.solution.shown?.deformation;
   const bounds = deformation?.restBounds();
   const chosen = clip ? keysAt(clip, state.timeline.selected) : [];
-  if (!clip || !deformation || !bounds || chosen.length === 0)
-    return announce(state, say('notices.noKeysSelected'));
+  if (!clip || !deformation || !bounds) return state;
   const bends = (rest: Vec) => deformation.bends(rest);
   let project = filedProject(state);
   const placed: PlacedKey[] = [];
   for (const { handle: id, key } of chosen) {
-    const posed = posedByKey({ project, selection: [id] }, id, key);
+    const before = { project, selection: [id] };
+    const posed = changeHandles(before, [id], (handle) => withKey(handle, key));
     const { document } = mirrorHandles(posed, bounds, bends);
     project = withNewHandles(project, document.project);
     for (const handle of selectedHandles(document)) {
@@ -166,23 +207,14 @@ function mirror(state: EditorState, emit: Emit): EditorState {
     () => changeClip(project, clip.name, (clip) => putKeys(clip, placed)),
     emit,
   );
-  return withTimeline(next, { selected: placed.map(refOf) });
+  return selectKeys(next, placed.map(refOf), emit);
 }
 
-/** The document with a handle posed by a key. */
-function posedByKey(document: Document, id: string, { posed, rotation, scale, depth }: Key): Document {
-  return changeHandles(
-    document,
-    [id],
-    (handle) =>
-      ({
-        ...handle,
-        ...(posed ? { posed } : {}),
-        ...(rotation === undefined ? {} : { rotation }),
-        ...(scale === undefined ? {} : { scale }),
-        ...(depth === undefined ? {} : { depth }),
-      }) as Handle,
-  );
+export function removeSelectedKeys(state: EditorState, emit: Emit): EditorState {
+  const selected = keysInHand(state);
+  const label = say('steps.deleteKeys', selected.length);
+  const next = editClip(state, label, (clip) => removeKeys(clip, selected), emit);
+  return withTimeline(next, { selected: [] });
 }
 
 /** Adds the handles that another project has besides, at rest. */
@@ -197,20 +229,14 @@ const withNewHandles = (project: Project, other: Project): Project => ({
 });
 
 export const clipKeyHandlers: Handlers<
-  | 'keys-selected'
-  | 'keys-dragged'
-  | 'keys-drag-cancelled'
-  | 'keys-stepped'
-  | 'keys-eased'
-  | 'keys-removed'
-  | 'keys-copied'
-  | 'keys-pasted'
-  | 'keys-mirrored'
+  'keys-selected' | 'keys-dragged' | 'keys-drag-cancelled' | 'keys-stepped' | 'keys-walked' | 'keys-eased'
 > = {
   'keys-selected': (state, { keys }, emit) => selectKeys(state, keys, emit),
   'keys-dragged': (state, { by, ended }, emit) => drag(state, by, ended, emit),
   'keys-drag-cancelled': (state) => withTimeline(state, { dragged: 0 }),
-  'keys-stepped': (state, { frames }, emit) => move(state, frames / state.timeline.rate, 'step keys', emit),
+  'keys-stepped': (state, { frames }, emit) =>
+    focusLead(move(state, frames / state.timeline.rate, 'step keys', emit), emit),
+  'keys-walked': (state, event, emit) => walk(state, event.by, event.extends, emit),
   'keys-eased': (state, { ease }, emit) =>
     editClip(
       state,
@@ -218,13 +244,4 @@ export const clipKeyHandlers: Handlers<
       (clip) => easeKeys(clip, state.timeline.selected, ease),
       emit,
     ),
-  'keys-removed': (state, _, emit) => {
-    const { selected } = state.timeline;
-    const label = say('steps.deleteKeys', selected.length);
-    const next = editClip(state, label, (clip) => removeKeys(clip, selected), emit);
-    return withTimeline(next, { selected: [] });
-  },
-  'keys-copied': copy,
-  'keys-pasted': (state, _, emit) => paste(state, emit),
-  'keys-mirrored': (state, _, emit) => mirror(state, emit),
 };

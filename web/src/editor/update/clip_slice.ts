@@ -29,7 +29,7 @@ export function stopPlaying(state: EditorState, emit: Emit): EditorState {
  * Poses the handles as the open clip does at the playhead, or as the clip that the page plays. Without both they are as
  * in the file.
  *
- * Called after every event: whatever changes the clip, the document or the solution, the pose follows.
+ * Called after every event, so that the pose follows any change of the clip, the document or the solution.
  */
 export function followClip(before: EditorState, emit: Emit): EditorState {
   const state = withKnownClip(before);
@@ -57,7 +57,7 @@ function momentOf(state: EditorState): { readonly clip: string; readonly time: n
   return played && { clip: played.name, time: state.playback.time };
 }
 
-/** Opens the first clip in place of one that is no longer there, and keeps the playhead within the clip. */
+/** Opens the first clip if the open one no longer exists, and keeps the playhead within the clip. */
 function withKnownClip(state: EditorState): EditorState {
   if (!state.timeline.open) return state;
   const project = filedProject(state);

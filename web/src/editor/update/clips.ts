@@ -73,7 +73,7 @@ function add(before: EditorState, preset: ClipPreset | null, emit: Emit): Editor
     clip.name,
     emit,
   );
-  // It was asked for: a preset shows at once how it moves.
+  // A person chose it: a preset plays at once.
   return preset ? play(added, true, emit) : added;
 }
 
@@ -81,7 +81,7 @@ function named(before: EditorState, typed: string, emit: Emit): EditorState {
   const state = withTimeline(before, { renaming: false });
   const clip = openClip(state);
   const name = tidyName(typed);
-  if (!before.timeline.renaming || !clip || name === '' || name === clip.name) return state;
+  if (!before.timeline.renaming || !clip || name === '' || [typed, name].includes(clip.name)) return state;
   if (clipNamed(filedProject(state), name)) return inform(state, say('notices.clipNameTaken', name), emit);
   const renamed = editClip(
     state,

@@ -1,8 +1,5 @@
 /** Running the commands of buttons, menus and keys. */
 
-import { selectedHandles } from '../../document/document';
-import { parsePose } from '../../document/pose_text';
-import type { Handle } from '../../document/project';
 import { say } from '../../texts/wording';
 import {
   bailOut,
@@ -22,23 +19,26 @@ import type { CommandName } from '../commands';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import { contextWithoutHandles } from '../hit_areas';
+import { holdsKeys } from '../keys_in_hand';
 import type { MenuState } from '../menu_state';
 import { mayEdit } from '../permissions';
 import { stem } from '../picture';
 import { ringCornerInHand } from '../ring_corner';
 import { handleWords } from '../selection_words';
-import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from '../state';
+import { type EditorState, filedProject, projectOf, selectionOf } from '../state';
 import { fitView, showActualSize, zoom } from '../view';
 import { resizeBrush, switchBrush } from './brush';
-import { setKeys } from './clip_keys';
+import { mirrorSelectedKeys, pasteKeys, removeSelectedKeys, selectAllKeys, setKeys } from './clip_keys';
+import { withTimeline } from './clip_slice';
+import { copyKeys, copyPose } from './clipboard';
 import { addCornerToSelected, focus, removeFocusedCorner } from './corners';
 import { openSettings, togglePreview } from './display';
-import { mirror, paste, raise, removeSelected, reset } from './edits';
+import { mirror, raise, removeSelected, reset } from './edits';
 import { cancelExport, exportChosen, exportPicture, projectForFile } from './exporting';
 import type { Handlers } from './handlers';
 import { turnPart } from './lasso';
 import { addRingCorner, removeRingCorner } from './lasso_corners';
-import { announce, dismiss, notify, shownNotice } from './notices';
+import { announce, dismiss, shownNotice } from './notices';
 import { openTimeline, play } from './playhead';
 import { applyTools } from './press';
 import { renameSelected } from './renaming';
@@ -61,7 +61,7 @@ const takeBack: Run = (state, emit) => applyTools(state, takeBackCorner(state.to
 const isDrawing = ({ tools }: EditorState): boolean => draftOf(tools) !== null;
 
 const effect =
-  (type: 'pick-file' | 'copy-pose' | 'paste-pose' | 'toggle-keys' | 'toggle-export'): Run =>
+  (type: 'pick-file' | 'paste' | 'toggle-keys' | 'toggle-export'): Run =>
   (state, emit) => {
     emit({ type });
     return state;
@@ -81,6 +81,12 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   timeline: (state, emit) => openTimeline(state, !state.timeline.open, emit),
   play: (state, emit) => play(state, !state.timeline.playing, emit),
   'set-key': edit((state, emit) => setKeys(state, emit)),
+  'copy-keys': copyKeys,
+  'cut-keys': edit((state, emit) => removeSelectedKeys(copyKeys(state, emit), emit)),
+  'paste-keys': edit((state, emit) => pasteKeys(state, state.timeline.copied, emit)),
+  'mirror-keys': edit(mirrorSelectedKeys),
+  'remove-keys': edit(removeSelectedKeys),
+  'select-all-keys': selectAllKeys,
   lens: (state, emit) => showStudy(state, state.study.page === 'lens' ? null : 'lens', emit),
   open: effect('pick-file'),
   save: (state, emit) => save(state, false, emit),
@@ -115,8 +121,8 @@ const RUN: Readonly<Record<CommandName, Run>> = {
         ? removeRingCorner(state, emit)
         : removeSelected(state, emit),
   ),
-  copy: effect('copy-pose'),
-  paste: effect('paste-pose'),
+  copy: copyPose,
+  paste: effect('paste'),
   'add-point': edit((before, emit, menu) => {
     if (!menu) return before;
     const state = applyTools(before, cancelPress(before.tools), emit);
@@ -162,7 +168,17 @@ const RUN: Readonly<Record<CommandName, Run>> = {
 /** What Escape would cancel or dismiss: the innermost thing in progress. */
 function bailTarget(
   state: EditorState,
-): 'press' | 'crosshair' | 'settings' | 'suggestion' | 'export' | 'notice' | 'selection' | 'study' | null {
+):
+  | 'press'
+  | 'crosshair'
+  | 'settings'
+  | 'suggestion'
+  | 'export'
+  | 'notice'
+  | 'keys'
+  | 'selection'
+  | 'study'
+  | null {
   const notice = shownNotice(state);
   if (isPressing(state.tools) || isDrawing(state)) return 'press';
   if (state.display.crosshair) return 'crosshair';
@@ -170,6 +186,7 @@ function bailTarget(
   if (state.suggesting) return 'suggestion';
   if (state.exporting.running) return 'export';
   if (notice && !notice.action) return 'notice';
+  if (holdsKeys(state)) return 'keys';
   // The lens looks through the selection.
   if (state.tools.tool === 'lens' && state.study.page) return 'study';
   if (selectionOf(state).length > 0) return 'selection';
@@ -195,6 +212,8 @@ function bail(state: EditorState, emit: Emit): EditorState {
       return cancelExport(state, emit);
     case 'notice':
       return dismiss(state, emit);
+    case 'keys':
+      return withTimeline(state, { selected: [] });
     case 'selection':
       return select(state, [], emit);
     case 'study':
@@ -204,12 +223,12 @@ function bail(state: EditorState, emit: Emit): EditorState {
   }
 }
 
-/** The selected handles, or else all, whose pose is copied. */
-export function copiedHandles(state: EditorState): readonly Handle[] {
-  if (!mayEdit(state)) return [];
-  const selected = selectedHandles(documentOf(state));
-  return selected.length > 0 ? selected : projectOf(state).handles;
-}
+/** Mirroring twice changes nothing, and once keys are gone their handle would be next. */
+const ONCE: readonly CommandName[] = ['mirror', 'mirror-keys', 'remove', 'remove-keys'];
+
+/** Whether a command runs again while its key is held. */
+export const repeats = (state: EditorState, command: CommandName): boolean =>
+  isDrawing(state) || !ONCE.includes(command);
 
 /** @param whole the file holds the picture too. */
 function save(state: EditorState, whole: boolean, emit: Emit): EditorState {
@@ -220,22 +239,11 @@ function save(state: EditorState, whole: boolean, emit: Emit): EditorState {
   return state;
 }
 
-export const commandHandlers: Handlers<'command-run' | 'pose-copied' | 'text-pasted'> = {
+export const commandHandlers: Handlers<'command-run'> = {
   'command-run': (state, { command, menu = null }, emit) => {
     // A menu closes before its command runs, which may depend on the menu.
     if (canRun(menu ? { ...state, menu } : state, command)) return RUN[command](state, emit, menu);
     const reason = mayEdit(state) ? reasonAgainst(state, command) : null;
     return reason === null ? state : announce(state, reason);
-  },
-  'pose-copied': (state) => announce(state, say('spoken.copiedPose', handleWords(copiedHandles(state)))),
-  'text-pasted': (state, { text }, emit) => {
-    if (!mayEdit(state)) return state;
-    try {
-      const copied = parsePose(text);
-      return copied ? paste(state, copied, emit) : state;
-    } catch (error) {
-      const text = say('notices.badPose', (error as Error).message);
-      return notify(state, { kind: 'error', text }, emit);
-    }
   },
 };

@@ -1,7 +1,8 @@
 /** The document in the state, and small changes of it. */
 import { type Document, isSameWork } from '../../document/document';
 import * as history from '../../document/history';
-import { absorbed } from '../../document/moment';
+import { absorbed, atMoment, type IsFree } from '../../document/moment';
+import type { Crossing } from '../crossing';
 import { endGuarding } from '../fold_guard';
 import type { DocumentState, EditorState } from '../state';
 
@@ -29,8 +30,27 @@ export function committed(state: EditorState): EditorState {
  * A document that a step has changed. In the timeline, changes of poses become keys. Of a clip that the page shows, the
  * pose becomes the document's own.
  */
-export function landed({ timeline }: EditorState, before: Document, after: Document): Document {
-  if (timeline.open) return absorbed(before, after);
+export function landed(state: EditorState, before: Document, after: Document): Document {
+  if (state.timeline.open) return absorbed(before, after, isFreeIn(state, before));
   const { moment: _, ...own } = after;
   return after.moment && after !== before ? own : after;
 }
+
+/** Answers for the clip that a document has. */
+export function isFreeIn({ solution }: EditorState, document: Document): IsFree {
+  const deformation = solution.shown?.deformation;
+  const { moment } = document;
+  if (!deformation || !moment) return () => false;
+  return (handle, time) =>
+    deformation.lead(atMoment(document, moment.clip, time, deformation.posesAt).project, [handle]) > 0;
+}
+
+/** Notes the depths that a crossing has decided. */
+export const noteDepths = (state: EditorState, { depths }: Crossing): EditorState =>
+  withDocument(state, { automaticDepths: new Map([...state.document.automaticDepths, ...depths]) });
+
+/** Depths that a person has given to handles are not automatic. */
+export const forgetDepths = (state: EditorState, ids: readonly string[]): EditorState =>
+  withDocument(state, {
+    automaticDepths: new Map([...state.document.automaticDepths].filter(([id]) => !ids.includes(id))),
+  });

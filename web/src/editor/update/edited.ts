@@ -4,6 +4,7 @@ import { selectedHandles } from '../../document/document';
 import { corners } from '../../document/handle';
 import { redoLabel, undoLabel } from '../../document/history';
 import { isSameWording, type Wording } from '../../texts/wording';
+import { draftOf } from '../../tools/machine';
 import type { Emit, PageNotification } from '../effects';
 import { isLassoing } from '../hit_areas';
 import { documentOf, type EditorState, filedProject, selectionOf } from '../state';
@@ -26,7 +27,7 @@ export type ChangeKind = 'open' | 'input' | 'drag' | 'change' | 'selection' | 'p
 const MERGE_MS = 800;
 
 export function edited(before: EditorState, kind: ChangeKind, emit: Emit): EditorState {
-  // Before the solution of this step, which may be known and tell of something. A drag does so as it begins.
+  // Before the solution of this step, which may be known and cause a notice. A drag does so as it begins.
   let state = kind === 'change' ? closeStepNotice(before, emit) : before;
   if (solves(state, kind)) state = requestSolution(state, emit);
   state = withFocusedCornerSelected(closeMenuUnlessSelected(state, emit));
@@ -57,8 +58,8 @@ const solves = ({ solution }: EditorState, kind: ChangeKind): boolean =>
   kind === 'input' ? !solution.failed : kind !== 'selection' && kind !== 'pose';
 
 function selected(state: EditorState, emit: Emit): EditorState {
-  // The lasso hides what is selected in the list.
-  if (isLassoing(state) && selectionOf(state).length > 0) {
+  // The lasso hides the handles. During a drawing, keyboard commands apply to its corners.
+  if ((isLassoing(state) || draftOf(state.tools)) && selectionOf(state).length > 0) {
     emit({ type: 'follow-up', event: { type: 'tool-set', tool: 'select' } });
   }
   return showSelected(state);

@@ -1,7 +1,7 @@
 /** Edits of the document: each is one undo step with a label, announced to screen readers. */
 
 import { type Detail, modeOf, withBlend, withDetail, withMode } from '../../document/bending';
-import { type Document, handleById, isSameWork, selectedHandles } from '../../document/document';
+import { type Document, fileProject, handleById, isSameWork, selectedHandles } from '../../document/document';
 import {
   changeHandles,
   holdBoundary,
@@ -28,20 +28,22 @@ import {
   withAutoRotation,
 } from '../../document/handle';
 import { mirrorHandles } from '../../document/mirror';
+import { withFileProject } from '../../document/moment';
 import { nameWords } from '../../document/names';
-import type { Handle, PoseMode } from '../../document/project';
+import type { Handle, PoseMode, Project } from '../../document/project';
 import { stiffened, stiffnessOf } from '../../document/stiffness';
 import type { Blend } from '../../geometry/skin';
 import { add, type Vec } from '../../geometry/vec';
 import { say, type Wording } from '../../texts/wording';
 import type { Corner } from '../corner';
-import { beginCrossing, crossed, withDepths } from '../crossing';
+import { beginCrossing, type Crossing, crossed, withDepths } from '../crossing';
 import type { Emit } from '../effects';
 import type { Field, NumberChange } from '../events';
 import { guarded } from '../fold_guard';
 import { turnsOf } from '../hit_areas';
 import { cornerWords, depthWords, handleWords, placeWords, selectionName } from '../selection_words';
 import { documentOf, type EditorState, projectOf } from '../state';
+import { forgetDepths, noteDepths } from './document_slice';
 import { announce, announceAt, informOfStep, notify } from './notices';
 import { select } from './selection';
 import { commitStep, modeReturn, step } from './steps';
@@ -174,7 +176,8 @@ export function raise(state: EditorState, by: number, emit: Emit): EditorState {
   if (selection.length === 0) return state;
   const label = say(by > 0 ? 'steps.bringForward' : 'steps.sendBack', selectionName(document));
   const raised = raiseHandles(document, selection, by);
-  return announceDepth(commitStep(state, label, raised, emit, `raise ${selection.join(' ')}`));
+  const next = commitStep(state, label, raised, emit, `raise ${selection.join(' ')}`);
+  return announceDepth(forgetDepths(next, selection));
 }
 
 export const setBlend = (state: EditorState, blend: Blend, emit: Emit): EditorState =>
@@ -216,7 +219,7 @@ export function turn(state: EditorState, degrees: number, scale: number, emit: E
   );
 }
 
-/** Makes the rotation of the selected points automatic, or pins it as it is now. */
+/** Makes the rotation of the selected points automatic, or pins its present value. */
 export function setAutomatic(state: EditorState, on: boolean, emit: Emit): EditorState {
   const document = documentOf(state);
   const turns = turnsOf(state);
@@ -231,11 +234,23 @@ export function setAutomatic(state: EditorState, on: boolean, emit: Emit): Edito
 
 /** Changes the pose mode, with the settings that belong to it. */
 export function setPoseMode(state: EditorState, mode: PoseMode, emit: Emit): EditorState {
-  const present = projectOf(state);
-  if (mode === modeOf(present)) return state;
-  const label = say(`steps.modes.${mode}`);
-  const project = withMode(present, mode, turnsOf(state), modeReturn(state, mode));
-  return step(state, label, { ...documentOf(state), project }, emit);
+  if (mode === modeOf(projectOf(state))) return state;
+  const back = modeReturn(state, mode);
+  return rebend(state, say(`steps.modes.${mode}`), (project) => withMode(project, mode, back), emit);
+}
+
+/** Changes how the project bends. In the timeline, rotations of the file change, and no key is made of that. */
+export function rebend(
+  state: EditorState,
+  label: Wording,
+  change: (project: Project) => Project,
+  emit: Emit,
+): EditorState {
+  const document = documentOf(state);
+  const changed = state.timeline.open
+    ? withFileProject(document, change(fileProject(document)))
+    : { ...document, project: change(document.project) };
+  return step(state, label, changed, emit);
 }
 
 export const setDetail = (state: EditorState, detail: Detail, emit: Emit): EditorState =>
@@ -264,7 +279,10 @@ export function setField(state: EditorState, field: Field, change: NumberChange,
   const label = say(`steps.set.${field}`, selectionName(document));
   const key = `${field} ${selection.join(' ')}`;
   if (field === 'stiffness') return announce(commitStep(state, label, wanted.document, emit, key), label);
-  if (field === 'depth') return announceDepth(commitStep(state, label, wanted.document, emit, key));
+  if (field === 'depth') {
+    const next = commitStep(state, label, wanted.document, emit, key);
+    return announceDepth(forgetDepths(next, selection));
+  }
   return guardedStep(state, label, wanted, key, emit);
 }
 
@@ -286,17 +304,18 @@ function guardedStep(
   );
   const limited = { ...state, guard };
   if (document === present && guard.holding) return announce(limited, say('spoken.stoppedAtFold'));
-  const next = commitStep(limited, label, inFront(state, document), emit, key);
+  const crossing = crossingOf(state, document);
+  const stepped = commitStep(limited, label, withDepths(document, crossing), emit, key);
+  const next = noteDepths(stepped, crossing);
   const said = words(next);
   return said === null ? next : announce(next, said);
 }
 
-/** A moved document, with the selected handles in front of what they have come to lie behind. */
-function inFront(state: EditorState, moved: Document): Document {
+/** The depths that bring the selected handles in front of the parts that now cover them. */
+function crossingOf(state: EditorState, moved: Document): Crossing {
   const present = documentOf(state);
   const deformation = state.solution.shown?.deformation ?? null;
-  const crossing = crossed(beginCrossing(deformation, present), deformation, present, moved);
-  return withDepths(moved, crossing);
+  return crossed(beginCrossing(deformation, present), deformation, present, moved);
 }
 
 function announceDepth(state: EditorState): EditorState {

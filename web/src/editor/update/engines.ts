@@ -1,7 +1,7 @@
 /** Exports of rigs for game engines. */
 import type { EngineLoss } from '../../document/engine_rig';
 import type { Emit } from '../effects';
-import { ENGINE_FORMATS, type EngineChoices, engineFile, influencesOf } from '../engine_choices';
+import { bonesOf, ENGINE_FORMATS, type EngineChoices, engineFile, influencesOf } from '../engine_choices';
 import { stem } from '../picture';
 import { type EditorState, filedProject } from '../state';
 import { saveWork } from './autosave';
@@ -12,11 +12,12 @@ export function exportEngineRig(state: EditorState, emit: Emit): EditorState {
   const { picture, exporting, media } = state;
   if (!picture || exporting.running) return state;
   const { engine: choices } = exporting;
-  const { format, bones, vertices, into } = choices;
+  const { format, vertices, into } = choices;
   const { extension } = ENGINE_FORMATS[format];
   const target = extension ? 'file' : into === 'folder' && media.folders ? 'folder' : 'zip';
   const influences = influencesOf(choices);
   const project = filedProject(state);
+  const bones = bonesOf(choices, project);
   const order = { format, bones, influences, vertices, stem: stem(picture.name) };
   const name = engineFile(picture.name, format);
   emit({ type: 'export-engine-rig', name, project, choices, picture, order, target });

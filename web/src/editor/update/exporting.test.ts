@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { EditorEffect } from '../effects';
+import { englishNotice, englishTask, spokenText } from '../english';
 import { FakeRuntime } from '../fake_runtime';
-import { spokenText, toldNotice, toldTask } from '../told';
 import { takesBail } from './command';
 
 function opened(): FakeRuntime {
@@ -29,13 +29,13 @@ describe('an export', () => {
     expect(exported(runtime).at(-1)?.choices).toMatchObject({ ...choice, percent: 100 });
   });
 
-  it('shows whole percents, and tells screen readers every quarter', () => {
+  it('shows whole percents, and announces every quarter to screen readers', () => {
     const runtime = opened();
     run(runtime);
     const [shown, spoken]: [unknown[], string[]] = [[], []];
     for (const fraction of [0.004, 0.104, 0.109, 0.26, 0.51, 0.5, 1]) {
       runtime.dispatch({ type: 'export-progressed', fraction });
-      shown.push(toldTask(runtime.state)?.fraction);
+      shown.push(englishTask(runtime.state)?.fraction);
       spoken.push(spokenText(runtime.state));
     }
     expect(shown).toEqual([0, 0.1, 0.1, 0.26, 0.51, 0.51, 1]);
@@ -46,11 +46,11 @@ describe('an export', () => {
     const runtime = opened();
     run(runtime);
     runtime.dispatch({ type: 'export-ended', saved: 'wave.png', error: null });
-    expect(toldNotice(runtime.state)?.text).toBe('Saved as wave.png.');
-    expect(toldTask(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)?.text).toBe('Saved as wave.png.');
+    expect(englishTask(runtime.state)).toBeNull();
   });
 
-  it('is cancelled by Escape and by its button, and leaves all else as it is', () => {
+  it('is cancelled by Escape and by its button, without other changes', () => {
     for (const cancel of [
       { type: 'command-run', command: 'bail' },
       { type: 'task-cancelled', task: 'export' },
@@ -62,10 +62,10 @@ describe('an export', () => {
       runtime.dispatch(cancel);
       expect(runtime.effects.at(-1)).toEqual({ type: 'cancel-export' });
       runtime.dispatch({ type: 'export-ended', saved: null, error: null });
-      expect(spokenText(runtime.state)).toBe('The export was cancelled');
+      expect(spokenText(runtime.state)).toBe('Export cancelled');
       const { notices: _, ...after } = runtime.state;
       expect(after).toEqual({ ...before, notices: undefined, ...after, document: before.document });
-      expect(toldNotice(runtime.state)).toBeNull();
+      expect(englishNotice(runtime.state)).toBeNull();
       expect(takesBail(runtime.state)).toBe(false);
     }
   });
@@ -86,7 +86,7 @@ describe('an export', () => {
     runtime.solve();
     run(runtime);
     runtime.dispatch({ type: 'export-ended', saved: 'cat-warped.png', error: null });
-    expect(toldNotice(runtime.state)?.text).toContain('The part beyond the frame is cut off.');
+    expect(englishNotice(runtime.state)?.text).toContain('Parts beyond the frame were cut off.');
     runtime.dispatch({ type: 'notice-answered' });
     expect(exported(runtime).at(-1)).toMatchObject({
       name: 'cat-warped-all.png',

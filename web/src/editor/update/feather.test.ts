@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { featherOf, isSameDomain, withFeather, withRings } from '../../document/domain';
 import { undoLabel } from '../../document/history';
 import type { EditorEffect } from '../effects';
+import { inEnglish } from '../english';
 import { type FakeRuntime, lassoed, RING } from '../fake_runtime';
 import { projectOf } from '../state';
-import { inEnglish } from '../told';
 
 const count = ({ effects }: FakeRuntime, type: EditorEffect['type']): number =>
   effects.filter((effect) => effect.type === type).length;

@@ -20,7 +20,7 @@ export const withFillState = (state: EditorState, fill: SolutionState['fill']): 
   solution: { ...state.solution, fill },
 });
 
-/** Asks for the fill of the shown solution, unless it is there. */
+/** Requests the fill of the shown solution, unless it exists. */
 export function requestFill(state: EditorState, emit: Emit): EditorState {
   const { shown, fill } = state.solution;
   const key = shown && fillKey(shown);

@@ -3,9 +3,9 @@ import { isFilled, ringsOf } from '../../document/domain';
 import { undoLabel } from '../../document/history';
 import { C2WarpError } from '../../error';
 import type { EditorEffect } from '../effects';
+import { englishNotice, englishTask, inEnglish } from '../english';
 import { type FakeRuntime, lassoed, RING } from '../fake_runtime';
 import { projectOf } from '../state';
-import { inEnglish, toldNotice, toldTask } from '../told';
 
 type Fill = Extract<EditorEffect, { type: 'fill' }>;
 
@@ -34,8 +34,8 @@ describe('the fill of a lasso', () => {
     expect(isOn(runtime)).toBe(false);
   });
 
-  it('leaves no gap, and the notice tells of none', () => {
-    expect(toldNotice(lassoed().state)?.text).toBe('Only this part bends now, over a filled background.');
+  it('leaves no gap, and the notice mentions none', () => {
+    expect(englishNotice(lassoed().state)?.text).toBe('Only this part bends now, over a filled background.');
   });
 
   it('is made once, whatever handles are placed', () => {
@@ -53,12 +53,12 @@ describe('the fill of a lasso', () => {
 
   it('shows its progress if it takes long', () => {
     const runtime = lassoed();
-    expect(toldTask(runtime.state)).toBeNull();
+    expect(englishTask(runtime.state)).toBeNull();
     runtime.dispatch({ type: 'timer-elapsed', timer: 'fill-patience' });
     runtime.dispatch({ type: 'fill-progressed', key: keyOf(runtime), part: 0.5 });
-    expect(toldTask(runtime.state)).toMatchObject({ label: 'Filling the background', fraction: 0.5 });
+    expect(englishTask(runtime.state)).toMatchObject({ label: 'Filling the background', fraction: 0.5 });
     runtime.dispatch({ type: 'filled', key: keyOf(runtime) });
-    expect(toldTask(runtime.state)).toBeNull();
+    expect(englishTask(runtime.state)).toBeNull();
   });
 
   it('is switched off when it is cancelled, and can be switched on again', () => {
@@ -66,7 +66,7 @@ describe('the fill of a lasso', () => {
     runtime.dispatch({ type: 'timer-elapsed', timer: 'fill-patience' });
     runtime.dispatch({ type: 'task-cancelled', task: 'fill' });
     expect(isOn(runtime)).toBe(false);
-    expect(toldTask(runtime.state)).toBeNull();
+    expect(englishTask(runtime.state)).toBeNull();
     expect(inEnglish(undoLabel(runtime.state.document.history))).toBe('Leave the background empty');
     runtime.solve();
     runtime.dispatch({ type: 'fill-switched', on: true });
@@ -83,7 +83,7 @@ describe('the fill of a lasso', () => {
       error: new C2WarpError('nothing-to-fill-from', 'no pixel'),
     });
     expect(isOn(runtime)).toBe(false);
-    expect(toldNotice(runtime.state)?.text).toContain('Nothing is left around the selection');
+    expect(englishNotice(runtime.state)?.text).toContain('The selection leaves nothing');
     // Undo takes the lasso back, and not the switch.
     runtime.dispatch({ type: 'command-run', command: 'undo' });
     expect(ringsOf(projectOf(runtime.state))).toEqual([]);

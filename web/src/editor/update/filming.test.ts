@@ -2,10 +2,10 @@ import { describe, expect, it } from 'vitest';
 import type { Clip } from '../../document/project';
 import { en } from '../../texts/en';
 import type { EditorEffect } from '../effects';
+import { englishNotice, englishTask } from '../english';
 import { FakeRuntime } from '../fake_runtime';
 import { filmedRange } from '../film_choices';
 import { filmModel } from '../film_model';
-import { toldNotice, toldTask } from '../told';
 import { viewModel } from '../view_model';
 
 const CODECS = {
@@ -48,7 +48,7 @@ describe('a film', () => {
       range: [0.5, 1],
       background: null,
     });
-    expect(toldTask(runtime.state)).toMatchObject({ name: 'export', fraction: 0 });
+    expect(englishTask(runtime.state)).toMatchObject({ name: 'export', fraction: 0 });
   });
 
   it('is a GIF, and lacks formats, where the browser encodes no video', () => {
@@ -89,13 +89,13 @@ describe('a film', () => {
     ]);
   });
 
-  it('tells its pixels and frames, and the time that is left', () => {
+  it('shows its pixels and frames, and the remaining time', () => {
     const runtime = opened();
     runtime.dispatch({ type: 'film-choice-made', choice: { percent: 50, rate: 10, range: [0, 0.5] } });
     expect(filmModel(runtime.state)).toMatchObject({ size: { width: 200, height: 150 }, frames: 5 });
     run(runtime);
     runtime.dispatch({ type: 'export-progressed', fraction: 0.4, left: 31 });
-    expect(toldTask(runtime.state)).toMatchObject({ fraction: 0.4, left: 'about 30 s left' });
+    expect(englishTask(runtime.state)).toMatchObject({ fraction: 0.4, left: 'about 30 s left' });
   });
 
   it('needs a clip', () => {
@@ -104,7 +104,7 @@ describe('a film', () => {
     runtime.dispatch({ type: 'export-kind-chosen', kind: 'film' });
     run(runtime);
     expect(films(runtime)).toEqual([]);
-    expect(toldNotice(runtime.state)?.text).toContain('There is no clip yet');
+    expect(englishNotice(runtime.state)?.text).toContain('A film needs a clip');
   });
 
   it('stays within the clip', () => {

@@ -66,7 +66,7 @@ function chooseFilm(state: EditorState, choice: Partial<FilmChoices>, emit: Emit
   return saveWork(isOfSize ? findCodecs(next, emit) : next, emit);
 }
 
-/** The panel opens: the clip of the timeline is meant again. */
+/** The panel opens: it uses the clip of the timeline again. */
 export function openExport(state: EditorState, emit: Emit): EditorState {
   const { kind, film } = state.exporting;
   const next = withExport(state, { film: { ...film, clip: null }, code: null });

@@ -3,6 +3,7 @@ import type { Corner } from '../corner';
 import type { Focus } from '../focus';
 import type { EditorState } from '../state';
 import type { Handlers } from './handlers';
+import { withoutKeys } from './selection';
 
 const withFocus = (state: EditorState, change: Partial<Focus>): EditorState => ({
   ...state,
@@ -15,6 +16,7 @@ export const focusHandlers: Handlers<
   | 'stage-focused'
   | 'field-focused'
   | 'control-focused'
+  | 'key-focused'
   | 'focus-lost'
   | 'handle-focused'
   | 'corner-focused'
@@ -24,12 +26,15 @@ export const focusHandlers: Handlers<
   // The panel is about the corner that had the focus before.
   'field-focused': (state) => withFocus(state, { on: 'field', handle: null }),
   'control-focused': (state) => withFocus(state, { on: 'control', handle: null }),
+  'key-focused': (state) => withFocus(state, { on: 'key', handle: null, corner: null }),
   'focus-lost': (state) => withFocus(state, { on: 'nothing', handle: null }),
-  'handle-focused': (state, { id }) => withFocus(state, { on: 'handle', handle: id, corner: null }),
+  // Whoever goes to a handle takes it.
+  'handle-focused': (state, { id }) =>
+    withFocus(withoutKeys(state), { on: 'handle', handle: id, corner: null }),
   'ring-focused': (state, { corner }) =>
-    withFocus(state, { on: 'ring', handle: null, corner: null, ring: corner }),
+    withFocus(withoutKeys(state), { on: 'ring', handle: null, corner: null, ring: corner }),
   'corner-focused': (state, { corner }) =>
-    withFocus(state, {
+    withFocus(withoutKeys(state), {
       on: 'corner',
       handle: corner.id,
       corner: isSame(state.focus.corner, corner) ? state.focus.corner : corner,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { englishNotice } from '../english';
 import { FakeRuntime, PAGE, testPicture } from '../fake_runtime';
-import { toldNotice } from '../told';
 
 function lost(page = PAGE): FakeRuntime {
   const runtime = new FakeRuntime(page);
@@ -12,44 +12,44 @@ function lost(page = PAGE): FakeRuntime {
 const elapse = (runtime: FakeRuntime) => runtime.dispatch({ type: 'timer-elapsed', timer: 'graphics' });
 
 describe('a lost graphics context', () => {
-  it('is told of after a moment, until it is restored', () => {
+  it('is reported after a moment, until it is restored', () => {
     const runtime = lost();
     expect(runtime.effects.at(-1)).toMatchObject({ type: 'start-timer', timer: 'graphics' });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     elapse(runtime);
-    expect(toldNotice(runtime.state)?.text).toContain('graphics card');
+    expect(englishNotice(runtime.state)?.text).toContain('graphics card');
     runtime.dispatch({ type: 'graphics-restored' });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 
-  it('is not told of if it comes back in time', () => {
+  it('is not reported if it is restored in time', () => {
     const runtime = lost();
     runtime.dispatch({ type: 'graphics-restored' });
     expect(runtime.effects.at(-1)).toEqual({ type: 'stop-timer', timer: 'graphics' });
   });
 
-  it('is still told of when another picture is opened, and can be dismissed', () => {
+  it('is still reported when another picture is opened, and can be dismissed', () => {
     const runtime = lost();
     elapse(runtime);
     runtime.open(testPicture('dog.png'));
-    expect(toldNotice(runtime.state)?.text).toContain('graphics card');
+    expect(englishNotice(runtime.state)?.text).toContain('graphics card');
     runtime.dispatch({ type: 'notice-dismissed' });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 
   it('leaves stored work where it is; other work should be saved first', () => {
     const runtime = lost();
     elapse(runtime);
-    expect(toldNotice(runtime.state)?.text).toContain('save the project');
+    expect(englishNotice(runtime.state)?.text).toContain('Save the project');
     runtime.dispatch({ type: 'autosave-key-set', key: 'work' });
     elapse(runtime);
-    expect(toldNotice(runtime.state)?.text).toContain('Nothing is lost: reload');
+    expect(englishNotice(runtime.state)?.text).toContain('Your work is safe. Reload');
   });
 
-  it('is told of to readers, who have nothing to save', () => {
+  it('is also reported to readers, who have nothing to save', () => {
     const runtime = lost();
     runtime.dispatch({ type: 'page-changed', page: { ...PAGE, posable: true } });
     elapse(runtime);
-    expect(toldNotice(runtime.state)?.text).toMatch(/shown\. Reload the page\.$/);
+    expect(englishNotice(runtime.state)?.text).toMatch(/picture\. Reload the page\.$/);
   });
 });

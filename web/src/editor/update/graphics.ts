@@ -5,7 +5,7 @@ import type { EditorState } from '../state';
 import type { Handlers } from './handlers';
 import { notifyOfGraphics, withoutGraphicsNotice } from './notices';
 
-/** A context that is still missing after this time is not likely to come back. */
+/** A context that is still missing after this time is unlikely to return. */
 const PATIENCE_MS = 1500;
 
 export function tellOfLostGraphics(state: EditorState): EditorState {

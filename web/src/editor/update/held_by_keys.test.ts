@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { undoLabel } from '../../document/history';
+import { inEnglish } from '../english';
 import { FakeRuntime } from '../fake_runtime';
 import { projectOf } from '../state';
-import { inEnglish } from '../told';
 
 /** A picture that Enter and arrows have pushed, and that they still hold. */
 let runtime: FakeRuntime;
@@ -23,7 +23,7 @@ beforeEach(() => {
 });
 
 describe('a push that keys hold', () => {
-  it('is a step once Enter lets go', () => {
+  it('is a step once Enter is released', () => {
     expect(project().displacement).toBeDefined();
     expect(history().open).not.toBeNull();
     runtime.dispatch({ type: 'place-pressed' });

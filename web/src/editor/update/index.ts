@@ -10,8 +10,9 @@ import type { EditorState } from '../state';
 import { waits } from '../waiting_input';
 import { autosaveHandlers } from './autosave';
 import { brushHandlers } from './brush';
-import { clipKeyHandlers } from './clip_keys';
+import { clipKeyHandlers, followSelection } from './clip_keys';
 import { followClip } from './clip_slice';
+import { clipboardHandlers } from './clipboard';
 import { clipHandlers } from './clips';
 import { commandHandlers } from './command';
 import { controlHandlers } from './controls';
@@ -32,6 +33,7 @@ import { mapHandlers } from './maps';
 import { menuHandlers } from './menu';
 import { dismiss, noticeHandlers } from './notices';
 import { pageHandlers } from './page';
+import { followPlayback } from './playback';
 import { playheadHandlers } from './playhead';
 import { followCamera, pointerHandlers } from './pointer';
 import { checkPose } from './pose_checks';
@@ -48,6 +50,7 @@ import { endMerging } from './steps';
 import { studyHandlers } from './study';
 import { showSuggesting, suggestionHandlers, withoutStaleSuggestion } from './suggesting';
 import { reportTitle } from './title';
+import { toolHandlers } from './tool_choice';
 import { reportTool } from './tool_report';
 import { trialHandlers } from './trial';
 import { askForRelease, keepWaiting, waitingHandlers } from './waiting';
@@ -79,6 +82,7 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
 const HANDLERS: Handlers<EditorEvent['type']> = {
   ...autosaveHandlers,
   ...brushHandlers,
+  ...clipboardHandlers,
   ...clipHandlers,
   ...clipKeyHandlers,
   ...commandHandlers,
@@ -108,6 +112,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...studyHandlers,
   ...suggestionHandlers,
   ...timerHandlers,
+  ...toolHandlers,
   ...trialHandlers,
   ...waitingHandlers,
   ...engineHandlers,
@@ -132,7 +137,7 @@ export function update(before: EditorState, event: EditorEvent): Update {
   if (waits(before, event)) state = keepWaiting(before, event, emit);
   else events.push(event);
   for (let next = events.shift(); next; next = events.shift()) state = reduce(state, next, emit);
-  return { state: settled(state, emit), effects };
+  return { state: followPlayback(before, settled(state, emit), emit), effects };
 }
 
 function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState {
@@ -142,13 +147,13 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
 }
 
 /**
- * Follows from any state: the pose at the playhead, the hover under a moved camera, content of cards, input to be
- * released, guides that end, the title, the tool.
+ * Follows from any state: the pose at the playhead, the hover under a moved camera, content of cards. So do the focus
+ * on the selection, input to be released, guides that end, the title, and the tool.
  */
 const settled = (before: EditorState, emit: Emit): EditorState => {
   const posed = withoutStaleSuggestion(followClip(withoutGuides(before), emit), emit);
   const shown = requestStudy(requestBorders(followCamera(posed), emit), emit);
-  return reportTool(reportTitle(askForRelease(shown, emit), emit), emit);
+  return reportTool(reportTitle(askForRelease(followSelection(shown, emit), emit), emit), emit);
 };
 
 /** Guides end with their press. */

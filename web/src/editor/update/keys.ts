@@ -94,7 +94,7 @@ function place(before: EditorState, emit: Emit): EditorState {
   const up = applyTools(down, pressUp(down.tools, press, contextWithoutHandles(down)), emit);
   const [added] = selectionOf(up);
   if (added !== undefined && handleById(documentOf(up), added)) focus(emit, added);
-  // A person with the brush goes on from there.
+  // A person continues with the brush from there.
   return isBrushing(up) ? up : hideCrosshair(up);
 }
 

@@ -3,10 +3,10 @@ import { ringsOf } from '../../document/domain';
 import type { Vec } from '../../geometry/vec';
 import { reasonAgainst } from '../can_run';
 import { snapsToEdges, traceOf } from '../edge_snapping';
+import { englishNotice, inEnglish, spokenText } from '../english';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { toolContext } from '../hit_areas';
 import { projectOf, selectionOf } from '../state';
-import { inEnglish, spokenText, toldNotice } from '../told';
 import { snapshotOf } from './autosave';
 
 const SQUARE: readonly Vec[] = [
@@ -35,13 +35,13 @@ describe('a place outside of the selection', () => {
   it('can be added, as one step', () => {
     const runtime = lassoed();
     runtime.dispatch({ type: 'placement-missed', at: [250, 150] });
-    expect(toldNotice(runtime.state)).toMatchObject({
-      text: 'Outside of the selection, the picture stays still.',
+    expect(englishNotice(runtime.state)).toMatchObject({
+      text: 'The picture does not bend outside the selection.',
       action: { label: 'Extend the selection' },
     });
     runtime.dispatch({ type: 'notice-answered' });
     expect(Math.max(...ring(runtime).map(([x]) => x))).toBeGreaterThan(250);
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     run(runtime, 'undo');
     expect(ring(runtime)).toEqual(SQUARE);
   });
@@ -57,7 +57,7 @@ describe('a place outside of the selection', () => {
       [opened(), [900, 150]],
     ] as const) {
       runtime.dispatch({ type: 'placement-missed', at });
-      expect(toldNotice(runtime.state)?.action).toBeUndefined();
+      expect(englishNotice(runtime.state)?.action).toBeUndefined();
     }
   });
 });
@@ -65,7 +65,7 @@ describe('a place outside of the selection', () => {
 describe('the part in a lasso that shall turn', () => {
   it('gets a polygon by the notice, as one step', () => {
     const runtime = lassoed();
-    expect(toldNotice(runtime.state)?.other?.label).toBe('Turn this part, keep the rest');
+    expect(englishNotice(runtime.state)?.other?.label).toBe('Turn this part, bend the rest');
     runtime.dispatch({ type: 'notice-answered', other: true });
     const { handles, ...project } = projectOf(runtime.state);
     expect(handles.map(({ kind }) => kind)).toEqual(['polygon']);
@@ -82,7 +82,7 @@ describe('the part in a lasso that shall turn', () => {
     const clear = opened({ ...testPicture(), alphaThreshold: 0.5 });
     clear.dispatch({ type: 'lasso-drawn', ring: SQUARE, hole: false });
     expect(inEnglish(reasonAgainst(clear.state, 'turn-part'))).toContain('without transparency');
-    expect(toldNotice(clear.state)?.other).toBeUndefined();
+    expect(englishNotice(clear.state)?.other).toBeUndefined();
   });
 });
 
@@ -92,10 +92,10 @@ describe('the first lasso of an opaque picture', () => {
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
     runtime.dispatch({ type: 'lasso-drawn', ring: SQUARE, hole: false });
     expect(projectOf(runtime.state)).toMatchObject({ fix_boundary: false, fill: { method: 'patches' } });
-    expect(toldNotice(runtime.state)?.action?.label).toBe('Hold its boundary');
+    expect(englishNotice(runtime.state)?.action?.label).toBe('Lock its outline');
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
-    // A second one leaves that as it is.
+    // A second one does not change that.
     runtime.dispatch({ type: 'lasso-drawn', ring: SQUARE.map(([x, y]): Vec => [x + 150, y]), hole: false });
     expect(projectOf(runtime.state).fix_boundary).toBe(true);
   });
@@ -171,9 +171,9 @@ describe('snapping to edges', () => {
     expect(traceOf(runtime.state)).toBeNull();
     const { picture } = runtime.state;
     if (picture) runtime.dispatch({ type: 'luminance-read', picture, values });
-    expect(traceOf(runtime.state)?.([10, 10], [90, 10]).at(-1)).toEqual([90, 10]);
+    expect(traceOf(runtime.state)?.([[10, 10]], [90, 10]).at(-1)).toEqual([90, 10]);
     // Places within a pixel of the frame lie on it.
-    expect(traceOf(runtime.state)?.([10, 10], [399.4, 0.7])).toEqual([[400, 0]]);
+    expect(traceOf(runtime.state)?.([[10, 10]], [399.4, 0.7])).toEqual([[400, 0]]);
     run(runtime, 'bar');
     run(runtime, 'lasso');
     expect(asked()).toBe(1);

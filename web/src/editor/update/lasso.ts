@@ -1,4 +1,4 @@
-/** The lasso: which part of the picture bends, and what a press beside that part says. */
+/** The lasso: which part of the picture bends, and the hint after a press outside it. */
 
 import {
   featherOf,
@@ -11,7 +11,7 @@ import {
 } from '../../document/domain';
 import { selectHandles } from '../../document/edits';
 import { withPlaceAdded } from '../../document/lasso_growth';
-import { withPartPolygon } from '../../document/part_polygon';
+import { withPartPolygons } from '../../document/part_polygon';
 import type { Vec } from '../../geometry/vec';
 import { say } from '../../texts/wording';
 import type { Emit } from '../effects';
@@ -25,12 +25,15 @@ import { inform, informOfStep, notify } from './notices';
 import { step } from './steps';
 import { choose } from './tool_choice';
 
-/** Lets only the inside of a ring bend, or cuts a hole there. Says which handles are gone, or what the lasso lacks. */
+/**
+ * Lets only the inside of a ring bend, or cuts a hole there. Shows which handles were removed, or why the lasso is
+ * incomplete.
+ */
 function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Emit): EditorState {
   const found = withLasso(projectOf(state), ring, hole);
   if (!found) return informOfStep(state, say('notices.lassoEmpty'), emit);
   const { cut } = found;
-  // A part of an opaque picture moves over a filled background. A picture that is cut out has none.
+  // A part of an opaque picture moves over a filled background. A cut-out picture has no lasso.
   const isFirst = ringsOf(projectOf(state)).length === 0 && isOpaque(state.picture);
   const project = isFirst ? { ...withFill(found.project, true), fix_boundary: false } : found.project;
   const removed = projectOf(state).handles.length - project.handles.length;
@@ -52,7 +55,7 @@ function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Em
   return notify(next, { kind: 'info', text, ...actions, passes: true, ofStep: true }, emit);
 }
 
-/** Lets all of the picture bend. An opaque picture holds its boundary again. */
+/** Lets the whole picture bend. An opaque picture holds its boundary again. */
 export function removeLasso(state: EditorState, emit: Emit): EditorState {
   if (!state.picture) return state;
   const project = withoutLasso(projectOf(state), state.picture.alphaThreshold);
@@ -68,9 +71,9 @@ export function setFeather(state: EditorState, change: NumberChange, emit: Emit)
   return step(state, say('steps.setFeather'), document, emit, 'feather');
 }
 
-/** A polygon takes the place of the lasso: it turns its part, and the rest bends along up to the held frame. */
+/** Polygons take the place of the lasso: they turn its parts, and the rest bends along up to the held frame. */
 export function turnPart(state: EditorState, emit: Emit): EditorState {
-  const document = withPartPolygon(documentOf(state));
+  const document = withPartPolygons(documentOf(state));
   if (!document) return inform(state, say('notices.partOnFrame'), emit);
   return choose(step(state, say('steps.turnPart'), document, emit), 'select', emit);
 }

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { undoLabel } from '../../document/history';
+import { englishNotice, inEnglish } from '../english';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf } from '../state';
-import { inEnglish, toldNotice } from '../told';
 
 const place = (runtime: FakeRuntime, id: string) =>
   runtime.dispatch({ type: 'handle-added', handle: { id, kind: 'point', rest: [50, 50], posed: [50, 50] } });
@@ -14,25 +14,25 @@ function opened(): FakeRuntime {
 }
 
 describe('parts without a handle', () => {
-  it('are told of once a handle is placed, and follow in one step if asked to', () => {
+  it('are reported once a handle is placed, and follow in one step on request', () => {
     const runtime = opened();
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     place(runtime, 'a');
     runtime.solve({ looseParts: 220 });
-    expect(toldNotice(runtime.state)).toMatchObject({
-      text: '220 parts have no handle and stay behind.',
+    expect(englishNotice(runtime.state)).toMatchObject({
+      text: '220 parts have no handle and stay in place.',
       action: { label: 'Let them follow' },
     });
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).loose_parts).toBe('follow');
     runtime.solve({ looseParts: 220 });
-    expect(toldNotice(runtime.state)).toBeNull();
-    expect(inEnglish(undoLabel(runtime.state.document.history))).toBe('Set the motion of loose parts');
+    expect(englishNotice(runtime.state)).toBeNull();
+    expect(inEnglish(undoLabel(runtime.state.document.history))).toBe('Set whether loose parts follow');
     runtime.dispatch({ type: 'command-run', command: 'undo' });
     expect(projectOf(runtime.state).loose_parts).toBe('stay');
   });
 
-  it('are told of if the solve ends before the press that places a handle', () => {
+  it('are reported if the solve ends before the press that places a handle', () => {
     const runtime = opened();
     const pointer = { stage: [200, 150], shift: false, alt: false, free: false, coarse: false } as const;
     runtime.dispatch({ type: 'command-run', command: 'point' });
@@ -40,22 +40,22 @@ describe('parts without a handle', () => {
     runtime.solve({ looseParts: 2 });
     runtime.dispatch({ type: 'press-ended', pointer });
     expect(projectOf(runtime.state).handles).toHaveLength(1);
-    expect(toldNotice(runtime.state)?.text).toBe('2 parts have no handle and stay behind.');
+    expect(englishNotice(runtime.state)?.text).toBe('2 parts have no handle and stay in place.');
     place(runtime, 'b');
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 
-  it('are told of once for each picture', () => {
+  it('are reported once for each picture', () => {
     const runtime = opened();
     place(runtime, 'a');
     runtime.solve({ looseParts: 2 });
     runtime.dispatch({ type: 'notice-dismissed' });
     place(runtime, 'b');
     runtime.solve({ looseParts: 1 });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     runtime.open(testPicture('dog.png'));
     place(runtime, 'a');
     runtime.solve({ looseParts: 1 });
-    expect(toldNotice(runtime.state)?.text).toBe('One part has no handle and stays behind.');
+    expect(englishNotice(runtime.state)?.text).toBe('One part has no handle and stays in place.');
   });
 });

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { en } from '../../texts/en';
 import type { EditorEffect } from '../effects';
+import { englishNotice } from '../english';
 import { FakeRuntime } from '../fake_runtime';
 import { DEFAULT_MAPS, type MapChoices, mapFile, mapFileName } from '../map_choices';
 import { mapModel } from '../map_model';
-import { toldNotice } from '../told';
 import { snapshotOf } from './autosave';
 
 const TAIL = { id: 'tail: tip', kind: 'point', rest: [50, 50], posed: [90, 50] } as const;
@@ -27,7 +27,7 @@ const orders = (runtime: FakeRuntime) =>
   );
 
 describe('a map', () => {
-  it('has a name that tells the picture, the map, the handle and the format', () => {
+  it('has a name with the picture, the map, the handle and the format', () => {
     const named = (choice: Partial<MapChoices>) => {
       const file = mapFile({ ...DEFAULT_MAPS, ...choice }, 'tail: tip');
       return file && mapFileName('cat.png', file);
@@ -52,7 +52,7 @@ describe('a map', () => {
     });
     expect(order?.project.handles).toHaveLength(1);
     runtime.dispatch({ type: 'export-ended', saved: 'cat-forward.exr', error: null });
-    expect(toldNotice(runtime.state)?.text).toBe('Saved as cat-forward.exr.');
+    expect(englishNotice(runtime.state)?.text).toBe('Saved as cat-forward.exr.');
   });
 
   it('of one handle needs a selection', () => {
@@ -63,7 +63,7 @@ describe('a map', () => {
     expect(mapModel(runtime.state)).toMatchObject({ handle: null, file: null });
     runtime.dispatch({ type: 'command-run', command: 'export' });
     expect(orders(runtime)).toEqual([]);
-    expect(toldNotice(runtime.state)?.text).toBe(en.notices.selectOne);
+    expect(englishNotice(runtime.state)?.text).toBe(en.notices.selectOne);
   });
 
   it('has the points of a table as its size, and the rectangle of the area', () => {

@@ -1,11 +1,11 @@
-/** Opening the context menu, of what lies under a place, and running its commands. */
+/** Opening the context menu for a place, and running its commands. */
 
 import { handleById } from '../../document/document';
 import { anchor, isLine } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
 import { say } from '../../texts/wording';
 import type { Hit } from '../../tools/hit';
-import { cancelPress, drawingsOf, isPressing, places } from '../../tools/machine';
+import { cancelPress, drawingOf, isPressing, places } from '../../tools/machine';
 import { withoutRings } from '../../tools/pressing';
 import type { Corner } from '../corner';
 import { crosshairPlace } from '../crosshair';
@@ -24,12 +24,12 @@ import { releaseByKeys } from './held_by_keys';
 import { closeMenu } from './menu_closing';
 import { noteKind } from './pointer';
 import { applyTools } from './press';
-import { select } from './selection';
+import { select, withoutKeys } from './selection';
 
 /** Whether there is a menu now: not during a drawing or a preview, nor where nothing can be changed. */
 function hasMenu(state: EditorState): boolean {
   const { tools, display } = state;
-  const drawing = drawingsOf(tools).some(({ kind }) => kind === tools.tool);
+  const drawing = drawingOf(tools) !== null;
   return (
     mayEdit(state) && !awaitsPicture(state) && display.preview === null && !isLassoing(state) && !drawing
   );
@@ -61,7 +61,7 @@ export function focusedPart({ focus: { on, handle, corner } }: EditorState): Hit
 function openMenu(before: EditorState, under: Hit | null, at: Vec, emit: Emit): EditorState {
   const selects = under && !selectionOf(before).includes(under.id);
   const closed = closeMenu(before, emit);
-  const state = selects ? select(closed, [under.id], emit) : closed;
+  const state = selects ? select(closed, [under.id], emit) : under ? withoutKeys(closed) : closed;
   const selection = selectionOf(state);
   // With several handles selected the menu is about all of them: a corner then stands for its handle.
   const alone = selection.length === 1;

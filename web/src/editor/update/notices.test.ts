@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { C2WarpError, ENGINE } from '../../error';
 import { en } from '../../texts/en';
 import { say, type Wording } from '../../texts/wording';
+import { englishNotice, englishTask, inEnglish } from '../english';
 import { FakeRuntime } from '../fake_runtime';
 import { projectOf } from '../state';
-import { inEnglish, toldNotice, toldTask } from '../told';
 import { beginTask, currentTask, endTask, informOfStep, notify } from './notices';
 
 const ignore = () => {};
@@ -20,7 +20,7 @@ describe('a notice without an action', () => {
     runtime.dispatch({ type: 'notice-hovered', on: false });
     expect(runtime.effects.at(-1)).toMatchObject({ type: 'start-timer', timer: 'notice' });
     elapsed(runtime);
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 });
 
@@ -30,10 +30,10 @@ describe('a notice about a step', () => {
     runtime.open();
     runtime.state = informOfStep(runtime.state, say('errors.other', 'One is gone.'), ignore);
     runtime.dispatch({ type: 'boundary-switched', held: false });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     runtime.dispatch({ type: 'person-informed', text: 'a word' });
     runtime.dispatch({ type: 'boundary-switched', held: true });
-    expect(toldNotice(runtime.state)?.text).toBe('a word');
+    expect(englishNotice(runtime.state)?.text).toBe('a word');
   });
 
   it('joins others about the same step, each once', () => {
@@ -51,15 +51,15 @@ describe('a notice about a step', () => {
       say('errors.other', 'Two.'),
       ignore,
     );
-    expect(toldNotice(second)).toMatchObject({
+    expect(englishNotice(second)).toMatchObject({
       text: 'One. Two.',
-      action: { ...action, label: 'Hold its boundary' },
+      action: { ...action, label: 'Lock its outline' },
     });
   });
 });
 
 describe('the reset of all handles', () => {
-  /** A handle beside its place at rest, and a push of the brush. */
+  /** A handle beside its position at rest, and a push of the brush. */
   function brushed(): FakeRuntime {
     const runtime = new FakeRuntime();
     runtime.open();
@@ -79,11 +79,11 @@ describe('the reset of all handles', () => {
     const { displacement } = projectOf(runtime.state);
     reset(runtime, 'reset-all');
     expect(projectOf(runtime.state)).toMatchObject({ displacement, handles: [{ posed: [200, 150] }] });
-    const notice = toldNotice(runtime.state);
-    expect(notice).toMatchObject({ text: en.notices.brushedStill, action: { label: 'Take it back' } });
+    const notice = englishNotice(runtime.state);
+    expect(notice).toMatchObject({ text: en.notices.brushedStill, action: { label: 'Clear strokes' } });
     runtime.dispatch({ type: 'notice-answered' });
     expect(projectOf(runtime.state).displacement).toBeUndefined();
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     runtime.dispatch({ type: 'command-run', command: 'undo' });
     expect(projectOf(runtime.state).displacement).toEqual(displacement);
   });
@@ -93,28 +93,28 @@ describe('the reset of all handles', () => {
     runtime.dispatch({ type: 'selection-set', ids: ['nose'] });
     reset(runtime, 'reset');
     expect(projectOf(runtime.state).handles).toMatchObject([{ posed: [200, 150] }]);
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     runtime.dispatch({ type: 'displacement-cleared' });
     reset(runtime, 'reset-all');
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 });
 
 describe('an error', () => {
-  const error = new C2WarpError(ENGINE, 'The solver could not be loaded');
+  const error = new C2WarpError(ENGINE, 'Could not load the solver');
 
   it('of the solver can be retried, and closes once the solver works', () => {
     const runtime = new FakeRuntime();
     runtime.open();
     runtime.dispatch({ type: 'boundary-switched', held: false });
     runtime.refuse(error, true);
-    expect(toldNotice(runtime.state)?.action?.label).toBe('Try again');
+    expect(englishNotice(runtime.state)?.action?.label).toBe('Try again');
     runtime.dispatch({ type: 'notice-answered' });
     runtime.solve();
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 
-  it('of anything else stays, and the page hears of it', () => {
+  it('of another kind remains, and the page is notified', () => {
     const runtime = new FakeRuntime();
     runtime.dispatch({ type: 'error-reported', error: new Error('no picture') });
     elapsed(runtime);
@@ -125,7 +125,7 @@ describe('an error', () => {
     const runtime = new FakeRuntime();
     const error = Object.assign(new Error('superseded'), { name: 'AbortError' });
     runtime.dispatch({ type: 'error-reported', error });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 });
 
@@ -143,7 +143,7 @@ describe('progress', () => {
     state = endTask(state, 'solve', emit);
     expect(currentTask(state)).toBe(exporting);
     state = endTask(state, 'export', emit);
-    expect(toldTask(state)).toBeNull();
-    expect(labels).toEqual(['Sampling', 'Exporting', null]);
+    expect(englishTask(state)).toBeNull();
+    expect(labels).toEqual(['Building the mesh', 'Exporting', null]);
   });
 });

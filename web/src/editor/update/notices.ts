@@ -6,7 +6,7 @@ import { isSameWording, say, type Wording, type Words } from '../../texts/wordin
 import type { Emit } from '../effects';
 import { errorWords } from '../error_words';
 import { turnsOf } from '../hit_areas';
-import type { Notice, NoticesState } from '../notice';
+import type { Notice, NoticeAction, NoticesState } from '../notice';
 import { mayChange } from '../permissions';
 import { placeWords } from '../selection_words';
 import { documentOf, type EditorState, projectOf } from '../state';
@@ -32,7 +32,7 @@ export const shownNotice = ({ page, notices }: EditorState): Notice | null =>
 /** The newest task under way. */
 export const currentTask = ({ notices }: EditorState): Task | null => notices.tasks.at(-1) ?? null;
 
-/** Shows a notice. Its action dismisses it. Without an action, anything but an error disappears by itself. */
+/** Shows a notice. Its action dismisses it. Notices without an action disappear automatically, except errors. */
 export function notify(state: EditorState, given: Notice, emit: Emit): EditorState {
   const notice = joined(state.notices.passing, given);
   const cleared = withoutPassing(state, emit);
@@ -64,23 +64,28 @@ export const informOfStep = (state: EditorState, text: Wording, emit: Emit): Edi
   notify(state, { kind: 'info', text, ofStep: true }, emit);
 
 /**
- * Shows an error in the words of the editor, and passes it to the page as it is. A failure of the solver itself can be
+ * Shows an error with the editor's text, and passes it to the page unchanged. A failure of the solver itself can be
  * retried. Ignores AbortErrors: superseded work is no error.
  *
  * @param reverted the step that caused the error was taken back.
+ * @param action for an error that is not of the solver itself.
  */
-export function report(state: EditorState, thrown: unknown, emit: Emit, reverted = false): EditorState {
+export function report(
+  state: EditorState,
+  thrown: unknown,
+  emit: Emit,
+  reverted = false,
+  action: NoticeAction | null = null,
+): EditorState {
   const error = asError(thrown);
   if (isAbort(error)) return state;
   const isUnsolved = state.solution.shown?.key !== solveKey(projectOf(state));
-  const retry =
+  const answer =
     isEngineFailure(error) && isUnsolved
-      ? ({
-          action: { label: say('answers.tryAgain'), event: { type: 'retry-asked' } },
-          passes: true,
-        } as const)
-      : {};
-  const next = notify(state, { kind: 'error', text: errorWords(error, reverted), ...retry }, emit);
+      ? ({ label: say('answers.tryAgain'), event: { type: 'retry-asked' } } as const)
+      : action;
+  const notice = { kind: 'error', text: errorWords(error, reverted) } as const;
+  const next = notify(state, answer ? { ...notice, action: answer, passes: true } : notice, emit);
   emit({ type: 'notify-page', notification: { type: 'error', error } });
   return next;
 }
@@ -104,7 +109,7 @@ export const closeStepNotice = (state: EditorState, emit: Emit): EditorState =>
 
 /** The solver works: closes the error that can be retried. */
 export const closeRetryNotice = (state: EditorState): EditorState =>
-  state.notices.error?.action ? withNotices(state, { error: null }) : state;
+  state.notices.error?.action?.event.type === 'retry-asked' ? withNotices(state, { error: null }) : state;
 
 export const clearNotices = (state: EditorState, emit: Emit): EditorState =>
   withNotices(withoutPassing(state, emit), { error: null, offer: null });
@@ -124,7 +129,7 @@ export const notifyOfGraphics = (state: EditorState, text: Wording): EditorState
 export const withoutGraphicsNotice = (state: EditorState): EditorState =>
   state.notices.graphics ? withNotices(state, { graphics: null }) : state;
 
-/** Shows a task, in place of one of the same name. */
+/** Shows a task, replacing one of the same name. */
 export const beginTask = (state: EditorState, task: Task, emit: Emit): EditorState =>
   withTasks(state, [...state.notices.tasks.filter(({ name }) => name !== task.name), task], emit);
 
@@ -168,7 +173,7 @@ function withoutPassing(state: EditorState, emit: Emit): EditorState {
 const startPassing = ({ action }: Notice, emit: Emit): void =>
   emit({ type: 'start-timer', timer: 'notice', ms: action ? ANSWER_MS : PASSING_MS });
 
-/** Keeps a notice that disappears by itself, or gives it its whole time again. */
+/** Keeps a notice that disappears automatically, or restarts its time. */
 export function keepPassing({ notices }: EditorState, keep: boolean, emit: Emit): void {
   if (keep) emit({ type: 'stop-timer', timer: 'notice' });
   else if (notices.passing) startPassing(notices.passing, emit);

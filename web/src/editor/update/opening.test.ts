@@ -3,10 +3,10 @@ import { addHandle } from '../../document/edits';
 import type { Project } from '../../document/project';
 import { C2WarpError } from '../../error';
 import type { EditorEffect } from '../effects';
+import { englishNotice, inEnglish } from '../english';
 import { FakeRuntime, PAGE, testFile, testPicture } from '../fake_runtime';
 import type { NamedFile } from '../picture';
 import { documentOf, projectOf } from '../state';
-import { inEnglish, toldNotice } from '../told';
 import type { WorkSnapshot } from '../work';
 import { snapshotOf } from './autosave';
 
@@ -53,12 +53,28 @@ describe('opening a picture', () => {
     expect(runtime.state.opening).toMatchObject({ reading: null, trial: null });
   });
 
+  it('asks the person before something from outside takes the place of a picture', () => {
+    const offer = (runtime: FakeRuntime) => {
+      const files = [{ name: 'dog.png', file: testFile('dog.png') }];
+      runtime.dispatch({ type: 'offered', names: ['dog.png'], opening: { type: 'files-received', files } });
+    };
+    const empty = new FakeRuntime();
+    offer(empty);
+    expect(empty.state.opening.reading?.name).toBe('dog.png');
+    const runtime = opened();
+    offer(runtime);
+    expect(runtime.state.opening.reading).toBeNull();
+    expect(englishNotice(runtime.state)?.text).toBe('A link or another program wants to open dog.png.');
+    runtime.dispatch({ type: 'notice-answered', other: false });
+    expect(runtime.state.opening.reading?.name).toBe('dog.png');
+  });
+
   it('says that only the first frame of an animation is open', () => {
     const runtime = new FakeRuntime();
     drop(runtime, 'run.gif');
     runtime.read({ ...testPicture('run.gif'), moves: true });
     runtime.solve();
-    expect(toldNotice(runtime.state)?.text).toBe('run.gif moves. Only its first frame is open.');
+    expect(englishNotice(runtime.state)?.text).toBe('run.gif is animated. Only its first frame was opened.');
   });
 
   it('keeps the open picture when reading fails', () => {
@@ -66,7 +82,7 @@ describe('opening a picture', () => {
     drop(runtime);
     runtime.failRead(new C2WarpError('picture', 'dog.png: no picture'));
     expect(runtime.state.picture).toBe(cat);
-    expect(toldNotice(runtime.state)?.text).toContain('no picture');
+    expect(englishNotice(runtime.state)?.text).toContain('no picture');
   });
 
   it('returns to the picture before when the solver refuses the new one', () => {
@@ -78,7 +94,7 @@ describe('opening a picture', () => {
     runtime.refuse(refusal);
     expect(runtime.state.picture).toBe(cat);
     expect(projectOf(runtime.state)).toEqual(before);
-    expect(toldNotice(runtime.state)?.kind).toBe('error');
+    expect(englishNotice(runtime.state)?.kind).toBe('error');
   });
 
   it('opens the picture without its handles when there is none to return to', () => {
@@ -99,7 +115,7 @@ describe('opening a picture', () => {
     runtime.read(cat);
     runtime.refuse(new C2WarpError('nothing-opaque', 'alpha'));
     expect(runtime.state.picture).toBeNull();
-    expect(toldNotice(runtime.state)?.text).toContain('cat.png: nothing in this picture');
+    expect(englishNotice(runtime.state)?.text).toContain('cat.png: no part of this picture');
   });
 
   it('refuses a project for a picture of another size', () => {
@@ -107,7 +123,7 @@ describe('opening a picture', () => {
     drop(runtime);
     runtime.read(dog, { ...projectOf(runtime.state), image: { src: '', width: 1, height: 1 } });
     expect(runtime.state.picture).toBe(cat);
-    expect(toldNotice(runtime.state)?.text).toContain('1 × 1 px');
+    expect(englishNotice(runtime.state)?.text).toContain('1 × 1 px');
   });
 
   it('keeps the first picture on the stage and offers a retry when the solver fails', () => {
@@ -116,7 +132,7 @@ describe('opening a picture', () => {
     runtime.read(cat);
     runtime.refuse(engine, true);
     expect(runtime.state.picture).toBe(cat);
-    expect(toldNotice(runtime.state)?.action?.label).toBe('Try again');
+    expect(englishNotice(runtime.state)?.action?.label).toBe('Try again');
     runtime.dispatch({ type: 'notice-answered' });
     runtime.read(testPicture('cat.png'));
     runtime.solve();
@@ -149,14 +165,14 @@ describe('a newer request', () => {
 });
 
 describe('edited work', () => {
-  it('is parked when another picture opens, and comes back', () => {
+  it('is parked when another picture opens, and restored later', () => {
     const runtime = opened();
     placeHandle(runtime);
     drop(runtime);
     runtime.read(dog);
     runtime.solve();
-    expect(toldNotice(runtime.state)?.action?.label).toBe('Use this rig');
-    expect(toldNotice(runtime.state)?.other?.label).toBe('Back to cat.png');
+    expect(englishNotice(runtime.state)?.action?.label).toBe('Use this rig');
+    expect(englishNotice(runtime.state)?.other?.label).toBe('Back to cat.png');
     runtime.dispatch({ type: 'notice-answered', other: true });
     runtime.read(testPicture('cat.png'));
     runtime.solve();
@@ -214,12 +230,12 @@ describe('a project file alone', () => {
     runtime.read(testPicture(name), project);
     runtime.solve();
   };
-  const asks = ({ state }: FakeRuntime) => toldNotice(state)?.action?.label === 'Open picture';
+  const asks = ({ state }: FakeRuntime) => englishNotice(state)?.action?.label === 'Open picture';
   const other = { ...projectOf(opened().state), samples: 3000 };
 
   it('waits for its picture, and goes with it', () => {
     const runtime = waiting();
-    expect(toldNotice(runtime.state)?.text).toContain('pose.json belongs to the picture poses/cat.png');
+    expect(englishNotice(runtime.state)?.text).toContain('pose.json belongs to the picture poses/cat.png');
     opens(runtime, 'cat.png');
     expect(projectOf(runtime.state).samples).toBe(2000);
     expect(asks(runtime)).toBe(false);
@@ -249,7 +265,7 @@ describe('a project file alone', () => {
     expect(asks(runtime)).toBe(true);
   });
 
-  it('waits no more once a project comes with its picture', () => {
+  it('stops waiting once a project is opened with its picture', () => {
     const runtime = waiting();
     opens(runtime, 'cat.png', other);
     expect(projectOf(runtime.state).samples).toBe(3000);
@@ -285,12 +301,12 @@ describe('a project file alone', () => {
     const runtime = opened();
     drop(runtime, 'other.json');
     runtime.failRead(new C2WarpError('project', 'other.json: format: missing'));
-    expect(toldNotice(runtime.state)?.kind).toBe('error');
+    expect(englishNotice(runtime.state)?.kind).toBe('error');
     drop(runtime, 'pose.json');
     runtime.read(null, { ...other, image: { src: 'fox.png', width: 9, height: 9 } });
     expect(asks(runtime)).toBe(true);
     runtime.dispatch({ type: 'notice-dismissed' });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 });
 
@@ -316,7 +332,7 @@ describe('a file with all', () => {
     runtime.read(dog, null, { ...other, image: { src: 'fox.png', width: 400, height: 300 } });
     runtime.solve();
     expect(projectOf(runtime.state).samples).toBe(10000);
-    expect(toldNotice(runtime.state)?.text).toContain('dog.png belongs to the picture fox.png');
+    expect(englishNotice(runtime.state)?.text).toContain('dog.png belongs to the picture fox.png');
     drop(runtime, 'fox.png');
     runtime.read(testPicture('fox.png'));
     runtime.solve();
@@ -329,8 +345,8 @@ describe('a file with all', () => {
     runtime.read(dog, null, new C2WarpError('project', 'The project in this picture is damaged.'));
     runtime.solve();
     expect(runtime.state.picture).toBe(dog);
-    const text = 'dog.png opened as a picture only. The project in this picture is damaged.';
-    expect(toldNotice(runtime.state)?.text).toBe(text);
+    const text = 'dog.png opened without its project. The project in this picture is damaged.';
+    expect(englishNotice(runtime.state)?.text).toBe(text);
   });
 });
 
@@ -357,7 +373,7 @@ describe('several files', () => {
     runtime.read(cat);
     runtime.solve();
     expect(runtime.state.picture).toBe(cat);
-    expect(toldNotice(runtime.state)?.text).toContain('note.txt and 2 more were not opened');
+    expect(englishNotice(runtime.state)?.text).toContain('note.txt and 2 more were not opened');
   });
 
   it('open a project beside them, but no folder with the name of one', () => {
@@ -417,10 +433,10 @@ describe('the first content', () => {
     runtime.solve();
     expect(runtime.state.picture?.name).toBe('sample.png');
     expect(runtime.state.opening.recent.map(({ name }) => name)).toEqual(['stored.png']);
-    expect(toldNotice(runtime.state)?.text).toContain('damaged');
+    expect(englishNotice(runtime.state)?.text).toContain('damaged');
   });
 
-  it('leaves a picture alone that was opened while the storage was read', () => {
+  it('does not replace a picture that was opened while the storage was read', () => {
     const runtime = started();
     drop(runtime);
     runtime.dispatch({ type: 'storage-read', stored: stored() });
@@ -430,7 +446,7 @@ describe('the first content', () => {
     expect(runtime.state.opening.recent.map(({ name }) => name)).toEqual(['stored.png']);
   });
 
-  it('comes back when a newer picture is refused before it was there', () => {
+  it('is restored when a newer picture is rejected while opening', () => {
     const runtime = started();
     runtime.dispatch({ type: 'storage-read', stored: stored() });
     drop(runtime);

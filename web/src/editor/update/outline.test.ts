@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { settingsOf } from '../../document/settings';
 import { C2WarpError } from '../../error';
 import { en } from '../../texts/en';
+import { englishNotice } from '../english';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf } from '../state';
-import { toldNotice } from '../told';
 import { viewModel } from '../view_model';
 
 const place = (runtime: FakeRuntime, id: string) =>
@@ -48,31 +48,31 @@ describe('the least opacity', () => {
 
 describe('an outline too fine to be followed', () => {
   const bridged = { outline: 'bridged', bridgedGap: 8 } as const;
-  const text = 'This outline is too fine to be followed: parts up to 8 pixels apart bend together.';
+  const text = 'This outline is too fine to follow: parts up to 8 pixels apart bend together.';
 
-  it('is told of once, and again when another way is taken', () => {
+  it('is reported once, and again when another way is taken', () => {
     const runtime = new FakeRuntime();
     runtime.open(testPicture(), bridged);
-    expect(toldNotice(runtime.state)?.text).toBe(text);
+    expect(englishNotice(runtime.state)?.text).toBe(text);
     runtime.dispatch({ type: 'notice-dismissed' });
     place(runtime, 'a');
     runtime.solve(bridged);
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     place(runtime, 'b');
     runtime.solve({ outline: 'picture', bridgedGap: 0 });
-    expect(toldNotice(runtime.state)?.text).toContain('the whole picture bends');
+    expect(englishNotice(runtime.state)?.text).toContain('the whole picture bends');
   });
 
-  it('is told of for the next picture as well', () => {
+  it('is also reported for the next picture', () => {
     const runtime = new FakeRuntime();
     runtime.open(testPicture('a.png'), bridged);
     runtime.open(testPicture('b.png'), bridged);
-    expect(toldNotice(runtime.state)?.text).toBe(text);
+    expect(englishNotice(runtime.state)?.text).toBe(text);
   });
 
   it('is not mentioned where it is followed', () => {
     const runtime = new FakeRuntime();
     runtime.open();
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 });

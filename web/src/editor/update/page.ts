@@ -3,7 +3,7 @@
 import { openDocument } from '../../document/document';
 import { addHandle, putHandles, removeHandles } from '../../document/edits';
 import { say } from '../../texts/wording';
-import { cancelAll, cancelPress, isPressing } from '../../tools/machine';
+import { bailOut, cancelPress, isPressing } from '../../tools/machine';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import type { PageAttributes } from '../page';
@@ -23,7 +23,7 @@ import { poseForPage, redo, selectForPage, step, undo } from './steps';
 import { showStudy } from './study';
 import { choose } from './tool_choice';
 
-/** Takes the attributes. Setting `readonly` or `disabled`, or changing `posable`, ends what is in progress. */
+/** Takes the attributes. Setting `readonly` or `disabled`, or changing `posable`, ends the present action. */
 function changePage(before: EditorState, page: PageAttributes, emit: Emit): EditorState {
   const { readonly, disabled, posable } = before.page;
   const rearranges = posable !== page.posable || (page.posable && readonly !== page.readonly);
@@ -41,11 +41,11 @@ function changePage(before: EditorState, page: PageAttributes, emit: Emit): Edit
 function stop(before: EditorState, emit: Emit): EditorState {
   const state = hideCrosshair(closeMenu(before, emit));
   emit({ type: 'leave-field' });
-  const ended = applyTools(state, cancelAll(state.tools), emit);
+  const ended = applyTools(state, bailOut(state.tools), emit);
   return holdPreview(withDocument(ended, { drawn: null }), null, emit);
 }
 
-/** Adapts to `posable`: the select tool alone poses handles, and the picture fits another stage. */
+/** Adapts to `posable`: only the select tool poses handles, and the picture fits another stage. */
 function rearrange(state: EditorState, emit: Emit): EditorState {
   const selecting = { ...state, page: { ...state.page, posable: false, readonly: false } };
   const chosen = state.page.posable ? choose(selecting, 'select', emit) : state;
@@ -106,7 +106,7 @@ export const pageHandlers: Handlers<
       : withOpening(state, { pageSelection: ids }),
   'play-asked': (state, _, emit) => playForPage(openTimeline(state, false, emit), emit),
   'pause-asked': (state, _, emit) => pauseForPage(state, emit),
-  // For people who prefer reduced motion nothing plays by itself.
+  // For people who prefer reduced motion, nothing plays automatically.
   'autoplay-asked': (state, _, emit) =>
     state.page.autoplay && !state.media.still ? playForPage(state, emit) : state,
   'seek-asked': (state, { time }, emit) => seekForPage(openTimeline(state, false, emit), time, emit),

@@ -4,7 +4,7 @@ import type { Clip } from '../../document/project';
 import type { Vec } from '../../geometry/vec';
 import type { EditorEvent } from '../events';
 import { FakeRuntime, PAGE } from '../fake_runtime';
-import { hasEnded } from '../played_clip';
+import { hasPlayed, playedDuration } from '../played_clip';
 import { documentOf, projectOf } from '../state';
 import { projectForFile } from './exporting';
 
@@ -33,7 +33,7 @@ const send = (runtime: FakeRuntime, ...events: readonly EditorEvent[]) => {
 };
 const tick = (seconds: number): EditorEvent => ({ type: 'clock-ticked', seconds });
 const x = (runtime: FakeRuntime) => projectOf(runtime.state).handles.map((handle) => anchor(handle)[0])[0];
-const told = (runtime: FakeRuntime) =>
+const emitted = (runtime: FakeRuntime) =>
   runtime.notified.filter((type) => ['play', 'pause', 'timeupdate', 'ended'].includes(type));
 
 const pointer = (runtime: FakeRuntime, [x, y]: Vec) => {
@@ -53,8 +53,12 @@ describe('a clip that the page plays', () => {
     send(runtime, { type: 'play-asked' }, tick(0.5));
     expect([x(runtime), runtime.state.playback.time]).toEqual([150, 0.5]);
     send(runtime, tick(1), tick(1));
-    expect([x(runtime), runtime.state.playback.playing, hasEnded(runtime.state)]).toEqual([300, false, true]);
-    expect(told(runtime)).toEqual(['play', 'timeupdate', 'timeupdate', 'timeupdate', 'pause', 'ended']);
+    expect([x(runtime), runtime.state.playback.playing, hasPlayed(runtime.state)]).toEqual([
+      300,
+      false,
+      true,
+    ]);
+    expect(emitted(runtime)).toEqual(['play', 'timeupdate', 'timeupdate', 'timeupdate', 'pause', 'ended']);
     send(runtime, { type: 'play-asked' }, tick(0.1));
     expect(runtime.state.playback.time).toBeCloseTo(0.1, 12);
   });
@@ -72,7 +76,68 @@ describe('a clip that the page plays', () => {
     send(runtime, { type: 'play-asked' }, tick(3));
     expect(runtime.state.playback.playing).toBe(true);
     send(runtime, tick(1.1));
-    expect([runtime.state.playback.time, hasEnded(runtime.state)]).toEqual([4, true]);
+    expect([runtime.state.playback.time, hasPlayed(runtime.state)]).toEqual([4, true]);
+  });
+
+  const LOOPS = ['none', 'repeat', 'alternate'] as const;
+  const RATES = [1, -1, 2, -0.5, 0] as const;
+  const table = LOOPS.flatMap((kind) => RATES.map((rate) => [kind, rate] as const));
+
+  it.each(table)('of the loop "%s" begins and ends at a rate of %d as a video does', (kind, rate) => {
+    const clip = { ...CLIP, loop: kind };
+    const length = playedDuration(clip);
+    const forwards = ['play', 'timeupdate', 'pause', 'ended'];
+    for (const at of [0, length / 2, length]) {
+      const runtime = opened({}, clip);
+      send(runtime, { type: 'rate-asked', rate }, { type: 'seek-asked', time: at });
+      const isAtEnd = at === length && rate >= 0;
+      // A time at the end has ended, also without playing.
+      expect([hasPlayed(runtime.state), emitted(runtime)]).toEqual([
+        isAtEnd,
+        isAtEnd ? ['timeupdate', 'ended'] : ['timeupdate'],
+      ]);
+      runtime.effects.length = 0;
+      send(runtime, { type: 'play-asked' });
+      expect(runtime.state.playback).toMatchObject({ playing: true, time: isAtEnd ? 0 : at });
+      for (let k = 0; k < 100; k++) if (runtime.state.playback.playing) send(runtime, tick(0.25));
+      // At the beginning it waits to be played forwards. It neither pauses nor ends.
+      const time = rate > 0 ? length : rate < 0 || isAtEnd ? 0 : at;
+      const { playback } = runtime.state;
+      expect([playback.time, playback.playing, hasPlayed(runtime.state)]).toEqual([
+        time,
+        rate <= 0,
+        rate > 0,
+      ]);
+      const events = rate > 0 ? forwards : rate < 0 && at > 0 ? ['play', 'timeupdate'] : ['play'];
+      expect([...new Set(emitted(runtime))]).toEqual(events);
+      send(runtime, { type: 'rate-asked', rate: 1 }, { type: 'play-asked' }, tick(0.25));
+      expect(runtime.state.playback.time).toBe(rate > 0 ? 0.25 : time + 0.25);
+    }
+  });
+
+  it.each(RATES)('of a page that loops goes round at a rate of %d', (rate) => {
+    for (const at of [0, 1, 2]) {
+      const runtime = opened({ loop: true });
+      send(runtime, { type: 'rate-asked', rate }, { type: 'seek-asked', time: at }, { type: 'play-asked' });
+      send(runtime, tick(0.5));
+      const next = at + rate / 2;
+      const time = rate === 0 ? at : (next + 2) % 2;
+      expect([runtime.state.playback.time, hasPlayed(runtime.state)]).toEqual([time, false]);
+      expect(emitted(runtime)).not.toContain('ended');
+    }
+  });
+
+  it('needs no clock while it stands still', () => {
+    const runtime = opened();
+    const clocks = () => runtime.effects.flatMap((effect) => (effect.type === 'run-clock' ? effect.on : []));
+    send(runtime, { type: 'rate-asked', rate: -1 }, { type: 'play-asked' });
+    expect(clocks()).toEqual([]);
+    send(runtime, { type: 'rate-asked', rate: 1 }, tick(0.5));
+    expect(clocks()).toEqual([true]);
+    send(runtime, { type: 'rate-asked', rate: -1 }, tick(0.75));
+    expect([...clocks(), runtime.state.playback.time]).toEqual([true, false, 0]);
+    send(runtime, { type: 'page-changed', page: { ...PAGE, posable: true, loop: true } });
+    expect(clocks()).toEqual([true, false, true]);
   });
 
   it('leaves the file and the history as they are', () => {
@@ -113,7 +178,7 @@ describe('a clip that the page plays', () => {
     expect(runtime.state.playback.active).toBe(false);
   });
 
-  it('plays by itself only for people who do not mind motion', () => {
+  it('plays automatically only without reduced motion', () => {
     const runtime = opened({ autoplay: true });
     send(
       runtime,

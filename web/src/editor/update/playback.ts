@@ -2,11 +2,12 @@
 import { type Document, handleById, selectedHandles } from '../../document/document';
 import { corners, isLine, scaleOf } from '../../document/handle';
 import * as history from '../../document/history';
+import { advanced, hasEnded, standsStill } from '../../document/media_time';
 import type { Handle } from '../../document/project';
 import { lerp, type Vec } from '../../geometry/vec';
 import type { Emit } from '../effects';
 import { type Easing, NOT_PLAYED, type PlaybackState } from '../playback_state';
-import { playedClip, playedDuration } from '../played_clip';
+import { isPlaying, mediaTime, playedClip, playedDuration } from '../played_clip';
 import { documentOf, type EditorState } from '../state';
 import { withHistory } from './document_slice';
 
@@ -20,27 +21,30 @@ const withPlayback = (state: EditorState, change: Partial<PlaybackState>): Edito
   playback: { ...state.playback, ...change },
 });
 
-type Told = 'play' | 'pause' | 'timeupdate' | 'ended';
-const tell = (emit: Emit, ...types: readonly Told[]): void => {
+type MediaEventType = 'play' | 'pause' | 'timeupdate' | 'ended';
+const emitEvents = (emit: Emit, ...types: readonly MediaEventType[]): void => {
   for (const type of types) emit({ type: 'notify-page', notification: { type } });
 };
+
+/** Runs the clock while the pose changes with the time. Called after every event. */
+export function followPlayback(before: EditorState, after: EditorState, emit: Emit): EditorState {
+  const on = isPlaying(after);
+  if (on !== isPlaying(before)) emit({ type: 'run-clock', on });
+  return after;
+}
 
 /** Plays on, from the beginning if the clip has ended. */
 export function playForPage(state: EditorState, emit: Emit): EditorState {
   const clip = playedClip(state);
-  const { playing, time, rate } = state.playback;
-  if (!clip || playing) return state;
-  emit({ type: 'run-clock', on: true });
-  tell(emit, 'play');
-  const end = playedDuration(clip);
-  const from = rate > 0 && time >= end ? 0 : rate < 0 && time <= 0 ? end : time;
-  return withPlayback(state, { active: true, playing: true, time: from });
+  if (!clip || state.playback.playing) return state;
+  emitEvents(emit, 'play');
+  const time = hasEnded(mediaTime(state, clip)) ? 0 : state.playback.time;
+  return withPlayback(state, { active: true, playing: true, time });
 }
 
 export function pauseForPage(state: EditorState, emit: Emit): EditorState {
   if (!state.playback.playing) return state;
-  emit({ type: 'run-clock', on: false });
-  tell(emit, 'timeupdate', 'pause');
+  emitEvents(emit, 'timeupdate', 'pause');
   return withPlayback(state, { playing: false, easing: null });
 }
 
@@ -48,8 +52,20 @@ export function pauseForPage(state: EditorState, emit: Emit): EditorState {
 export function seekForPage(state: EditorState, time: number, emit: Emit): EditorState {
   const clip = playedClip(state);
   if (!clip) return state;
-  tell(emit, 'timeupdate');
-  return withPlayback(state, { active: true, time: Math.min(Math.max(time, 0), playedDuration(clip)) });
+  const sought = withPlayback(state, {
+    active: true,
+    time: Math.min(Math.max(time, 0), playedDuration(clip)),
+  });
+  if (hasEnded(mediaTime(sought, clip))) return endedForPage(sought, emit);
+  emitEvents(emit, 'timeupdate');
+  return sought;
+}
+
+function endedForPage(state: EditorState, emit: Emit): EditorState {
+  if (!state.playback.playing) emitEvents(emit, 'timeupdate');
+  const paused = pauseForPage(state, emit);
+  emitEvents(emit, 'ended');
+  return paused;
 }
 
 export const rateForPage = (state: EditorState, rate: number): EditorState => withPlayback(state, { rate });
@@ -64,16 +80,13 @@ export function tickPlayback(before: EditorState, seconds: number, emit: Emit): 
   const state = easedOn(before, seconds);
   const clip = playedClip(state);
   if (!clip) return pauseForPage(state, emit);
-  const { time, rate } = state.playback;
-  const end = playedDuration(clip);
-  const next = time + seconds * rate;
-  if (!state.page.loop && (next >= end || next <= 0) && rate !== 0) {
-    const stopped = pauseForPage(withPlayback(state, { time: rate > 0 ? end : 0 }), emit);
-    if (rate > 0) tell(emit, 'ended');
-    return stopped;
-  }
-  if (Math.floor(next / UPDATES) !== Math.floor(time / UPDATES)) tell(emit, 'timeupdate');
-  return withPlayback(state, { time: ((next % end) + end) % end });
+  if (standsStill(mediaTime(state, clip))) return state;
+  const time = advanced(mediaTime(state, clip), seconds);
+  const next = withPlayback(state, { time });
+  if (hasEnded(mediaTime(next, clip))) return endedForPage(next, emit);
+  const isDue = Math.floor(time / UPDATES) !== Math.floor(state.playback.time / UPDATES);
+  if (isDue || standsStill(mediaTime(next, clip))) emitEvents(emit, 'timeupdate');
+  return next;
 }
 
 function easedOn(state: EditorState, seconds: number): EditorState {
@@ -109,7 +122,7 @@ export function easedBack(document: Document, { from, left }: Easing): Document 
 function between(handle: Handle, start: Handle, weight: number): Handle {
   const places = corners(start);
   const posed = corners(handle).map((corner, k): Vec => lerp(corner, places[k] ?? corner, weight));
-  const [a, b] = [handle.rotation, start.rotation];
+  const [a = 0, b = 0] = [handle.rotation, start.rotation];
   const turned = typeof a === 'number' && typeof b === 'number' ? { rotation: a + weight * (b - a) } : {};
   const scale = scaleOf(handle) + weight * (scaleOf(start) - scaleOf(handle));
   return isLine(handle)

@@ -75,7 +75,7 @@ function tick(state: EditorState, seconds: number, emit: Emit): EditorState {
 export function returnToMoment(state: EditorState): EditorState {
   const { moment } = documentOf(state);
   if (!moment || !state.timeline.open) return state;
-  return withTimeline(state, { clip: moment.clip, time: moment.time, selected: [] });
+  return withTimeline(state, { clip: moment.clip, time: moment.time });
 }
 
 export const playheadHandlers: Handlers<

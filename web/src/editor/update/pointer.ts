@@ -5,6 +5,7 @@ import { withoutRings } from '../../tools/pressing';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import { hitAt, isLassoing, pressOf, toolContext } from '../hit_areas';
+import { holdsKeys } from '../keys_in_hand';
 import { mayEdit, pressesPan } from '../permissions';
 import type { StagePointer } from '../stage_pointer';
 import { type EditorState, type PointerState, selectionOf } from '../state';
@@ -19,7 +20,7 @@ import { closeMenu } from './menu_closing';
 import { movePlayhead } from './playhead';
 import { applyTools } from './press';
 import { doublePress } from './renaming';
-import { select } from './selection';
+import { select, withoutKeys } from './selection';
 
 export const withPointer = (state: EditorState, change: Partial<PointerState>): EditorState => ({
   ...state,
@@ -39,8 +40,9 @@ function begin(before: EditorState, pointer: StagePointer, pans: boolean, emit: 
   const context = toolContext(state);
   const bodies = state.tools.tool === 'select';
   const onHandle = hitAt(state, press.at, bodies, withoutRings(context)) !== null;
+  const taken = onHandle ? withoutKeys(state) : state;
   const once = pans || pressesPan(state) ? hand : undefined;
-  return applyTools(withPointer(state, { onHandle }), pressDown(state.tools, press, context, once), emit);
+  return applyTools(withPointer(taken, { onHandle }), pressDown(state.tools, press, context, once), emit);
 }
 
 /** A press stops the timeline at a frame, whose pose the press finds. One that pans leaves it. */
@@ -58,7 +60,8 @@ function end(before: EditorState, pointer: StagePointer, emit: Emit): EditorStat
   // Focusing a handle selects it: not one that a Shift-click has just deselected.
   const keeps = held !== null && held.part !== 'ring' && held.part !== 'grip' && selection.includes(held.id);
   if (keeps && held.part === 'corner') focus(emit, held.id, held.index);
-  else focus(emit, keeps ? held.id : selection[0]);
+  // A press that only pans deselects no keys.
+  else focus(emit, keeps ? held.id : holdsKeys(state) ? null : selection[0]);
   return state;
 }
 

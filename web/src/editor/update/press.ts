@@ -17,7 +17,7 @@ import { documentOf, type EditorState } from '../state';
 import { moveCamera } from '../view';
 import { saveWork } from './autosave';
 import { noteStroke } from './brush_use';
-import { committed, guardEnded, withDocument, withHistory } from './document_slice';
+import { committed, guardEnded, noteDepths, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { look } from './lens';
 import { announce, announceAt, closeStepNotice, informOfStep } from './notices';
@@ -114,7 +114,7 @@ function drag(state: EditorState, edit: PosedDocument, emit: Emit): EditorState 
 /** Ends a drag: one undo step, or none if it changed nothing. */
 function endDrag(before: EditorState, emit: Emit): EditorState {
   if (before.playback.playing) return edited(letGo(guardEnded(before)), 'input', emit);
-  const state = endRecording(guardEnded(loweredAgain(before)), emit);
+  const state = endRecording(guardEnded(noteDepths(loweredAgain(before), before.document.crossing)), emit);
   const ended = committed(state);
   // A drag that changed nothing: its label must disappear from undo.
   if (ended.document.history.past === state.document.history.past) return edited(ended, 'input', emit);

@@ -1,4 +1,4 @@
-/** Putting a picture on the stage, with earlier work on it or none. */
+/** Putting a picture on the stage, with or without earlier work on it. */
 
 import { newProject, openDocument } from '../../document/document';
 import { say } from '../../texts/wording';
@@ -27,7 +27,7 @@ export function putPicture(state: EditorState, picture: Picture, work: Work, emi
   const pixelated = work.pixelated ?? picture.isPixelArt;
   const shown = showPicture({ ...state, pixelated }, picture, emit);
   // Fitted beside the sheet of this selection, not of the previous picture's.
-  return openView(openWork(shown, work, emit), work.view);
+  return openView(wantLuminance(openWork(shown, work, emit), emit), work.view);
 }
 
 /** Empties the stage. */
@@ -45,6 +45,5 @@ function showPicture(before: EditorState, picture: Picture | null, emit: Emit): 
     luminance: null,
     checks: { ...state.checks, outline: '', loose: false },
   };
-  const next = wantLuminance(shown, emit);
-  return picture && !next.page.posable ? announce(next, say('spoken.pictureOpen', picture.name)) : next;
+  return picture && !shown.page.posable ? announce(shown, say('spoken.pictureOpen', picture.name)) : shown;
 }

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { EditorEffect } from '../effects';
+import { englishNotice } from '../english';
 import { FakeRuntime, testFile, testPicture } from '../fake_runtime';
 import { isUnsaved, projectOf } from '../state';
-import { toldNotice } from '../told';
 import type { WorkSnapshot } from '../work';
 import { isKept, snapshotOf } from './autosave';
 
@@ -30,21 +30,21 @@ describe('the offer to go back', () => {
     const runtime = stored();
     edit(runtime);
     open(runtime, 'dog.png');
-    expect(toldNotice(runtime.state)?.action?.label).toBe('Back to cat.png');
+    expect(englishNotice(runtime.state)?.action?.label).toBe('Back to cat.png');
     return runtime;
   };
 
   it('passes after a while', () => {
     const runtime = offered();
     runtime.dispatch({ type: 'timer-elapsed', timer: 'notice' });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     expect(names(runtime)).toBe('cat.png');
   });
 
   it('ends with the next edit', () => {
     const runtime = offered();
     edit(runtime);
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
   });
 });
 
@@ -83,9 +83,9 @@ describe('the work of two tabs', () => {
 
   it('is offered until the person chooses', () => {
     const runtime = restored();
-    expect(toldNotice(runtime.state)?.text).toContain('cat.png was changed in two tabs');
+    expect(englishNotice(runtime.state)?.text).toContain('cat.png was changed in two tabs');
     runtime.dispatch({ type: 'notice-answered', other: true });
-    expect(toldNotice(runtime.state)).toBeNull();
+    expect(englishNotice(runtime.state)).toBeNull();
     expect(stores(runtime).at(-1)?.recent).toMatchObject([{ id: 'other' }]);
     expect(stores(runtime).at(-1)?.recent[0]?.fromOtherTab).toBeUndefined();
   });
@@ -100,7 +100,7 @@ describe('the work of two tabs', () => {
     ]);
   });
 
-  it('is stored over that of another tab by changes alone', () => {
+  it('only replaces the stored work of another tab after changes', () => {
     const runtime = stored();
     runtime.dispatch({ type: 'work-stored', stored: true, newest: true });
     runtime.dispatch({
@@ -150,7 +150,7 @@ describe('a change', () => {
     expect(isKept(runtime.state)).toBe(false);
   });
 
-  it('is told to the page with the name of the picture', () => {
+  it('is reported to the page with the name of the picture', () => {
     const runtime = stored();
     edit(runtime);
     const titles = runtime.effects.flatMap((effect) =>

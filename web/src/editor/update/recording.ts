@@ -3,8 +3,9 @@
 import { putKeys, removeKeys, roundedTime, trackOf } from '../../document/clip_keys';
 import { changeClip, DURATIONS, lastKeyTime } from '../../document/clips';
 import { fileProject, selectedHandles } from '../../document/document';
+import { depthOf } from '../../document/handle';
 import * as history from '../../document/history';
-import { withFileProject } from '../../document/moment';
+import { withDepth, withFileProject } from '../../document/moment';
 import type { Clip, Handle } from '../../document/project';
 import { thinned } from '../../document/thinning';
 import { say } from '../../texts/wording';
@@ -14,7 +15,7 @@ import { handleWords } from '../selection_words';
 import { documentOf, type EditorState } from '../state';
 import type { Recording } from '../timeline_state';
 import { stopPlaying, withTimeline } from './clip_slice';
-import { withHistory } from './document_slice';
+import { isFreeIn, withHistory } from './document_slice';
 import type { Handlers } from './handlers';
 
 /** Seconds in which a clip that repeats goes from the end of a motion back to its beginning. */
@@ -60,15 +61,21 @@ export function endRecording(before: EditorState, emit: Emit): EditorState {
   if (!clip || !posesAt || time <= recording.from) return state;
   const document = documentOf(state);
   const base = fileProject(document);
+  const isFree = isFreeIn(state, document);
   const recorded = changeClip(base, clip.name, (clip) =>
     tracksOf(recording).reduce(
       (next, samples) => {
         const [{ handle }] = samples;
         const keys = thinned(samples, posesAt);
-        return putKeys(
+        const moved = putKeys(
           withoutBetween(next, handle.id, recording.from, time),
           keys.map((key) => ({ handle: handle.id, key })),
         );
+        const last = samples.at(-1)?.handle ?? handle;
+        const own = base.handles.find(({ id }) => id === handle.id) ?? handle;
+        return depthOf(last) === depthOf(handle)
+          ? moved
+          : withDepth(moved, last, own, recording.from, isFree);
       },
       lengthened(clip, time),
     ),

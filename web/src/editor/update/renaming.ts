@@ -24,7 +24,7 @@ const withRenaming = (state: EditorState, renaming: Renaming | null): EditorStat
   display: { ...state.display, renaming },
 });
 
-/** Shows the field for the name of a handle, and selects that handle alone. */
+/** Shows the field for the name of a handle, and selects only that handle. */
 function beginRenaming(before: EditorState, id: string, emit: Emit): EditorState {
   if (!mayEdit(before) || !handleById(documentOf(before), id)) return before;
   emit({ type: 'focus-control', control: 'name' });
@@ -68,7 +68,7 @@ function given(before: EditorState, text: string, keyed: boolean, emit: Emit): E
   if (!handle || !mayEdit(ended)) return ended;
   if (fault) return inform(ended, say(`notices.nameStays.${fault}`, nameWords(handle)), emit);
   const name = tidyName(text);
-  const isNew = name !== nameOf(handle);
+  const isNew = ![text, name].includes(nameOf(handle));
   if (keyed) focus(emit, isNew ? name : id);
   return isNew ? renamed(ended, id, name, emit) : ended;
 }

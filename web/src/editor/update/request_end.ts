@@ -1,4 +1,4 @@
-/** The ends of requests: the asker is told, and the first content goes on. */
+/** Ends requests: notifies the requester, and continues with the initial content. */
 
 import { codeOf, isAbort, isEngineFailure } from '../../error';
 import { say } from '../../texts/wording';
@@ -17,7 +17,7 @@ import { inform, report } from './notices';
 import { requestAttributes, restore, withOpening } from './requests';
 import { chooseByHandles } from './tool_choice';
 
-/** A picture is open. One that a person did not choose may play by itself. */
+/** A picture is open. A picture that the user did not choose may play automatically. */
 function notifyLoad(origin: Origin, emit: Emit): void {
   emit({ type: 'notify-page', notification: { type: 'load', origin } });
   if (origin !== 'person') emit({ type: 'follow-up', event: { type: 'autoplay-asked' } });
@@ -45,11 +45,13 @@ function endRequest(
       return failed(state, outcome, emit);
     case 'attributes': {
       if (outcome === 'opened') notifyLoad('page', emit);
-      const told = failed(withOpening(state, { openedRevision: purpose.revision }), outcome, emit);
-      const { startup, overtaken } = told.opening;
-      if (startup.phase !== 'attributes' || startup.id !== id) return told;
+      const ended = failed(withOpening(state, { openedRevision: purpose.revision }), outcome, emit);
+      const isNewest = purpose.revision === state.opening.revision;
+      if (outcome !== 'opened' && isNewest) emit({ type: 'source-failed', error: outcome });
+      const { startup, overtaken } = ended.opening;
+      if (startup.phase !== 'attributes' || startup.id !== id) return ended;
       const back = outcome instanceof Error && !overtaken ? startup.orElse : null;
-      return back ? reopen(told, back, emit) : finishStartup(told, startup.unread, emit);
+      return back ? reopen(ended, back, emit) : finishStartup(ended, startup.unread, emit);
     }
   }
 }

@@ -34,7 +34,7 @@ export function abandonReading(state: EditorState, emit: Emit): EditorState {
   return withOpening(state, { reading: null });
 }
 
-/** Reads a picture, in place of the one being read. */
+/** Reads a picture instead of the one being read. */
 export function requestPicture(before: EditorState, purpose: Purpose, read: Read, emit: Emit): EditorState {
   const state = abandonReading(before, emit);
   const { nextId: id } = state.opening;
@@ -43,12 +43,12 @@ export function requestPicture(before: EditorState, purpose: Purpose, read: Read
   const [first] = read.pictures;
   const name = typeof first === 'string' ? nameIn(first) : (first?.name ?? '');
   const request = { id, name, purpose, work: read.work ?? null };
-  // Input for a picture that a person no longer asks for.
+  // Input for a picture that a person no longer wants.
   const waiting = purpose.by === 'person' || purpose.by === 'back' ? [] : state.waiting;
   return withOpening({ ...state, waiting }, { reading: request, nextId: id + 1, overtaken: true });
 }
 
-/** Reads what the attributes name, with the project that the page set before, if any. */
+/** Reads the files that the attributes name, with the project that the page set before, if any. */
 export function requestAttributes(state: EditorState, src: string, emit: Emit): EditorState {
   const { pageProject, revision, overtaken } = state.opening;
   const { projectSource } = state.page;
@@ -100,7 +100,7 @@ function receiveFiles(state: EditorState, files: readonly NamedFile[], emit: Emi
   return readProject(state, { name: project.name, received }, { named: project }, emit);
 }
 
-/** Reads a project alone. That does not supersede a picture that is being opened. */
+/** Reads only a project. That does not supersede a picture that is being opened. */
 function readProject(
   state: EditorState,
   read: Omit<ProjectRead, 'id'>,
@@ -120,7 +120,7 @@ function openAddress(state: EditorState, text: string, emit: Emit): EditorState 
   return requestPicture(state, { by: 'person', received: [] }, { pictures: [address] }, emit);
 }
 
-/** Gives up what is being read for a person or a page. What was open before stays. */
+/** Cancels reading for a person or a page. What was open before stays. */
 export function cancelReading(before: EditorState, emit: Emit): EditorState {
   const state = abandonReading(before, emit);
   for (const { id } of state.opening.readingProjects) emit({ type: 'abandon-read', id });
@@ -130,7 +130,7 @@ export function cancelReading(before: EditorState, emit: Emit): EditorState {
 const projectSource = (project: string | ProjectFile | null): ProjectSource | null =>
   project === null ? null : typeof project === 'string' ? { address: project } : { object: project };
 
-/** Opens again what the solver has failed at: the shown project, the open picture with its work, or the attributes. */
+/** Reopens after a failure of the solver: the shown project, the open picture with its work, or the attributes. */
 function retry(state: EditorState, emit: Emit): EditorState {
   if (state.solution.shown) return requestSolution(state, emit);
   const work = snapshotOf(state);
@@ -150,6 +150,7 @@ export const requestHandlers: Handlers<
   | 'files-received'
   | 'address-given'
   | 'sample-chosen'
+  | 'offered'
   | 'load-asked'
   | 'source-changed'
   | 'source-asked'
@@ -162,6 +163,14 @@ export const requestHandlers: Handlers<
   'sample-chosen': (state, { sample: { src, project } }, emit) => {
     const source = project === undefined ? null : { address: project };
     return requestPicture(state, { by: 'person', received: [] }, { pictures: [src], project: source }, emit);
+  },
+  offered: (state, { names, opening }, emit) => {
+    if (state.picture) {
+      const action = { label: say('answers.open'), event: opening } as const;
+      return notify(state, { kind: 'info', text: say('notices.offered', names), action }, emit);
+    }
+    emit({ type: 'follow-up', event: opening });
+    return state;
   },
   'load-asked': (state, { reply, source, project, notice }, emit) => {
     const { pageProject } = state.opening;

@@ -1,10 +1,10 @@
-/** Reverting what the solver rejects or a person cancels: the change to blame goes, later changes stay. */
+/** Reverting a change that the solver rejects or a person cancels: that change is undone, and later ones stay. */
 import { type Document, isSameWork } from '../../document/document';
 import * as history from '../../document/history';
 import type { Project } from '../../document/project';
 import { handleToRevert, withHandleReverted, withSolutionReverted } from '../../document/reverting';
 import { solveKey, solvesWith } from '../../document/solved';
-import { resumeDrawing } from '../../tools/machine';
+import type { Draft } from '../../tools/state';
 import type { Emit } from '../effects';
 import { documentOf, type EditorState, projectOf } from '../state';
 import { withDocument, withHistory } from './document_slice';
@@ -13,7 +13,7 @@ import { endPressKeepingChanges } from './press';
 
 /**
  * Takes back undo or redo, to the nearest state with the solution of this key. The states between stay in the history.
- * Returns `state` itself if the present was reached by an edit, or there is no such state.
+ * Returns `state` itself if an edit led to the present, or if no such state exists.
  */
 export function turnBack(state: EditorState, key: string, emit: Emit): EditorState {
   const { values, at } = history.timeline(state.document.history);
@@ -34,6 +34,7 @@ export function turnBack(state: EditorState, key: string, emit: Emit): EditorSta
  * that needs that solution.
  *
  * @param accepted the last solved project.
+ * @returns `undrawn`: the drawing of a handle that was reverted.
  */
 export function revertRejected(
   state: EditorState,
@@ -41,7 +42,7 @@ export function revertRejected(
   named: readonly string[],
   accepted: Project | null,
   emit: Emit,
-): { readonly state: EditorState; readonly changed: boolean } {
+): { readonly state: EditorState; readonly changed: boolean; readonly undrawn: Draft | null } {
   const times = history.timeline(state.document.history);
   const project = projectOf(state);
   const handle = handleToRevert(times, named, accepted);
@@ -53,9 +54,10 @@ export function revertRejected(
     drawn && solvesWith(project, drawn.handle) && !solvesWith(projectOf(next), drawn.handle) ? drawn : null;
   if (handle) next = withDocument(next, { refused: [...next.document.refused, handle] });
   if (!handle || undrawn) next = endPressKeepingChanges(next, emit);
-  // A refused corner must not cost the dozen clicks of its drawing.
-  if (undrawn) {
-    next = withDocument({ ...next, tools: resumeDrawing(next.tools, undrawn.draft) }, { drawn: null });
-  }
-  return { state: changed ? edited(next, 'change', emit) : next, changed };
+  if (undrawn) next = withDocument(next, { drawn: null });
+  return {
+    state: changed ? edited(next, 'change', emit) : next,
+    changed,
+    undrawn: undrawn?.draft ?? null,
+  };
 }

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Handle, Project } from '../../document/project';
+import { englishNotice } from '../english';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { projectOf } from '../state';
-import { toldNotice } from '../told';
 
 const dog = { ...testPicture('dog.png'), width: 200, height: 150, alphaThreshold: 0.5 };
 
@@ -42,7 +42,7 @@ describe('the rig of the picture before', () => {
     runtime.read(dog);
     runtime.solve();
     expect(projectOf(runtime.state).handles).toEqual([]);
-    const notice = toldNotice(runtime.state);
+    const notice = englishNotice(runtime.state);
     expect([notice?.action?.label, notice?.other?.label]).toEqual(['Use this rig', 'Back to cat.png']);
     runtime.dispatch({ type: 'notice-answered' });
     const { rig } = answer(runtime, ['hand']);
@@ -50,7 +50,7 @@ describe('the rig of the picture before', () => {
     expect(rig.project.handles).toEqual([HAND]);
     expect(projectOf(runtime.state).image).toEqual({ src: 'dog.png', width: 200, height: 150 });
     expect(projectOf(runtime.state).handles[0]?.rest).toEqual([50, 50]);
-    expect(toldNotice(runtime.state)?.text).toContain('hand was beside this picture');
+    expect(englishNotice(runtime.state)?.text).toContain('hand was outside this picture');
     runtime.dispatch({ type: 'undo-asked' });
     expect(projectOf(runtime.state).handles).toEqual([]);
     // The work on the other picture is not lost.
@@ -66,7 +66,7 @@ describe('the rig of the picture before', () => {
     drop(runtime, 'fox.png');
     runtime.read(testPicture('fox.png'));
     runtime.solve();
-    expect(toldNotice(runtime.state)?.action?.label).not.toBe('Use this rig');
+    expect(englishNotice(runtime.state)?.action?.label).not.toBe('Use this rig');
     answer(runtime);
     expect(projectOf(runtime.state).handles).toEqual([]);
   });
@@ -85,7 +85,7 @@ describe('the rig of a project for a picture of another size', () => {
       drop(runtime, ...files);
       runtime.read(files.length > 1 ? dog : null, project(runtime));
       runtime.solve();
-      const notice = toldNotice(runtime.state);
+      const notice = englishNotice(runtime.state);
       expect([notice?.action?.label, notice?.other?.label]).toEqual(['Open picture', 'Use this rig']);
       expect(notice?.text).toContain('belongs to the picture owl.png (80 × 60 px)');
       runtime.dispatch({ type: 'notice-answered', other: true });

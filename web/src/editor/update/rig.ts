@@ -20,7 +20,7 @@ export function rigOfWork(picture: Picture, { record }: Work): NoticeAction | nu
   const { project } = record.present;
   if (project.handles.length === 0) return null;
   const { name, file, alphaThreshold } = picture;
-  // Without transparency there is no outline to line up.
+  // Without transparency there is no outline to align.
   const own = alphaThreshold === null ? null : { name, file };
   return { label: say('answers.useRig'), event: { type: 'rig-asked', rig: { name, project, own } } };
 }

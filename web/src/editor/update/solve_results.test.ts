@@ -1,15 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { undoLabel } from '../../document/history';
 import { C2WarpError, TOO_MUCH } from '../../error';
+import { englishNotice, inEnglish } from '../english';
 import { FakeRuntime, testPicture } from '../fake_runtime';
 import { documentOf, projectOf } from '../state';
-import { inEnglish, toldNotice } from '../told';
 import type { WorkSnapshot } from '../work';
 import { snapshotOf } from './autosave';
 
 const tooMuch = new C2WarpError(
   TOO_MUCH,
-  'This is more than the solver can do with the memory that there is.',
+  'Not enough memory for this warp. Use fewer handles, or less detail.',
   {
     cause: 'RuntimeError: unreachable',
   },
@@ -52,10 +52,10 @@ describe('a step that the solver breaks at', () => {
     runtime.dispatch({ type: 'boundary-switched', held: true });
     runtime.refuse(tooMuch);
     expect(documentOf(runtime.state)).toBe(before);
-    expect(inEnglish(undoLabel(runtime.state.document.history))).not.toBe('Hold the boundary');
-    const notice = toldNotice(runtime.state);
+    expect(inEnglish(undoLabel(runtime.state.document.history))).not.toBe('Lock the outline');
+    const notice = englishNotice(runtime.state);
     expect(notice?.text).toBe(
-      'This is more than the solver can do with the memory that there is. The step was taken back.',
+      'Not enough memory for this warp. Use fewer handles, or less detail. The step was undone.',
     );
     expect(notice?.action).toBeUndefined();
   });
@@ -66,8 +66,8 @@ describe('a step that the solver breaks at', () => {
       runtime.dispatch({ type: 'boundary-switched', held: true });
       runtime.refuse(new C2WarpError(code, 'lower pose.density, or set fix_boundary to false'));
       expect(projectOf(runtime.state).fix_boundary).toBe(false);
-      expect(toldNotice(runtime.state)?.text).toMatch(/^This|^The .+ The step was taken back\.$/);
-      expect(toldNotice(runtime.state)?.text).not.toMatch(/pose|fix_boundary/);
+      expect(englishNotice(runtime.state)?.text).toMatch(/^This|^The .+ The step was undone\.$/);
+      expect(englishNotice(runtime.state)?.text).not.toMatch(/pose|fix_boundary/);
     }
   });
 

@@ -20,6 +20,7 @@ import { cancelReading } from './requests';
 import { revertRejected, turnBack } from './revert';
 import { beginStage, endStages, showSolution, withSolution } from './solve_request';
 import { stopSuggesting } from './suggesting';
+import { continuing, tellOfDrawing } from './tool_choice';
 import { endTrialOpened, endTrialRejected } from './trial';
 
 function keep(state: EditorState, solution: Solution): EditorState {
@@ -39,11 +40,11 @@ function solved(before: EditorState, solution: Solution, emit: Emit): EditorStat
 function refused(state: EditorState, key: string, error: Error, emit: Emit): EditorState {
   const { trial } = state.opening;
   const accepted = state.solution.shown?.project ?? null;
-  const { state: reverted, changed } = revertRejected(state, key, handlesOf(error), accepted, emit);
+  const { state: reverted, changed, undrawn } = revertRejected(state, key, handlesOf(error), accepted, emit);
   // Restored work may contain a step that was never solved: only that step goes.
   if (trial && !changed) return endTrialRejected(reverted, trial, error, true, emit);
   const next = !changed && !reverted.solution.shown ? closePicture(reverted, emit) : reverted;
-  return report(next, error, emit, changed);
+  return report(next, error, emit, changed, undrawn && continuing(undrawn));
 }
 
 function failed(before: EditorState, error: Error, emit: Emit): EditorState {
@@ -58,8 +59,10 @@ function cancelSolve(state: EditorState, emit: Emit): EditorState {
   if (pending === null || state.opening.trial) return state;
   const { shown } = state.solution;
   const back = shown ? turnBack(state, shown.key, emit) : state;
-  const reverted = back === state ? revertRejected(state, pending, [], null, emit).state : back;
-  return announce(reverted, say('spoken.cancelled'));
+  const { state: reverted, undrawn } =
+    back === state ? revertRejected(state, pending, [], null, emit) : { state: back, undrawn: null };
+  const told = undrawn ? tellOfDrawing(reverted, undrawn, emit) : reverted;
+  return announce(told, say('spoken.cancelled'));
 }
 
 export const solveHandlers: Handlers<

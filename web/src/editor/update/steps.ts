@@ -1,15 +1,18 @@
 /** Undo steps: edits, undo and redo, and changes by the page. */
 
 import { type ModeReturn, modeOf } from '../../document/bending';
-import { type Document, handleById, isSameWork } from '../../document/document';
+import { type KeyRef, newKeys } from '../../document/clip_keys';
+import { type Document, fileProject, handleById, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
 import type { Handle, PoseMode } from '../../document/project';
 import { say, type Wording } from '../../texts/wording';
-import { cancelPress, forgetTakenCorners, isPressing, restoreDrawings } from '../../tools/machine';
+import { cancelPress, forgetTakenCorners, isPressing, restoreDrawing } from '../../tools/machine';
 import type { Emit } from '../effects';
+import { openClip } from '../open_clip';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import type { Work } from '../work';
+import { withTimeline } from './clip_slice';
 import { guardEnded, landed, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { announce } from './notices';
@@ -18,12 +21,19 @@ import { closeTimeline, returnToMoment } from './playhead';
 import { applyTools, endPress, endPressKeepingChanges } from './press';
 import { select } from './selection';
 
-/** Opens work: a document with its history and its unfinished drawings. */
-export function openWork(state: EditorState, { record, drawings, saved }: Work, emit: Emit): EditorState {
-  const rested = closeTimeline(endPress(state, restoreDrawings(state.tools, drawings), emit), emit);
+/** Opens work: a document with its history and its unfinished drawing. The drawing brings its tool. */
+export function openWork(
+  state: EditorState,
+  { record, drawings = [], saved }: Work,
+  emit: Emit,
+): EditorState {
+  const { readonly, posable } = state.page;
+  const drawing = readonly || posable ? null : drawings[0];
+  const rested = closeTimeline(endPress(state, restoreDrawing(state.tools, drawing), emit), emit);
   const opened = withDocument(guardEnded(rested), {
     drawn: null,
     travelled: null,
+    automaticDepths: new Map(),
     history: history.historyOf(record),
     saved: saved ?? (record.past[0]?.value ?? record.present).project,
   });
@@ -71,7 +81,7 @@ export function commitStep(
   return edited(applyTools(stepped, cancelPress(stepped.tools), emit), 'change', emit);
 }
 
-/** Poses handles without a step. A press goes on, and the handles that it holds are left to it. */
+/** Poses handles without a step. A press continues, and keeps control of its handles. */
 export function poseForPage(state: EditorState, handles: readonly Handle[], emit: Emit): EditorState {
   const held = state.tools.current.holds ? selectionOf(state) : [];
   const posed = handles.filter(({ id }) => !held.includes(id));
@@ -91,9 +101,10 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
   const [label, move] =
     way === 'undo' ? [history.undoLabel(present), history.undo] : [history.redoLabel(present), history.redo];
   if (label === null) return state;
-  const travelled = returnToMoment(withDocument(state, { history: move(present), travelled: way }));
+  const moved = returnToMoment(withDocument(state, { history: move(present), travelled: way }));
+  const travelled = withTimeline(moved, { selected: keysOfStep(label, state, moved) });
   const { handle } = state.focus;
-  // The focused handle may have another name now: keys go on at the selected one.
+  // The focused handle may have been renamed: keys continue at the selected one.
   if (handle !== null && !handleById(documentOf(travelled), handle))
     emit({ type: 'focus', target: { handle: selectionOf(travelled)[0] ?? null, corner: null } });
   return announce(
@@ -102,11 +113,28 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
   );
 }
 
+/** Steps about selected keys. */
+const OF_KEYS: readonly string[] = ['moveKeys', 'pasteKeys', 'mirrorKeys', 'deleteKeys'].map(
+  (name) => `steps.${name}`,
+);
+
+/**
+ * The keys that are selected after undo or redo: those that a step about keys brings, as the document selects the
+ * handles of others. Another step leaves them as long as it selects no other handles.
+ */
+function keysOfStep({ key }: Wording, before: EditorState, after: EditorState): readonly KeyRef[] {
+  const [old, clip] = [openClip(before), openClip(after)];
+  if (!old || !clip) return [];
+  if (OF_KEYS.includes(key) || key.startsWith('steps.ease.')) return newKeys(clip, old);
+  return String(selectionOf(before)) === String(selectionOf(after)) ? before.timeline.selected : [];
+}
+
 /** The last project in a mode other than the present one, and the project after it; null if there is none. */
 export function modeReturn(state: EditorState, mode: PoseMode): ModeReturn | null {
   const { values, at } = history.timeline(state.document.history);
-  const last = values.slice(0, at).findLastIndex(({ project }) => modeOf(project) === mode);
-  const [before, after] = [values[last]?.project, values[last + 1]?.project];
+  const projects = values.slice(0, at + 1).map(fileProject);
+  const last = projects.findLastIndex((project) => modeOf(project) === mode);
+  const [before, after] = [projects[last], projects[last + 1]];
   return before && after ? { before, after } : null;
 }
 

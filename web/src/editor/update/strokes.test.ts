@@ -38,7 +38,7 @@ function draw(runtime: FakeRuntime, ...way: readonly [Vec, ...Vec[]]): void {
 describe('a stroke that the guard against folds stops', () => {
   const way = [120, 124, 128, 132, 140, 150, 160, 170, 180, 200].map((x): Vec => [x, 150]) as [Vec, ...Vec[]];
 
-  it('shows as a stopped handle does, until it goes on or ends', () => {
+  it('is shown like a stopped handle, until it continues or ends', () => {
     const runtime = brushing(400, 300);
     runtime.dispatch({ type: 'fold-guard-switched', on: true });
     const isStopped = () => viewModel(runtime.state, en).holding;

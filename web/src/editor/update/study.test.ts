@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { undoLabel } from '../../document/history';
 import { settingsOf } from '../../document/settings';
+import { inEnglish } from '../english';
 import { FakeRuntime, PAGE } from '../fake_runtime';
 import { projectOf } from '../state';
-import { inEnglish } from '../told';
 import { takesBail } from './command';
 
 function opened(page = PAGE): FakeRuntime {
@@ -59,7 +59,7 @@ describe('a setting', () => {
     expect(settingsOf(projectOf(runtime.state)).shape_factor).toBe(1);
   });
 
-  it('stays as it is for readers', () => {
+  it('does not change for readers', () => {
     const runtime = opened({ ...PAGE, readonly: true });
     alpha(runtime, 0.4);
     runtime.dispatch({ type: 'preset-chosen', preset: 'paper' });

@@ -14,11 +14,12 @@ import type { StudyPage } from '../study_state';
 import { refitView } from '../view';
 import { committed, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
+import { rebend } from './edits';
 import type { Handlers } from './handlers';
 import { beginLooking, withStudy } from './lens';
 import { inform } from './notices';
 import { applyTools } from './press';
-import { commitStep, step } from './steps';
+import { commitStep } from './steps';
 import { choose, takeTool } from './tool_choice';
 
 /** Shows a page of the card, or closes it. The picture keeps clear of the card. */
@@ -88,8 +89,7 @@ export const studyHandlers: Handlers<
   'setting-slid': (state, { setting }, emit) => (mayEdit(state) ? slide(state, setting, emit) : state),
   'preset-chosen': (state, { preset }, emit) => {
     if (!mayEdit(state)) return state;
-    const project = withPreset(projectOf(state), preset);
     const label = say(`steps.presets.${presetMode(preset) === 'rigid' ? 'editor' : 'paper'}`);
-    return step(state, label, { ...documentOf(state), project }, emit);
+    return rebend(state, label, (project) => withPreset(project, preset), emit);
   },
 };

@@ -2,9 +2,9 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { Handle, Project } from '../../document/project';
 import type { Suggestion } from '../../document/suggestion';
 import type { CommandName } from '../commands';
+import { englishNotice, englishTask, spokenText } from '../english';
 import { FakeRuntime, PAGE, testPicture } from '../fake_runtime';
 import { projectOf, selectionOf } from '../state';
-import { spokenText, toldNotice, toldTask } from '../told';
 
 const SUGGESTION: Suggestion = {
   handles: [
@@ -19,7 +19,7 @@ let runtime: FakeRuntime;
 
 const run = (command: CommandName) => runtime.dispatch({ type: 'command-run', command });
 
-/** The project that handles were last asked for. */
+/** The project of the last request for handles. */
 function asked(): Project {
   const effect = runtime.effects.findLast(({ type }) => type === 'suggest-handles');
   if (effect?.type !== 'suggest-handles') throw new Error('no handles were asked for');
@@ -29,7 +29,7 @@ function asked(): Project {
 const answer = (suggestion = SUGGESTION, project = asked()) =>
   runtime.dispatch({ type: 'handles-suggested', project, suggestion });
 const ids = () => projectOf(runtime.state).handles.map(({ id }) => id);
-const text = () => toldNotice(runtime.state)?.text;
+const text = () => englishNotice(runtime.state)?.text;
 
 beforeEach(() => {
   runtime = new FakeRuntime();
@@ -37,7 +37,7 @@ beforeEach(() => {
 });
 
 describe('suggested handles', () => {
-  it('are added as one step, and told', () => {
+  it('are added as one step, and reported', () => {
     run('suggest');
     answer();
     expect(ids()).toEqual(['top-left-end', 'middle']);
@@ -66,10 +66,10 @@ describe('suggested handles', () => {
     expect(selectionOf(runtime.state)).toEqual(['hand']);
     // The picture is moved by (10, 5), and so are they.
     expect(projectOf(runtime.state).handles[2]).toMatchObject({ rest: [200, 150], posed: [210, 155] });
-    expect(text()).toBe('Added 2 handles. The one that was there stays.');
+    expect(text()).toBe('Added 2 handles. The existing handle stays.');
   });
 
-  it('say why none is added', () => {
+  it('say why no handle is added', () => {
     const none = { handles: [], outlined: false };
     run('suggest');
     answer(none);
@@ -77,14 +77,14 @@ describe('suggested handles', () => {
     runtime.dispatch({ type: 'handle-added', handle: HAND });
     run('suggest');
     answer(none);
-    expect(text()).toBe('No handle was added: there is one near every place that would get one.');
+    expect(text()).toBe('No handles were added: every suitable place already has one nearby.');
     expect(ids()).toEqual(['hand']);
   });
 
   it('say that a picture without an outline has rows', () => {
     run('suggest');
     answer({ ...SUGGESTION, outlined: false });
-    expect(text()).toContain('Placed 2 handles in even rows, since there is no outline to follow.');
+    expect(text()).toContain('Placed 2 handles in even rows, because the picture has no outline to follow.');
   });
 
   it('get other ids where handles were renamed meanwhile', () => {
@@ -107,9 +107,9 @@ describe('suggested handles', () => {
     for (const end of ends) {
       run('suggest');
       runtime.dispatch({ type: 'timer-elapsed', timer: 'suggest-patience' });
-      expect(toldTask(runtime.state)?.name).toBe('suggest');
+      expect(englishTask(runtime.state)?.name).toBe('suggest');
       end();
-      expect([runtime.state.suggesting, toldTask(runtime.state)?.name]).not.toContain('suggest');
+      expect([runtime.state.suggesting, englishTask(runtime.state)?.name]).not.toContain('suggest');
       expect(runtime.state.suggesting).toBeNull();
       const before = ids();
       answer();
@@ -127,7 +127,7 @@ describe('suggested handles', () => {
     expect(ids()).toHaveLength(3);
   });
 
-  it('are those of the newest command alone', () => {
+  it('only belong to the newest command', () => {
     run('suggest');
     const first = asked();
     runtime.dispatch({ type: 'handle-added', handle: HAND });
@@ -165,7 +165,7 @@ describe('suggested handles', () => {
   it('report a failure of the solver', () => {
     run('suggest');
     runtime.dispatch({ type: 'suggestion-failed', project: asked(), error: new Error('no memory') });
-    expect(toldNotice(runtime.state)).toMatchObject({ kind: 'error', text: 'no memory' });
+    expect(englishNotice(runtime.state)).toMatchObject({ kind: 'error', text: 'no memory' });
     expect(runtime.state.suggesting).toBeNull();
   });
 });

@@ -19,7 +19,7 @@ import { choose } from './tool_choice';
 
 /** From here on a wait is noticeable. */
 const PATIENCE_MS = 200;
-/** Where the posed picture covers itself, another part may be found than the one that is asked for, image pixels. */
+/** Where the posed picture covers itself, a different part than the requested one may be found, image pixels. */
 const SAME_PX = 2;
 
 export function askForHandles(state: EditorState, emit: Emit): EditorState {

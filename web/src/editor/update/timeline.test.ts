@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { anchor } from '../../document/handle';
+import { anchor, depthOf } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
 import { en } from '../../texts/en';
+import type { CommandName } from '../commands';
+import { englishNotice } from '../english';
 import type { EditorEvent } from '../events';
 import { FakeRuntime } from '../fake_runtime';
 import { documentOf, filedProject, isUnsaved, projectOf } from '../state';
-import { toldNotice } from '../told';
 import { viewModel } from '../view_model';
 import { projectForFile } from './exporting';
 
@@ -42,6 +43,7 @@ function drag(runtime: FakeRuntime, ...way: readonly Vec[]): void {
   for (const to of others) send(runtime, { type: 'press-moved', pointer: to });
   send(runtime, { type: 'press-ended', pointer: others.at(-1) ?? from });
 }
+const run = (command: CommandName): EditorEvent => ({ type: 'command-run', command });
 const move = (time: number): EditorEvent => ({ type: 'playhead-moved', time });
 const clip = (runtime: FakeRuntime) => filedProject(runtime.state).clips?.[0];
 const keys = (runtime: FakeRuntime, handle: string) =>
@@ -177,11 +179,11 @@ describe('the timeline', () => {
         { handle: 'a', time: 1 },
       ],
     });
-    send(runtime, { type: 'keys-copied' }, move(0.5), { type: 'keys-pasted' });
+    send(runtime, run('copy-keys'), move(0.5), run('paste-keys'));
     expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.5]);
-    send(runtime, move(1.2), { type: 'keys-pasted' });
+    send(runtime, move(1.2), run('paste-keys'));
     expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.2, 1.5]);
-    expect(toldNotice(runtime.state)?.text).toContain('1 key was left out');
+    expect(englishNotice(runtime.state)?.text).toContain('1 key was left out');
   });
 
   it('eases and removes the selected keys', () => {
@@ -194,7 +196,7 @@ describe('the timeline', () => {
       { type: 'keys-eased', ease: 'hold' },
     );
     expect(clip(runtime)?.tracks[0]?.keys[0]?.ease).toBe('hold');
-    send(runtime, { type: 'keys-removed' });
+    send(runtime, run('remove-keys'));
     expect(keys(runtime, 'a')).toEqual([[1, 160]]);
   });
 
@@ -207,7 +209,7 @@ describe('the timeline', () => {
       { type: 'command-run', command: 'set-key' },
     );
     drag(runtime, [100, 150], [120, 150]);
-    send(runtime, { type: 'keys-selected', keys: [{ handle: 'a', time: 1 }] }, { type: 'keys-mirrored' });
+    send(runtime, { type: 'keys-selected', keys: [{ handle: 'a', time: 1 }] }, run('mirror-keys'));
     expect(keys(runtime, 'b')).toEqual([[1, 280]]);
   });
 
@@ -221,10 +223,104 @@ describe('the timeline', () => {
     send(runtime, { type: 'clip-named', name: ' big  sway ' });
     expect(names()).toEqual(['clip', 'sway', 'big sway']);
     send(runtime, { type: 'clip-renaming-switched', on: true }, { type: 'clip-named', name: 'sway' });
-    expect(toldNotice(runtime.state)?.text).toContain('Another clip has the name "sway"');
+    expect(englishNotice(runtime.state)?.text).toContain('Another clip is already called “sway”');
     send(runtime, { type: 'clip-removed' });
     expect([names(), runtime.state.timeline.clip]).toEqual([['clip', 'sway'], 'clip']);
     send(runtime, { type: 'undo-asked' });
     expect(names()).toEqual(['clip', 'sway', 'big sway']);
+  });
+
+  it('cuts the name of a copy where names end', () => {
+    const runtime = opened();
+    const names = () => filedProject(runtime.state).clips?.map(({ name }) => name);
+    send(runtime, { type: 'clip-renaming-switched', on: true });
+    send(runtime, { type: 'clip-named', name: 'é'.repeat(200) }, { type: 'clip-duplicated' });
+    expect(names()).toEqual(['é'.repeat(200), 'é'.repeat(194)]);
+    send(runtime, { type: 'clip-chosen', name: 'é'.repeat(200) }, { type: 'clip-duplicated' });
+    expect(names()?.[2]).toBe(`${'é'.repeat(194)} 2`);
+  });
+});
+
+describe('depths in the timeline', () => {
+  /** The times of the keys of a handle that have a depth, and that depth. */
+  const depths = (runtime: FakeRuntime, handle: string) =>
+    clip(runtime)
+      ?.tracks.find((track) => track.handle === handle)
+      ?.keys.flatMap(({ time, depth }) => (depth === undefined ? [] : [[time, depth]])) ?? [];
+  const shown = (runtime: FakeRuntime) => projectOf(runtime.state).handles.map(depthOf);
+  const automatic = (runtime: FakeRuntime) => [...viewModel(runtime.state, en).automaticDepths];
+
+  it('rise in the keys of the drag alone, from the key before on where nothing crosses', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [300, 150]);
+    expect(depths(runtime, 'a')).toEqual([
+      [0, 1],
+      [1, 1],
+    ]);
+    expect(depths(runtime, 'b')).toEqual([]);
+    expect(automatic(runtime)).toEqual([['a', 1]]);
+    // Other drags of the same handle, at its keys and between them.
+    for (const time of [0.5, 1, 1.5]) {
+      send(runtime, move(time));
+      const at = x(runtime, 'a') ?? 0;
+      drag(runtime, [at, 150], [at, 190]);
+    }
+    expect(keys(runtime, 'a')).toHaveLength(4);
+    expect(depths(runtime, 'a')).toEqual([
+      [0, 1],
+      [1, 1],
+    ]);
+  });
+
+  it('change no order at other keys, where parts cross too', () => {
+    const runtime = opened();
+    drag(runtime, [100, 150], [300, 150]);
+    expect([depths(runtime, 'a'), shown(runtime)]).toEqual([[[0, 1]], [1, 0]]);
+    send(runtime, move(1), { type: 'handles-selected', ids: ['b'] });
+    send(runtime, { type: 'arrow-pressed', by: [50, 0] }, { type: 'arrow-pressed', by: [-50, 0] });
+    expect(depths(runtime, 'b')).toEqual([
+      [0, 0],
+      [1, 2],
+    ]);
+    send(runtime, move(0.9));
+    expect(shown(runtime)).toEqual([1, 0]);
+    send(runtime, move(1.9));
+    expect(shown(runtime)).toEqual([1, 2]);
+    expect(automatic(runtime)).toEqual([
+      ['a', 1],
+      ['b', 2],
+    ]);
+  });
+
+  it('that a person sets are not automatic, and change no other key that has one', () => {
+    const runtime = opened();
+    drag(runtime, [100, 150], [300, 150]);
+    send(runtime, move(1), { type: 'command-run', command: 'forward' });
+    const set = [
+      [0, 1],
+      [1, 2],
+    ];
+    expect(depths(runtime, 'a')).toEqual(set);
+    expect(automatic(runtime)).toEqual([]);
+    // Keys that are set leave depths as they are.
+    for (const time of [1, 1.5]) send(runtime, move(time), { type: 'command-run', command: 'set-key' });
+    expect(depths(runtime, 'a')).toEqual(set);
+    expect(keys(runtime, 'a')).toHaveLength(3);
+  });
+
+  it('of a recorded drag hold from its beginning', () => {
+    const runtime = opened();
+    const to = (place: Vec): EditorEvent => ({
+      type: 'press-moved',
+      pointer: pointer(staged(runtime, place)),
+    });
+    const tick = { type: 'clock-ticked', seconds: 0.1 } as const;
+    send(runtime, { type: 'record-held', held: true });
+    send(runtime, { type: 'press-began', pointer: pointer(staged(runtime, [100, 150])), pans: false });
+    for (let at = 100; at <= 300; at += 20) send(runtime, tick, to([at, 150]));
+    send(runtime, { type: 'press-ended', pointer: pointer(staged(runtime, [300, 150])) });
+    expect(keys(runtime, 'a')?.length).toBeGreaterThan(1);
+    expect(depths(runtime, 'a')).toEqual([[0, 1]]);
   });
 });

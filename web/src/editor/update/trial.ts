@@ -40,7 +40,7 @@ function tryRequested(
   const request = withoutOpened(reading, source);
   // A drag in hand is part of the work that gives way.
   let state = withOpening(endPressKeepingChanges(before, emit), { reading: null });
-  // A picture of the page is never one that a person was asked for.
+  // A picture of the page is never one that a person was asked to choose.
   const isAwaited = awaiting && request.purpose.by === 'person' && belongs(picture, awaiting.project);
   const awaited = isAwaited ? awaiting.project : null;
   const asked = request.work ? null : (given ?? awaited);
@@ -238,7 +238,7 @@ function askForPicture(state: EditorState, emit: Emit): EditorState {
   return notify(state, { kind: 'info', text, action, ...(rig && { other: rig }) }, emit);
 }
 
-/** Applies a project file without a picture to the open picture if the size fits. Otherwise asks for its picture. */
+/** Applies a project file without a picture to the open picture if the size fits. Otherwise requests its picture. */
 function openProject(state: EditorState, name: string, project: Project, emit: Emit): EditorState {
   if (state.picture && fits(state.picture, project)) {
     const next = withDocument(withOpening(state, { awaiting: null }), { saved: project });
@@ -247,7 +247,7 @@ function openProject(state: EditorState, name: string, project: Project, emit: E
   return askForPicture(withOpening(state, { awaiting: { name, project } }), emit);
 }
 
-/** Opens a project file that holds its picture, in place of the picture being read. */
+/** Opens a project file that holds its picture, instead of the picture being read. */
 function tryProjectWithPicture(
   before: EditorState,
   read: ProjectRead,
@@ -264,7 +264,7 @@ function tryProjectWithPicture(
   return tryRequested(withOpening(state, { reading: request, overtaken: true }), opened, emit);
 }
 
-/** Gives up the picture that the page asked for with this reply. The picture before stays open. */
+/** Cancels the picture that the page requested with this reply. The picture before stays open. */
 function cancelLoad(state: EditorState, reply: number, emit: Emit): EditorState {
   const isOf = (request: OpenRequest | null | undefined): boolean =>
     request?.purpose.by === 'load' && request.purpose.reply === reply;

@@ -1,6 +1,6 @@
 /**
- * Reads a picture file before it is decoded. Browsers show truncated pictures without an error, and differ in what they
- * do with animations and orientations, so the file must be read.
+ * Reads a picture file before it is decoded. Browsers show truncated pictures without an error, and handle animations
+ * and orientations differently, so the file must be read.
  */
 import { gifHeader } from './gif';
 import { jpegHeader } from './jpeg';

@@ -2,14 +2,14 @@
  * The structure of JPEG files (ITU-T T.81, annex B), as `wasm/cli/src/picture/jpeg.rs` reads it.
  *
  * Segments are skipped by their length. Scan data ends at the next marker, because it never contains one. Some cameras
- * write no marker "end of image", or data of their own in its place. Such a file is complete if its scans are. Scan
- * data has no length, so a decoder must find out: see {@link probes}.
+ * omit the marker "end of image", or write their own data instead. Such a file is complete if its scans are complete.
+ * Scan data has no length, so a decoder must find out: see {@link probes}.
  */
 import type { Structure } from './structure';
 
 const START_OF_SCAN = 0xda;
 const END_OF_IMAGE = 0xd9;
-/** Each decodes to other blocks. Decoders take missing bits for 0. */
+/** Each probe decodes to different blocks. Decoders take missing bits for 0. */
 const FILLERS = [0x33, 0xcc].map((byte) => new Uint8Array(64).fill(byte));
 
 export function jpegHeader(view: DataView): Structure {
@@ -34,9 +34,9 @@ export function jpegHeader(view: DataView): Structure {
 }
 
 /**
- * Files that end with a marker. They decode alike if the last scan of an unmarked file has all of its data.
+ * Files that end with a marker. They decode to the same pixels if the last scan of an unmarked file is complete.
  *
- * In all but the first file, filler follows the scan. Decoders ignore it once they have decoded every block.
+ * In all files but the first, filler follows the scan. Decoders ignore it after they have decoded every block.
  */
 export function probes(file: ArrayBuffer, endOfScan: number): readonly Blob[] {
   const scanned = new Uint8Array(file, 0, endOfScan);
@@ -81,9 +81,10 @@ const isFrame = (code: number): boolean =>
   code >= 0xc0 && code <= 0xcf && code !== 0xc4 && code !== 0xc8 && code !== 0xcc;
 
 /**
- * The low bits that no scan has given yet, for each component of the frame and each of its 64 coefficients.
+ * The low bits that no scan has provided yet, for each component of the frame and each of its 64 coefficients.
  *
- * A sequential scan gives all bits. A progressive one gives some coefficients, without their lowest bits at first.
+ * A sequential scan provides all bits. A progressive scan provides some coefficients, at first without their lowest
+ * bits.
  */
 class MissingBits {
   readonly #components = new Map<number, Uint8Array>();

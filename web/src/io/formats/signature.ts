@@ -34,11 +34,13 @@ const SIGNATURES: readonly (readonly [start: string, name: KindName, kind?: Kind
 /** A byte order mark in UTF-8 comes before the text of some drawings. */
 const DRAWING = /^(?:ï»¿)?\s*<(?:\?xml|!--|!DOCTYPE svg|svg)/i;
 
-/** Text in UTF-16 with a byte for each character of ASCII; any other as it is. */
+/** UTF-16 text with one byte per ASCII character; other text is returned unchanged. */
 const narrow = (start: string): string =>
   /^(?:ÿþ|þÿ|\0[<\s]|[<\s]\0)/.test(start) ? start.replace(/^(?:ÿþ|þÿ)/, '').replaceAll('\0', '') : start;
 
-/** By brands of ISO base media files (ISO/IEC 14496-12, section 4.3). AVIF files may name brands of HEIC as well. */
+/**
+ * Names by brands of ISO base media files (ISO/IEC 14496-12, section 4.3). AVIF files may name brands of HEIC as well.
+ */
 const BRANDS: readonly (readonly [brands: readonly string[], signature: Signature])[] = [
   [['avif', 'avis'], { kind: 'avif', name: 'avif' }],
   [['heic', 'heix', 'heim', 'heis', 'hevc', 'hevx', 'mif1', 'msf1'], { kind: 'other', name: 'heic' }],

@@ -21,7 +21,7 @@ export function webpHeader(view: DataView): Structure {
 
 /**
  * Returns the file without its EXIF data. Some browsers apply the orientation of a WebP and others ignore it: without
- * the data, none does.
+ * the data, all ignore it.
  */
 export function withoutExif(file: ArrayBuffer): ArrayBuffer {
   const copy = file.slice(0);

@@ -8,3 +8,6 @@ export const MAX_SIDE = 16384;
 
 /** Greatest number of pixels of a picture. */
 export const MAX_PIXELS = 100000000;
+
+/** Greatest length of a project file, in bytes. */
+export const MAX_PROJECT_BYTES = 100000000;

@@ -12,7 +12,7 @@ it('transparent pixels get the nearest colour of their row or column', () => {
   expect(pixel(0, 1)).toEqual([10, 20, 30, 0]);
   expect(pixel(1, 3)).toEqual([10, 20, 30, 0]);
   expect(pixel(4, 0)).toEqual([40, 50, 60, 0]);
-  // What is there already stays as it is.
+  // Existing pixels do not change.
   expect(pixel(1, 1)).toEqual([10, 20, 30, 255]);
   expect(pixel(4, 1)).toEqual([40, 50, 60, 128]);
 });

@@ -39,7 +39,7 @@ export class CanvasFile implements WrittenFile<Blob> {
     const file = await this.#canvas.convertToBlob({ type, quality }).catch(() => {
       throw new Refused(TOO_LARGE);
     });
-    // Browsers write a PNG in place of a format that they lack.
+    // Browsers write a PNG instead of a format that they lack.
     if (file.type !== type) throw new Refused(UNSUPPORTED);
     return file;
   }

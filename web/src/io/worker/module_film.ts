@@ -105,7 +105,7 @@ export class ModuleFilm implements FilmEncoder {
   }
 }
 
-/** Calls the module. @throws Refused for its errors; a panic stays what it is. */
+/** Calls the module. @throws Refused for its errors; a panic is passed on unchanged. */
 function attempt<T>(call: () => T): T {
   try {
     return call();

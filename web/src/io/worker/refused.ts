@@ -13,5 +13,5 @@ export class Refused extends Error {
   }
 }
 
-/** A refusal after which the worker cannot go on, such as a panic of its module. */
+/** A failure after which the worker cannot continue, such as a panic of its module. */
 export class Broken extends Refused {}

@@ -45,7 +45,7 @@ export function serveFile<File>(
     writing = writing
       .then(() => handle(data))
       .catch((error: unknown) => {
-        // A fault: the page hears of it as an error of this worker, and replaces it.
+        // A fault: the page receives it as an error of this worker, and replaces the worker.
         port.close();
         reportError(error);
       });

@@ -1,7 +1,7 @@
 /**
  * WebM and MP4: frames are encoded by the browser (WebCodecs), and packed by mediabunny.
  *
- * WebM carries transparency as a second picture of each frame, which is encoded by itself. A key frame of the colours
+ * WebM carries transparency as a second picture of each frame, which is encoded separately. A key frame of the colours
  * is one of the transparency too, so that players can seek. Encoders get a few frames at a time: memory stays flat.
  */
 
@@ -37,7 +37,7 @@ const MICROSECONDS = 1e6;
 /** For tiny films, whose blocks have few pixels. */
 const LEAST_BITS_A_SECOND = 200_000;
 
-/** The encoded colours of a frame, until its transparency is there. */
+/** The encoded colours of a frame, until its transparency arrives. */
 interface Coloured {
   readonly chunk: EncodedVideoChunk;
   readonly meta: EncodedVideoChunkMetadata | undefined;
@@ -122,7 +122,7 @@ export class VideoFilm implements FilmEncoder {
     if (this.#packer.state === 'started') this.#packer.cancel().catch(() => {});
   }
 
-  /** Frames whose colours are there, and whose transparency is not. */
+  /** Frames with colours that wait for their transparency. */
   get #lag(): number {
     return this.#coloured.length;
   }

@@ -2,7 +2,7 @@
 export interface WrittenFile<File> {
   /** @throws Refused with a reason for people. */
   write(rgba: Uint8Array<ArrayBuffer>): Promise<void>;
-  /** @throws as {@link write}. */
+  /** @throws the errors of {@link write}. */
   finish(): Promise<File>;
   /** Frees its memory, and leaves nothing of an unfinished file behind; called at the end in any case. */
   abandon(): void | Promise<void>;

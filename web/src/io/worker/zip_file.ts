@@ -1,4 +1,4 @@
-/** A zip archive, written file by file. Pictures are compressed already, so they are stored as they are. */
+/** A zip archive, written file by file. Pictures are compressed already, so they are stored uncompressed. */
 
 import { Zip, ZipPassThrough } from 'fflate';
 import { say } from '../../texts/wording';
@@ -48,7 +48,7 @@ export class ZipFile {
       const position = this.#length;
       this.#length += bytes.length;
       if (this.#length > MOST_BYTES) throw new Refused(TOO_LARGE);
-      // A copy: the archive may go on to use its own.
+      // A copy, because the archive may continue to use its own.
       await this.#take(position, bytes.slice());
     }
   }

@@ -17,26 +17,26 @@ export const toolbar: Texts['toolbar'] = {
   darkColours: 'Dunkle Farben',
   unsaved: 'Ungespeichert',
   unsavedKept: 'Ungespeichert, in diesem Browser aufbewahrt',
-  noFile: 'keine Datei enthält die letzten Änderungen',
+  noFile: 'letzte Änderungen nicht als Datei gespeichert',
   kept: 'in diesem Browser aufbewahrt',
 };
 
 export const files: Texts['files'] = {
-  label: 'Letzte Arbeiten, Beispiele oder eine Adresse öffnen',
+  label: 'Letzte Arbeit, Beispiel oder Adresse öffnen',
   address: 'Adresse eines Bilds oder Projekts',
   placeholder: 'https://…/bild.png',
   open: 'Öffnen',
   recent: 'Letzte Arbeiten',
   removeAll: 'Alle entfernen',
-  noRecent: 'Bearbeitete Bilder stehen hier, sobald ein anderes geöffnet wird.',
+  noRecent: 'Bearbeitete Bilder erscheinen hier, sobald Sie ein anderes öffnen.',
   remove: (name) => `${name} aus der Liste entfernen`,
-  drawing: 'eine Zeichnung',
+  drawing: 'unfertige Zeichnung',
   steps: (count) => counted(count, 'Schritt', 'Schritte'),
   samples: 'Beispiele',
   openSample: (name) => `Beispiel öffnen: ${name}`,
-  whole: 'Eine Datei mit allem',
+  whole: 'Alles in einer Datei',
   saveWhole: 'Mit dem Bild speichern',
-  exportWhole: 'PNG exportieren, das sich wieder öffnet',
+  exportWhole: 'Bearbeitbares PNG exportieren',
 };
 
 export const tools: Texts['tools'] = {

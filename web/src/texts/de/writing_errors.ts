@@ -5,21 +5,23 @@ export const writingErrors: Texts['errors']['writing'] = {
   film: (why) => `Der Film konnte nicht kodiert werden: ${why}`,
   filmStorage: (why) => `Der Film konnte nicht gespeichert werden: ${why}`,
   reasons: {
-    encoderFailed: 'Der Kodierer ist ausgefallen oder wurde nicht geladen. Die Seite neu laden.',
-    encoderStopped: 'Der Kodierer ist stehen geblieben oder wurde nicht geladen. Die Seite neu laden.',
+    encoderFailed: 'Der Kodierer ist ausgefallen oder wurde nicht geladen. Laden Sie die Seite neu.',
+    encoderStopped: 'Der Kodierer ist stehen geblieben oder wurde nicht geladen. Laden Sie die Seite neu.',
     encoderNotLoaded: (address) =>
-      `Sein Kodierer konnte nicht geladen werden: Ist ${address} da, und das Netz?`,
+      `Der Kodierer wurde nicht geladen. Prüfen Sie, ob ${address} existiert, und prüfen Sie die Verbindung.`,
     canvasTooLarge:
-      'Dieser Browser hat keine Zeichenfläche dieser Größe. Einen kleineren Maßstab oder PNG wählen.',
-    formatUnsupported: 'Dieser Browser kann dieses Format nicht schreiben. PNG wählen.',
-    noCodec: 'Dieser Browser kann dieses Format in dieser Größe nicht kodieren. Ein anderes Format wählen.',
+      'Dieser Browser kann kein Bild dieser Größe zeichnen. Wählen Sie eine kleinere Größe oder PNG.',
+    formatUnsupported: 'Dieser Browser kann dieses Format nicht schreiben. Wählen Sie PNG.',
+    noCodec:
+      'Dieser Browser kann dieses Format in dieser Größe nicht kodieren. Wählen Sie ein anderes Format.',
     codecFailed:
-      'Der Kodierer des Browsers ist ausgefallen. Eine kleinere Größe oder ein anderes Format wählen.',
+      'Der Kodierer des Browsers ist ausgefallen. Wählen Sie eine kleinere Größe oder ein anderes Format.',
     filmTooLarge:
-      'Er braucht mehr Speicher, als dieser Browser gibt. Eine kleinere Größe oder ein anderes Format wählen.',
-    zipTooLarge: 'Ein Zip fasst höchstens 4 GB. Eine kleinere Größe oder weniger Einzelbilder wählen.',
+      'Er ist zu groß für den Speicher dieses Browsers. Wählen Sie eine kleinere Größe oder ein anderes Format.',
+    zipTooLarge: 'Ein Zip fasst höchstens 4 GB. Wählen Sie eine kleinere Größe oder weniger Einzelbilder.',
     diskFull: 'Der Datenträger ist voll.',
-    diskRefuses: 'Der Datenträger nimmt es nicht an. Ist er noch da, und darf diese Seite darauf schreiben?',
+    diskRefuses:
+      'Der Datenträger nimmt die Datei nicht an. Prüfen Sie, ob er verbunden ist und diese Seite darauf schreiben darf.',
     other: (detail) => `${detail}.`,
   },
 };

@@ -12,21 +12,20 @@ export const errors = {
   refusals,
   writing: writingErrors,
   /** After a sentence about a step that cannot be solved. */
-  takenBack: 'The step was taken back.',
+  takenBack: 'The step was undone.',
   /** @param file whose error it is. */
   inFile: (file: string, sentence: string) => `${file}: ${sentence}`,
-  nothingOpaque: (picture: string) => `${picture}: nothing in this picture is opaque enough to be warped.`,
-  pictureTooMuch: (picture: string) =>
-    `${picture}: this picture is more than the solver can do in this browser.`,
+  nothingOpaque: (picture: string) => `${picture}: no part of this picture is opaque enough to warp.`,
+  pictureTooMuch: (picture: string) => `${picture} is too large to process in this browser. Scale it down.`,
   /** A project for a picture of the first size, and the open picture with its size. */
   imageSize: (width: number, height: number, picture: string, itsWidth: number, itsHeight: number) =>
-    `The project is for a picture of ${width} × ${height} px; ${picture} has ${itsWidth} × ${itsHeight} px.`,
+    `The project is for a picture of ${width} × ${height} px, but ${picture} has ${itsWidth} × ${itsHeight} px.`,
   emptyProject: 'The file is empty.',
   /** An export that cannot hold this project. @param detail a sentence of the solver, in English. */
   exportRefused: (detail: string) => detail,
-  cardNotLoaded: 'This card could not be loaded: is the network there?',
-  noWebgl: 'This browser cannot draw with WebGL2. Switch on hardware acceleration or use another browser.',
-  noCanvas: 'This browser cannot show a picture on a 2D canvas.',
+  cardNotLoaded: 'Could not load this panel. Check your connection.',
+  noWebgl: 'This browser cannot draw with WebGL2. Turn on hardware acceleration or use another browser.',
+  noCanvas: 'This browser cannot show pictures on a 2D canvas.',
   /** Anything else. @param detail a message of the browser or of a program, in English. */
   other: (detail: string) => detail,
 };

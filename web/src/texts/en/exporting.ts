@@ -2,7 +2,7 @@
 import { counted, list, number, plural } from './language';
 
 export const exporting = {
-  kind: 'Kind',
+  kind: 'Type',
   kinds: { picture: 'Picture', film: 'Film', page: 'Web page', engine: 'Engine', maps: 'Maps' },
   format: 'Format',
   size: 'Size',
@@ -10,8 +10,8 @@ export const exporting = {
   background: 'Background',
   area: 'Area',
   original: 'Original',
-  allOfIt: 'All of it',
-  covered: 'Covered',
+  allOfIt: 'Expanded',
+  covered: 'Trimmed',
   /** The button. @param format such as PNG. */
   export: (format: string) => `Export ${format}`,
   exportRig: 'Export rig',
@@ -22,53 +22,53 @@ export const exporting = {
   aboutPixels: (width: number, height: number) => `≈ ${number(width)} × ${number(height)} px`,
 
   formatNotes: {
-    png: 'Every pixel as it is, with transparency.',
-    jpeg: 'Small files of photographs, without transparency.',
+    png: 'Lossless, with transparency.',
+    jpeg: 'Small files for photographs, without transparency.',
     webp: 'Small files, with transparency.',
-    svg: 'The drawing with bent paths, which stay sharp at any size.',
+    svg: 'The drawing with bent paths. It stays sharp at any size.',
   },
   areaNotes: {
-    picture: 'The rectangle of the original.',
-    grown: 'Grown to hold the parts that are bent beyond the original.',
-    covered: 'Only the covered part, without an empty border.',
+    picture: 'The frame of the original picture.',
+    grown: 'Expanded to include parts bent beyond the original frame.',
+    covered: 'Trimmed to the visible part, without an empty border.',
   },
   /** A remark of the solver on a bent drawing, in English. */
   remark: (detail: string) => detail,
 };
 
 export const film = {
-  noClip: 'There is no clip yet: a film shows one.',
+  noClip: 'A film needs a clip. Add one in the timeline.',
   openTimeline: 'Open the timeline',
   clip: 'Clip',
   /** Formats without a name of their own. */
   frames: 'PNGs',
   sheet: 'Sheet',
   formatNotes: {
-    webm: 'Small, with soft transparency. For web pages.',
-    mp4: 'Small, without transparency. Plays nearly everywhere.',
-    gif: 'Plays everywhere. 255 colours, hard edges.',
-    apng: 'Every pixel as it is, with soft transparency.',
-    webp: 'Every pixel as it is, smaller than an APNG.',
-    frames: 'A zip of one PNG for each frame.',
-    sheet: 'A zip of all frames in one PNG, with a JSON file for game engines.',
+    webm: 'Small files with soft transparency, for web pages.',
+    mp4: 'Small files without transparency. Plays nearly everywhere.',
+    gif: 'Plays everywhere, but has only 255 colours and hard edges.',
+    apng: 'Lossless, with soft transparency.',
+    webp: 'Lossless, and smaller than APNG.',
+    frames: 'A zip with one PNG per frame.',
+    sheet: 'A zip with a sprite sheet: all frames in one PNG, and a JSON file for game engines.',
   },
-  codec: (name: string) => `By ${name}.`,
+  codec: (name: string) => `Codec: ${name}.`,
   /** The film gets a column or a row more. */
   codecWithEvenSides: (name: string, width: number, height: number) =>
-    `By ${name}. It has even sides: ${width} × ${height} px.`,
-  gifRate: (most: number) => `A GIF gets ${most} frames a second, the most that viewers play.`,
-  noCodec: (formats: readonly string[]) => `${list(formats)}: this browser does not encode it.`,
+    `Codec: ${name}. Width and height are rounded up to even numbers: ${width} × ${height} px.`,
+  gifRate: (most: number) => `GIFs are limited to ${most} frames per second, the most that viewers play.`,
+  noCodec: (formats: readonly string[]) => `This browser cannot encode ${list(formats)}.`,
   rate: 'Rate',
-  rateTip: 'Frames a second',
-  allFrames: 'All frames',
-  part: 'Part',
+  rateTip: 'Frames per second',
+  allFrames: 'Expanded',
+  part: 'Range',
   wholeClip: 'Whole clip',
-  aPart: 'A part',
+  aPart: 'Part of clip',
   from: 'From',
   to: 'To',
   transparent: 'Transparent',
   colour: 'Colour',
-  softEdgesOn: 'Soft edges on',
+  softEdgesOn: 'Matte colour',
   frameCount: (count: number) => counted(count, 'frame'),
   /** @param size such as 5 MB. @param time such as 10 s. */
   estimate: (size: string, time: string) => `about ${size}, ${time}`,
@@ -78,46 +78,45 @@ export const film = {
 };
 
 export const webPage = {
-  note: 'One small file with all clips, for the player: a script of 14 kB that needs no editor.',
-  withoutClips: 'There is no clip yet: the page shows the pose.',
-  readers: 'Readers',
+  note: 'One small file with all clips. A 14 kB player script shows it without the editor.',
+  withoutClips: 'Without a clip, the page shows the current pose.',
+  readers: 'Visitors can',
   watch: 'Watch clips',
   pose: 'Pose handles',
-  solver: 'The page then loads another 100 kB, and the file grows by about as much.',
+  solver: 'Posing adds about 100 kB to the file and another 100 kB to the page.',
   code: 'Code',
   copyCode: 'Copy code',
-  codeNote: 'Paste it into a page beside the file and the folder “player” of the package.',
-  codeCopied: (file: string) =>
-    `Copied. The code shows ${file} in a page beside it and the folder “player” of the package.`,
-  codeNotCopied: 'The browser blocked the clipboard. The code is selected: copy it by hand.',
+  codeNote: 'Paste this into a page. Put the file and the package’s “player” folder beside the page.',
+  codeCopied: (file: string) => `Copied. Put ${file} and the package’s “player” folder beside the page.`,
+  codeNotCopied: 'The browser blocked the clipboard. Copy the selected code yourself.',
 };
 
 export const engine = {
   notes: {
-    spine: 'Spine 4.2 and its runtimes: JSON, atlas and PNG.',
-    dragonbones: 'DragonBones 5.5 and its runtimes: two JSON files and a PNG.',
-    gltf: 'glTF 2.0 for three.js, Blender and others: one file.',
-    godot: 'A scene of Godot 4 with its PNG.',
+    spine: 'For Spine 4.2 and its runtimes: JSON, atlas and PNG.',
+    dragonbones: 'For DragonBones 5.5 and its runtimes: two JSON files and a PNG.',
+    gltf: 'glTF 2.0 for three.js, Blender and others, in one file.',
+    godot: 'A Godot 4 scene with its PNG.',
   },
   clips: (count: number) =>
     count === 0
-      ? 'Mesh, bones and pose. There is no clip yet.'
+      ? 'Contains the mesh, bones and pose. Add a clip to include an animation.'
       : plural(count, {
-          one: 'With the clip as an animation.',
-          other: `With ${count} clips as animations.`,
+          one: 'Includes the clip as an animation.',
+          other: `Includes ${count} clips as animations.`,
         }),
-  rough: 'Bones blend more simply than handles, so a rig is a little off. The export tells how far.',
+  rough: 'Bones only approximate handles, so the rig differs slightly. The export reports by how much.',
   bones: 'Bones',
-  bonesTip: 'The most bones besides the root',
+  bonesTip: 'Maximum number of bones, not counting the root',
   vertices: 'Vertices',
-  verticesTip: 'The most vertices of the mesh',
-  influences: 'Bones for each vertex',
+  verticesTip: 'Maximum number of mesh vertices',
+  influences: 'Bones per vertex',
   files: 'Files',
   zip: 'Zip',
   folder: 'Folder',
-  /** The table of how far a rig is off. */
+  /** The table of the errors of a rig. @param sites handles and helper points. */
   lossCaption: (bones: number, sites: number, vertices: number) =>
-    `The last rig has ${bones} bones for ${sites} sites, and ${vertices} vertices. It is off by, in pixels:`,
+    `The last rig uses ${bones} bones for ${sites} handles and helper points, and ${vertices} vertices. Error in pixels:`,
   largest: 'Largest',
   pose: 'Pose',
   randomPoses: 'Random poses',
@@ -125,7 +124,7 @@ export const engine = {
   betweenVertices: 'Between vertices',
   /** The same in a sentence. @param percentile pixels. @param largest pixels. */
   loss: (percentile: string, largest: string) =>
-    `99 % of vertices are off by at most ${percentile} px, the worst by ${largest} px.`,
+    `99 % of vertices are within ${percentile} px. The largest error is ${largest} px.`,
 };
 
 export const maps = {
@@ -139,24 +138,24 @@ export const maps = {
     weights: 'Weights',
   },
   notes: {
-    inverse: 'An ST map for compositors: it bends other pictures as this one is bent.',
-    forward: 'The way back: as an ST map on the warped picture, it takes the warp back.',
-    stretch: 'How much areas and lengths grow, at each pixel of the warped picture.',
-    disocclusion: 'Red where the warp uncovers something, green where it covers something.',
-    heat: 'How far the picture follows a handle, in colours over the original.',
-    weights: 'How far points of the original follow, as numbers for scripts.',
+    inverse: 'An ST map for compositors. It applies this warp to other pictures.',
+    forward: 'An ST map that undoes the warp when applied to the warped picture.',
+    stretch: 'How much areas and lengths grow at each pixel of the warped picture.',
+    disocclusion: 'Red where the warp uncovers an area, green where it covers one.',
+    heat: 'How closely the picture follows a handle, in colours over the original.',
+    weights: 'How closely points of the original follow each handle, as numbers for scripts.',
   },
   formatNotes: {
-    exr: 'OpenEXR with 32-bit floats. The header tells what the channels mean.',
-    png: '16 bits a channel, for programs without OpenEXR.',
+    exr: 'OpenEXR with 32-bit floats. The header describes the channels.',
+    png: '16 bits per channel, for programs without OpenEXR.',
   },
-  csvNote: 'A row for each weight above 0.',
-  npyNote: 'An array for NumPy.',
-  npyZipNote: 'A zip: an array for NumPy, and the list of its sites.',
-  of: 'Of',
-  allSites: 'All sites',
+  csvNote: 'One row for each weight above 0.',
+  npyNote: 'A NumPy array.',
+  npyZipNote: 'A zip with a NumPy array, and the list of its handles and helper points.',
+  of: 'Weights of',
+  allSites: 'All handles',
   selectedHandle: 'Selected handle',
-  every: 'Pixels from point to point',
+  every: 'Spacing in pixels',
   points: (width: number, height: number) => `${number(width)} × ${number(height)} points`,
   /** @param handle the selected one. */
   selected: (handle: string) => `Selected: ${handle}.`,

@@ -8,9 +8,9 @@ export const names = {
   polygon: (number: string) => `polygon ${number}`,
   handles: (count: number) => counted(count, 'handle'),
   nothing: 'nothing',
-  aVirtualHandle: 'a virtual handle',
-  virtualHandle: (number: number) => `virtual handle ${number}`,
-  boundary: 'the boundary',
+  aVirtualHandle: 'a helper point',
+  virtualHandle: (number: number) => `helper point ${number}`,
+  boundary: 'the outline',
   /** Whatever the words are: names, or parts of a label. */
   all: (words: readonly string[]) => list(words),
   parts: (parts: readonly string[]) => parts.join(', '),

@@ -1,43 +1,46 @@
 /** Errors of the solver and its worker. */
 
-/** Why something is more than the solver can do, mostly for want of memory. */
+/** Why something is too much for the solver, mostly for lack of memory. */
 export const tooMuchErrors = {
-  picture: 'The picture needs more memory than there is: scale it down.',
-  pictures: 'The pictures need more memory than there is: scale them down.',
-  suggest: 'The picture needs more memory than there is to suggest handles: scale it down.',
-  solve: 'This is more than the solver can do with the memory that there is.',
-  fill: 'The picture needs more memory than there is to fill the background: scale it down.',
-  draw: 'The picture needs more memory to be drawn than there is.',
-  film: 'The film needs more memory to be drawn than this browser gives.',
-  points: 'The points need more memory than there is.',
-  cells: 'The cells are more than the solver can do in this browser.',
-  study: 'The figures are more than the solver can do in this browser.',
-  lens: 'The lens is more than the solver can do in this browser.',
-  rig: 'The clips are more than a rig can hold in this browser: shorten them.',
-  map: 'The file is more than this browser can hold: the command line writes it.',
-  drawing: 'The drawing is more than this browser can bend: simplify it.',
+  picture: 'The picture is too large for memory. Scale it down.',
+  pictures: 'The pictures are too large for memory. Scale them down.',
+  suggest: 'Not enough memory to suggest handles. Scale the picture down.',
+  solve: 'Not enough memory for this warp. Use fewer handles, or less detail.',
+  fill: 'Not enough memory to fill the background. Scale the picture down.',
+  draw: 'Not enough memory to draw the picture. Choose a smaller size.',
+  film: 'Not enough memory in this browser to draw the film. Choose a smaller size.',
+  points: 'Not enough memory for so many points.',
+  cells: 'Not enough memory in this browser to compute the cells.',
+  study: 'Not enough memory in this browser to compute the figures.',
+  lens: 'Not enough memory in this browser for the lens.',
+  rig: 'The clips are too long for a rig in this browser. Shorten them.',
+  map: 'The file is too large for this browser. Use the command line instead.',
+  drawing: 'The drawing is too complex to bend in this browser. Simplify it.',
 };
 
 export const engineErrors = {
   /** @param why one of the following four, or a message of the browser. */
-  notLoaded: (why: string) => `The solver could not be loaded: ${why}`,
-  exportNotLoaded: (why: string) => `The export could not be started: ${why}`,
-  status: (address: string, status: number) => `${address} answers ${status}`,
-  isPage: (address: string) => `${address} is not there: a page is, in its place`,
-  absent: (address: string) => `${address} does not come: is the network there, and does the page allow it?`,
+  notLoaded: (why: string) => `Could not load the solver: ${why}`,
+  exportNotLoaded: (why: string) => `Could not start the export: ${why}`,
+  status: (address: string, status: number) => `the server answered ${status} for ${address}.`,
+  isPage: (address: string) => `the server sent a web page instead of ${address}.`,
+  absent: (address: string) =>
+    `${address} is out of reach. Check your connection and the security policy of the page.`,
   incomplete: (address: string, detail: string) =>
-    `${address} came incomplete, or cannot run here (${detail}).`,
-  noWorkers: 'The solver could not be started: this browser or this page does not allow workers.',
+    `${address} is incomplete, or cannot run here (${detail}).`,
+  noWorkers: 'Could not start the solver: this browser or this page does not allow workers.',
   notStarted: (address: string) =>
-    `The solver failed: its worker could not be started: is ${address} there, and does the page allow it?`,
+    `Could not start the solver. Check that ${address} exists and that the page allows workers.`,
   exportNotStarted: (address: string) =>
-    `The export could not be started: is ${address} there, and does the page allow workers?`,
-  lostDrawing: 'The solver failed during the drawing.',
-  released: 'The pixels of the picture are gone, or there is no memory for them. Open the picture again.',
+    `Could not start the export. Check that ${address} exists and that the page allows workers.`,
+  drawingNotChecked:
+    'This drawing needs a part of the editor that could not be loaded. Check your connection, and that the page allows workers.',
+  lostDrawing: 'The solver failed while drawing.',
+  released: 'The pixels of the picture are no longer in memory. Open the picture again.',
 };
 
 /**
- * Refusals of the solver, by their codes. English shows the words of the solver for most of them.
+ * Refusals of the solver, by their codes. English shows the words of the solver for some of them.
  *
  * @param detail the words of the solver, in English. They may name keys of project files.
  * @param name of the handle that is to blame, or empty. @param other of a second one.
@@ -53,59 +56,60 @@ export const refusals = {
   picture: asIs,
   /** The project is for a picture of another size. */
   'picture-mismatch': asIs,
-  scale: refusal(() => 'The export would be too large or too small: choose another size.'),
+  scale: refusal(() => 'The export would be too large or too small. Choose another size.'),
   canvas: refusal(
-    () => 'All of the picture would be too large: choose a smaller size, or the rectangle of the original.',
+    () => 'The expanded picture would be too large. Choose a smaller size, or the original frame.',
   ),
-  'nothing-drawn': refusal(() => 'Nothing is covered: the picture is transparent everywhere.'),
-  /** No pixel is opaque enough, by the setting "Least opacity". */
-  'nothing-opaque': asIs,
+  'nothing-drawn': refusal(() => 'The picture is transparent everywhere.'),
+  'nothing-opaque': refusal(
+    () => 'No part of the picture is opaque enough to warp. Lower the setting “Minimum opacity”.',
+  ),
   'nothing-to-fill-from': refusal(
     () =>
-      'Nothing is left around the selection to fill its background from: draw a smaller one, or leave it empty.',
+      'The selection leaves nothing to fill the background from. Draw a smaller one, or turn the fill off.',
   ),
-  /** The picture has no transparent part, and so no outline that a rig could be fitted to. */
-  'no-outline': asIs,
+  'no-outline': refusal(() => 'The picture has no transparent part, so it has no outline to fit a rig to.'),
   /** A ring of a selection is not valid: outside the picture, crossing itself, flat, or with too many corners. */
   domain: asIs,
-  'handle-outside': refusal((_, name) => `“${name}” lies outside the shape: place it on the picture.`),
+  'handle-outside': refusal((_, name) => `“${name}” lies outside the shape. Place it on the picture.`),
   'handle-far-outside': refusal(
-    (_, name) => `“${name}” would lie far outside this picture: the rig does not fit it.`,
+    (_, name) => `This rig does not fit the picture: “${name}” would lie far outside.`,
   ),
-  /** Two handles at the same place: `name` and `other`. Move or delete one. */
-  'handles-too-close': asIs,
-  /** Two corners of `name` are at the same place. Move or delete one. */
-  'bar-too-short': asIs,
+  'handles-too-close': refusal(
+    (_, name, other) => `“${name}” and “${other}” are in the same place. Move or delete one of them.`,
+  ),
+  'bar-too-short': refusal(
+    (_, name) => `Two corners of “${name}” are in the same place. Move or delete one of them.`,
+  ),
   'bars-overlap': refusal((_, name, other) =>
     name === other
-      ? `“${name}” runs back along itself: its pieces may cross and touch, but not lie on one another.`
-      : `“${name}” and “${other}” run along each other: they may cross and touch, but not lie on one another.`,
+      ? `“${name}” runs back along itself. Its pieces may cross or touch, but not overlap along a line.`
+      : `“${name}” and “${other}” run along each other. They may cross or touch, but not overlap along a line.`,
   ),
   'on-held-boundary': refusal(
-    (_, name) =>
-      `“${name}” stands on the boundary, which is held: move it further inside, or free the boundary.`,
+    (_, name) => `“${name}” lies on the locked outline. Move it further inside, or unlock the outline.`,
   ),
-  /** More handles than the solver supports. */
-  'too-many-handles': asIs,
+  'too-many-handles': refusal(() => 'There are too many handles. Delete some.'),
   'handles-crowded': refusal(
-    () => 'Too many handles stand very close to one another: move some apart, or delete them.',
+    () => 'Too many handles are very close together. Move some apart, or delete some.',
   ),
   'outline-too-long': refusal(
-    () => 'This outline has too many slits and spikes: draw a simpler one, or a coarser one around it.',
+    () => 'This outline has too many slits and spikes. Draw a simpler one, or a coarser one around it.',
   ),
-  /** Bars and polygons have more corners than the solver supports: draw `name` with fewer. */
-  'too-many-corners': asIs,
+  'too-many-corners': refusal(
+    (_, name) => `Bars and polygons have too many corners. Draw ${name ? `“${name}”` : 'them'} with fewer.`,
+  ),
   'too-many-sites': refusal(
-    () => 'The handles are too close to one another, or too many: move some apart, or use less detail.',
+    () => 'The handles are too many or too close together. Move some apart, or use less detail.',
   ),
   'too-much-memory': refusal(
-    () => 'This needs more memory than a browser has: use fewer handles, or less detail.',
+    () => 'This warp needs too much memory for a browser. Use fewer handles, or less detail.',
   ),
   'too-much-work': refusal(
-    () => 'This is too intricate to solve in a few seconds: use fewer handles, or a simpler outline.',
+    () => 'This warp is too complex to solve in a few seconds. Use fewer handles, or a simpler outline.',
   ),
   'held-too-fine': refusal(
-    () => 'This outline has too many corners to be held: draw a simpler one, or let it move.',
+    () => 'This outline has too many corners to lock. Draw a simpler one, or unlock the outline.',
   ),
   /** A setting of the project is not supported: the detail says which. */
   unsupported: asIs,

@@ -2,12 +2,12 @@
 import { counted } from './language';
 
 export const stage = {
-  keys: 'Arrow keys move the selection. Comma and full stop turn it, and with Alt scale it.',
+  keys: 'Arrow keys move the selection. Comma and full stop turn it or, with Alt, scale it.',
   noPicture: 'No picture',
   picture: (name: string) => `Picture ${name}`,
   /** @param picture the label of the picture. */
   disabled: (picture: string) => `${picture}, disabled`,
-  posable: (picture: string) => `${picture}, to be posed by its handles`,
+  posable: (picture: string) => `${picture}, with handles to pose it`,
   original: 'Original',
   opening: 'Opening…',
   drop: 'Drop a picture here, paste one, or',
@@ -21,7 +21,7 @@ export const stage = {
   /** @param part the number of the part of several; null for a selection of one part. */
   selectionCorner: (corner: number, part: number | null, x: number, y: number) =>
     `Corner ${corner} of ${part === null ? 'the selection' : `part ${part} of the selection`}, x ${x}, y ${y}`,
-  selectionCornerKeys: 'Arrow keys move it. Delete removes it, and C adds one after it.',
+  selectionCornerKeys: 'Arrow keys move the corner. Delete removes it, and C adds another after it.',
   /** The menu of a place of the picture. */
   pictureMenu: 'Picture',
   /** @param handle its name. */
@@ -29,38 +29,38 @@ export const stage = {
 };
 
 export const hints = {
-  bar: { click: 'Drag a bar, or click its corners', tap: 'Drag a bar, or tap its corners' },
-  polygon: { click: 'Draw a polygon: click its corners', tap: 'Draw a polygon: tap its corners' },
+  bar: { click: 'Drag to draw a bar, or click its corners', tap: 'Drag to draw a bar, or tap its corners' },
+  polygon: { click: 'Click the corners of the polygon', tap: 'Tap the corners of the polygon' },
   lasso: {
-    click: 'Draw around the part that bends: drag, or click corners',
-    tap: 'Draw around the part that bends: drag, or tap corners',
+    click: 'Draw around the part to bend: drag, or click corners',
+    tap: 'Draw around the part to bend: drag, or tap corners',
   },
   lassoAgain: 'Drag a corner of the selection, or draw around another part',
   select: {
-    click: 'Take the point tool, and click the picture',
-    tap: 'Take the point tool, and tap the picture',
+    click: 'Choose the point tool, then click the picture',
+    tap: 'Choose the point tool, then tap the picture',
   },
   point: {
-    click: 'Click the picture where you want to hold it',
-    tap: 'Tap the picture where you want to hold it',
+    click: 'Click the picture where you want a handle',
+    tap: 'Tap the picture where you want a handle',
   },
   snapToEdges: 'Snap to edges',
-  snapToEdgesTip: 'The lasso follows edges of the picture. Hold Alt to draw freely',
+  snapToEdgesTip: 'The lasso follows edges in the picture. Hold Alt to draw freely',
 };
 
 export const drawing = {
   label: 'Drawing',
   ready: 'Add corners, or finish',
-  oneMore: 'One corner more',
-  more: (count: number) => `${count} corners more`,
-  takeBack: 'Take back the last corner',
-  giveUp: 'Give up drawing',
+  oneMore: 'One more corner',
+  more: (count: number) => `${count} more corners`,
+  takeBack: 'Remove the last corner',
+  giveUp: 'Cancel drawing',
   finish: 'Finish',
 };
 
 export const brush = {
   label: 'Brush',
-  effect: 'Effect of the brush',
+  effect: 'Brush effect',
   kinds: {
     push: 'Push',
     pinch: 'Pinch',
@@ -71,23 +71,23 @@ export const brush = {
   },
   tips: {
     push: 'Push: drag the picture along',
-    pinch: 'Pinch: draw the picture together',
-    bloat: 'Bloat: spread the picture out',
-    smooth: 'Smooth: level places that the brush has moved',
-    restore: 'Restore: take back strokes of the brush',
-    stiffen: 'Stiffen: keep the form of places',
+    pinch: 'Pinch: pull the picture together',
+    bloat: 'Bloat: push the picture outwards',
+    smooth: 'Smooth: even out brush strokes',
+    restore: 'Restore: remove brush strokes',
+    stiffen: 'Stiffen: keep areas rigid',
   },
   hints: {
     push: 'Drag to push the picture along.',
-    pinch: 'Press or drag to draw the picture together.',
-    bloat: 'Press or drag to spread the picture out.',
-    smooth: 'Drag to level places that the brush has moved.',
-    restore: 'Drag to take back strokes of the brush.',
-    stiffen: 'Drag over places that are to keep their form.',
+    pinch: 'Press or drag to pull the picture together.',
+    bloat: 'Press or drag to push the picture outwards.',
+    smooth: 'Drag to even out brush strokes.',
+    restore: 'Drag to remove brush strokes.',
+    stiffen: 'Drag over areas that should stay rigid.',
   },
   /** The effect with Alt, after the hint; empty for none. */
   altHints: {
-    push: 'Alt restores it.',
+    push: 'Alt restores.',
     pinch: 'Alt bloats.',
     bloat: 'Alt pinches.',
     smooth: '',
@@ -101,39 +101,39 @@ export const brush = {
   erase: 'Erase',
   eraseTip: 'Erase stiffness',
   clearStiffness: 'Clear stiffness',
-  clearStiffnessTip: 'Make the picture soft again',
-  clearStrokes: 'Clear the strokes of the brush',
-  clearStrokesTip: 'Take back all that the brush has moved',
-  holding: 'Arrows push, Enter lets go.',
-  rigidOnly: 'Stiffness counts in rigid bending only.',
-  bendRigidly: 'Bend rigidly',
+  clearStiffnessTip: 'Make the whole picture soft again',
+  clearStrokes: 'Clear brush strokes',
+  clearStrokesTip: 'Remove all brush strokes from the picture',
+  holding: 'Arrow keys push, Enter releases.',
+  rigidOnly: 'Stiffness works in rigid mode only.',
+  bendRigidly: 'Use rigid mode',
 };
 
 /** The line at the bottom. */
 export const status = {
   label: 'Status',
-  hasCreases: 'The picture has creases',
+  hasCreases: 'The picture has folds',
   privacy: 'Nothing leaves your browser',
-  privacyTip: 'Pictures are opened, warped and saved on this machine only.',
+  privacyTip: 'Pictures are opened, warped and saved on this device only.',
   view: 'View',
   zoom: 'Zoom',
   /** Words below icons on phones. */
-  seeIt: 'See it',
+  seeIt: 'Preview',
   out: 'Out',
   in: 'In',
   fit: 'Fit',
   actual: 'Actual',
   stoppedAtFold: 'Stopped at a fold',
-  creases: (count: number) => counted(count, 'crease'),
+  creases: (count: number) => counted(count, 'fold'),
   /** For screen readers. @param creases their number. @param effect of a press. */
   creasesAnd: (creases: string, effect: string) => `${creases}. ${effect}`,
-  hideCreases: 'Hide the creases',
-  showCreases: 'Show the creases',
-  zoomToCrease: 'Zoom to the crease',
-  zoomToNextCrease: 'Zoom to the next crease',
+  hideCreases: 'Hide the folds',
+  showCreases: 'Show the folds',
+  zoomToCrease: 'Zoom to the fold',
+  zoomToNextCrease: 'Zoom to the next fold',
   cancel: 'Cancel',
-  samples: (count: number) => counted(count, 'sample'),
-  virtualHandles: (count: number) => counted(count, 'virtual handle'),
+  samples: (count: number) => counted(count, 'mesh point'),
+  virtualHandles: (count: number) => counted(count, 'helper point'),
 };
 
 /** Work that takes noticeable time. */
@@ -141,11 +141,11 @@ export const tasks = {
   opening: (name: string) => `Opening ${name}`,
   /** The stages of a solve. */
   start: 'Finding the outline',
-  domain: 'Sampling',
+  domain: 'Building the mesh',
   sampling: 'Measuring distances',
-  regions: 'Weighting',
-  weights: 'Weighting',
-  suggesting: 'Looking for places for handles',
+  regions: 'Computing weights',
+  weights: 'Computing weights',
+  suggesting: 'Finding places for handles',
   filling: 'Filling the background',
   exporting: 'Exporting',
 };

@@ -19,27 +19,27 @@ export const toolbar = {
   darkColours: 'Dark colours',
   unsaved: 'Unsaved',
   unsavedKept: 'Unsaved, kept in this browser',
-  noFile: 'no file holds the last changes',
+  noFile: 'latest changes not saved to a file',
   kept: 'kept in this browser',
 };
 
 export const files = {
-  label: 'Open recent work, samples or an address',
-  address: 'Address of a picture or a project',
+  label: 'Open recent work, a sample or an address',
+  address: 'Address of a picture or project',
   placeholder: 'https://…/picture.png',
   open: 'Open',
   recent: 'Recent work',
   removeAll: 'Remove all',
-  noRecent: 'Pictures that you have edited are listed here once you open another.',
+  noRecent: 'Edited pictures appear here after you open another one.',
   /** @param name of a picture. */
   remove: (name: string) => `Remove ${name} from the list`,
-  drawing: 'a drawing',
+  drawing: 'unfinished drawing',
   steps: (count: number) => counted(count, 'step'),
   samples: 'Samples',
   openSample: (name: string) => `Open the sample ${name}`,
-  whole: 'One file with all',
+  whole: 'All in one file',
   saveWhole: 'Save with the picture',
-  exportWhole: 'Export a PNG that opens again',
+  exportWhole: 'Export an editable PNG',
 };
 
 /** Words below the icons on phones. */

@@ -14,16 +14,17 @@ export const errors: Texts['errors'] = {
   writing: writingErrors,
   takenBack: 'Se ha deshecho el paso.',
   inFile: (file, sentence) => `${file}: ${sentence}`,
-  nothingOpaque: (picture) => `${picture}: nada en esta imagen es lo bastante opaco para deformarse.`,
+  nothingOpaque: (picture) =>
+    `${picture}: ninguna parte de esta imagen es lo bastante opaca para deformarla.`,
   pictureTooMuch: (picture) =>
-    `${picture}: esta imagen es más de lo que se puede calcular en este navegador.`,
+    `${picture} es demasiado grande para procesarla en este navegador. Reduzca la imagen.`,
   imageSize: (width, height, picture, itsWidth, itsHeight) =>
-    `El proyecto es para una imagen de ${width} × ${height} px; ${picture} tiene ${itsWidth} × ${itsHeight} px.`,
+    `El proyecto es para una imagen de ${width} × ${height} px, pero ${picture} tiene ${itsWidth} × ${itsHeight} px.`,
   emptyProject: 'El archivo está vacío.',
   exportRefused: (detail) => `La exportación no es posible: ${detail}`,
-  cardNotLoaded: 'No se ha podido cargar esta tarjeta: ¿hay red?',
+  cardNotLoaded: 'No se ha podido cargar este panel. Compruebe la conexión.',
   noWebgl:
-    'Este navegador no puede dibujar con WebGL2. Hay que activar la aceleración por hardware o usar otro navegador.',
-  noCanvas: 'Este navegador no puede mostrar una imagen en un lienzo 2D.',
+    'Este navegador no puede dibujar con WebGL2. Active la aceleración por hardware o use otro navegador.',
+  noCanvas: 'Este navegador no puede mostrar imágenes en un lienzo 2D.',
   other: (detail) => `Ha ocurrido un error: ${detail}`,
 };

@@ -4,11 +4,10 @@ import { number } from './language';
 
 export const pictureErrors: Texts['errors']['picture'] = {
   empty: 'El archivo está vacío.',
-  unreadable:
-    'No se puede leer el archivo: es una carpeta, o se ha movido o cambiado. Hay que elegirlo de nuevo.',
-  incomplete: 'La imagen está incompleta: falta el final del archivo. Hay que obtenerlo de nuevo.',
-  unknown: 'El archivo no es una imagen que este navegador pueda leer. Se puede usar PNG, JPEG o WebP.',
-  otherKind: (kind) => `Esto es ${kind}. Hay que guardarlo como PNG, JPEG o WebP.`,
+  unreadable: 'No se ha podido leer el archivo. Es una carpeta, o se ha movido o cambiado. Elíjalo de nuevo.',
+  incomplete: 'La imagen está incompleta: falta el final del archivo. Descárguelo o cópielo de nuevo.',
+  unknown: 'Este navegador no puede leer el archivo como imagen. Use PNG, JPEG o WebP.',
+  otherKind: (kind) => `Esto es ${kind}. Guárdelo como PNG, JPEG o WebP.`,
   kinds: {
     png: 'una imagen PNG',
     jpeg: 'una imagen JPEG',
@@ -27,52 +26,37 @@ export const pictureErrors: Texts['errors']['picture'] = {
     svg: 'un dibujo SVG',
     compressed: 'un archivo comprimido',
   },
-  damaged:
-    'La imagen está dañada o este navegador no puede leerla. Hay que guardarla de nuevo como PNG, JPEG o WebP.',
+  damaged: 'La imagen está dañada o este navegador no puede leerla. Guárdela de nuevo como PNG, JPEG o WebP.',
   tooSmall: (width, height, least) =>
     `La imagen tiene ${width} × ${height} px. Debe tener al menos ${least} × ${least} px.`,
   tooLong: (width, height, most) =>
-    `La imagen tiene ${width} × ${height} px. Un lado puede tener como mucho ${number(most)} px: hay que reducir la imagen.`,
+    `La imagen tiene ${width} × ${height} px. Cada lado puede tener como mucho ${number(most)} px. Reduzca la imagen.`,
   tooLarge: (width, height, millions) =>
-    `La imagen tiene ${width} × ${height} px. Puede tener como mucho ${millions} millones de píxeles: hay que reducir la imagen.`,
+    `La imagen tiene ${width} × ${height} px. Puede tener como mucho ${millions} millones de píxeles. Redúzcala.`,
   drawingDamaged: 'El dibujo está dañado o este navegador no puede mostrarlo.',
-  drawingWithoutSize: 'El dibujo no tiene tamaño. Necesita un ancho y un alto, o un viewBox.',
-  drawingTooLarge: 'El dibujo ocupa más de 64 MB. Hay que simplificarlo.',
-  drawingEncoding: (encoding) => `El dibujo no se puede leer como ${encoding}. Hay que guardarlo como UTF-8.`,
-  drawingUnread: 'No se pudo leer el dibujo. Hay que comprobar la conexión y volver a abrirlo.',
-  drawingTooManyElements: (most) =>
-    `El dibujo tiene más de ${number(most)} elementos. Hay que simplificarlo.`,
-  drawingTooManyAttributes: (most) =>
-    `Un elemento del dibujo tiene más de ${most} atributos. Hay que quitar algunos.`,
-  drawingTooDeep: (most) =>
-    `Hay elementos del dibujo anidados a más de ${most} niveles. Hay que desagrupar algunos.`,
-  drawingTooManyCopies:
-    'Algunos elementos del dibujo se reutilizan demasiado. Hay que usar otros más pequeños o reutilizarlos menos.',
-  drawingTooManyStyles: 'Los estilos del dibujo tardan demasiado. Hay que simplificarlos.',
-  drawingTooSlow: (element) =>
-    `El dibujo tarda demasiado en dibujarse, sobre todo sus <${element}>. Hay que simplificarlo.`,
-  drawingTooMuchMemory: (element) =>
-    `El dibujo necesita demasiada memoria para dibujarse, sobre todo sus <${element}>. Hay que simplificarlo.`,
+  drawingWithoutSize: 'El dibujo no tiene tamaño. Dele un ancho y un alto, o un viewBox.',
+  drawingTooLarge: 'El dibujo ocupa más de 64 MB. Simplifíquelo.',
+  drawingEncoding: (encoding) => `El dibujo no se puede leer como ${encoding}. Guárdelo como UTF-8.`,
+  drawingRefused: (detail) => `El dibujo no se puede abrir: ${detail}`,
   noWebgl:
-    'Este navegador no puede leer imágenes con WebGL2. Hay que activar la aceleración por hardware o usar otro navegador.',
-  contextLost: 'Se ha perdido el contexto gráfico mientras se leía la imagen. Hay que abrirla de nuevo.',
+    'Este navegador no puede leer imágenes con WebGL2. Active la aceleración por hardware o use otro navegador.',
+  contextLost:
+    'El navegador ha perdido el acceso a la tarjeta gráfica mientras leía la imagen. Abra la imagen de nuevo.',
 };
 
 /** Errors of addresses. */
 export const addressErrors: Texts['errors']['address'] = {
   status: (file, status) => `No se ha podido cargar ${file}: el servidor ha respondido ${status}.`,
-  webPage: (file) =>
-    `No se ha podido cargar ${file}: es una página web. Hay que indicar la dirección de la propia imagen.`,
-  unreachable: (file) =>
-    `No se ha podido cargar ${file}. Conviene comprobar la dirección y la conexión de red.`,
+  webPage: (file) => `${file} es una página web. Escriba la dirección de la propia imagen.`,
+  unreachable: (file) => `No se ha podido cargar ${file}. Compruebe la dirección y la conexión.`,
   refused: (file, host) =>
-    `No se ha podido cargar ${file}. ${host} no permite que esta página lo lea (CORS) o no responde. Se puede guardar la imagen y abrir el archivo.`,
-  damaged: 'La imagen de la dirección está dañada. Hay que copiarla de nuevo o guardarla como archivo.',
+    `No se ha podido cargar ${file}. ${host} no permite que esta página lo lea (CORS) o no responde. Guarde la imagen y abra el archivo.`,
+  damaged: 'La imagen de la dirección está dañada. Cópiela de nuevo o guárdela como archivo.',
 };
 
 /** Errors of projects in pictures. */
 export const carriedErrors: Texts['errors']['carried'] = {
-  tooLong: 'El proyecto en esta imagen es demasiado largo.',
-  damaged: 'El proyecto en esta imagen está dañado.',
-  compressed: 'El proyecto en esta imagen está comprimido, y eso no se admite.',
+  tooLong: 'El proyecto de esta imagen es demasiado grande.',
+  damaged: 'El proyecto de esta imagen está dañado.',
+  compressed: 'El proyecto de esta imagen está comprimido. El editor solo lee proyectos sin comprimir.',
 };

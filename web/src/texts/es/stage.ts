@@ -7,35 +7,35 @@ export const stage: Texts['stage'] = {
   noPicture: 'Sin imagen',
   picture: (name) => `Imagen ${name}`,
   disabled: (picture) => `${picture}, desactivada`,
-  posable: (picture) => `${picture}, se posa con sus puntos de control`,
+  posable: (picture) => `${picture}, con puntos de control para moverla`,
   original: 'Original',
   opening: 'Abriendo…',
   drop: 'Soltar aquí una imagen, pegarla o',
   openPicture: 'Abrir una imagen',
-  required: 'Hay que abrir una imagen.',
+  required: 'Abra una imagen.',
   wouldFold: 'aquí se plegaría',
   dismiss: 'Descartar',
   handles: 'Puntos de control',
   selectionCorners: 'Esquinas de la selección',
   selectionCorner: (corner, part, x, y) =>
     `Esquina ${corner} de ${part === null ? 'la selección' : `la parte ${part} de la selección`}, x ${x}, y ${y}`,
-  selectionCornerKeys: 'Las flechas la mueven. Supr la elimina y C añade otra después.',
+  selectionCornerKeys: 'Las flechas mueven la esquina. Supr la elimina y C añade otra después.',
   pictureMenu: 'Imagen',
   cornerMenu: (corner, handle) => `Esquina ${corner} de ${handle}`,
 };
 
 export const hints: Texts['hints'] = {
   bar: {
-    click: 'Arrastrar una barra o hacer clic en sus esquinas',
-    tap: 'Arrastrar una barra o tocar sus esquinas',
+    click: 'Arrastrar para dibujar una barra o hacer clic en sus esquinas',
+    tap: 'Arrastrar para dibujar una barra o tocar sus esquinas',
   },
   polygon: {
-    click: 'Dibujar un polígono: hacer clic en sus esquinas',
-    tap: 'Dibujar un polígono: tocar sus esquinas',
+    click: 'Hacer clic en las esquinas del polígono',
+    tap: 'Tocar las esquinas del polígono',
   },
   lasso: {
-    click: 'Rodear la parte que se deforma: arrastrar o hacer clic en las esquinas',
-    tap: 'Rodear la parte que se deforma: arrastrar o tocar las esquinas',
+    click: 'Rodear la parte que se quiere deformar: arrastrar o hacer clic en las esquinas',
+    tap: 'Rodear la parte que se quiere deformar: arrastrar o tocar las esquinas',
   },
   lassoAgain: 'Arrastrar una esquina de la selección o rodear otra parte',
   select: {
@@ -43,11 +43,11 @@ export const hints: Texts['hints'] = {
     tap: 'Elegir la herramienta Punto y tocar la imagen',
   },
   point: {
-    click: 'Hacer clic en la imagen donde se quiera sujetar',
-    tap: 'Tocar la imagen donde se quiera sujetar',
+    click: 'Hacer clic en la imagen donde se quiera un punto de control',
+    tap: 'Tocar la imagen donde se quiera un punto de control',
   },
   snapToEdges: 'Seguir bordes',
-  snapToEdgesTip: 'El lazo sigue los bordes de la imagen. Mantener Alt para dibujar libremente',
+  snapToEdgesTip: 'El lazo sigue los bordes de la imagen. Mantenga Alt para dibujar libremente',
 };
 
 export const drawing: Texts['drawing'] = {
@@ -56,7 +56,7 @@ export const drawing: Texts['drawing'] = {
   oneMore: 'Falta una esquina',
   more: (count) => `Faltan ${count} esquinas`,
   takeBack: 'Quitar la última esquina',
-  giveUp: 'Abandonar el dibujo',
+  giveUp: 'Cancelar el dibujo',
   finish: 'Terminar',
 };
 
@@ -74,18 +74,18 @@ export const brush: Texts['brush'] = {
   tips: {
     push: 'Empujar: arrastrar la imagen',
     pinch: 'Contraer: juntar la imagen',
-    bloat: 'Inflar: ensanchar la imagen',
-    smooth: 'Suavizar: igualar los lugares que el pincel ha movido',
-    restore: 'Restaurar: deshacer los trazos del pincel',
-    stiffen: 'Endurecer: conservar la forma de los lugares',
+    bloat: 'Inflar: empujar la imagen hacia fuera',
+    smooth: 'Suavizar: igualar los trazos del pincel',
+    restore: 'Restaurar: quitar los trazos del pincel',
+    stiffen: 'Endurecer: mantener zonas rígidas',
   },
   hints: {
     push: 'Arrastrar para empujar la imagen.',
     pinch: 'Pulsar o arrastrar para juntar la imagen.',
-    bloat: 'Pulsar o arrastrar para ensanchar la imagen.',
-    smooth: 'Arrastrar para igualar los lugares que el pincel ha movido.',
-    restore: 'Arrastrar para deshacer los trazos del pincel.',
-    stiffen: 'Arrastrar sobre los lugares que deben conservar su forma.',
+    bloat: 'Pulsar o arrastrar para empujar la imagen hacia fuera.',
+    smooth: 'Arrastrar para igualar los trazos del pincel.',
+    restore: 'Arrastrar para quitar los trazos del pincel.',
+    stiffen: 'Arrastrar sobre las zonas que deben quedar rígidas.',
   },
   altHints: {
     push: 'Alt restaura.',
@@ -102,11 +102,11 @@ export const brush: Texts['brush'] = {
   erase: 'Borrar',
   eraseTip: 'Borrar la rigidez',
   clearStiffness: 'Quitar la rigidez',
-  clearStiffnessTip: 'Volver a ablandar la imagen',
+  clearStiffnessTip: 'Volver a ablandar toda la imagen',
   clearStrokes: 'Quitar los trazos del pincel',
-  clearStrokesTip: 'Deshacer todo lo que el pincel ha movido',
+  clearStrokesTip: 'Quitar todos los trazos del pincel de la imagen',
   holding: 'Las flechas empujan, Intro suelta.',
-  rigidOnly: 'La rigidez solo cuenta en la deformación rígida.',
+  rigidOnly: 'La rigidez solo funciona en el modo rígido.',
   bendRigidly: 'Usar el modo rígido',
 };
 
@@ -123,7 +123,7 @@ export const status: Texts['status'] = {
   in: 'Acercar',
   fit: 'Ajustar',
   actual: 'Real',
-  stoppedAtFold: 'Parado en un pliegue',
+  stoppedAtFold: 'Detenido en un pliegue',
   creases: (count) => counted(count, 'pliegue', 'pliegues'),
   creasesAnd: (creases, effect) => `${creases}. ${effect}`,
   hideCreases: 'Ocultar los pliegues',
@@ -131,15 +131,15 @@ export const status: Texts['status'] = {
   zoomToCrease: 'Acercar al pliegue',
   zoomToNextCrease: 'Acercar al siguiente pliegue',
   cancel: 'Cancelar',
-  samples: (count) => counted(count, 'muestra', 'muestras'),
-  virtualHandles: (count) => counted(count, 'punto virtual', 'puntos virtuales'),
+  samples: (count) => counted(count, 'punto de malla', 'puntos de malla'),
+  virtualHandles: (count) => counted(count, 'punto auxiliar', 'puntos auxiliares'),
 };
 
 /** Work that takes noticeable time. */
 export const tasks: Texts['tasks'] = {
   opening: (name) => `Abriendo ${name}`,
   start: 'Buscando el contorno',
-  domain: 'Tomando muestras',
+  domain: 'Creando la malla',
   sampling: 'Midiendo distancias',
   regions: 'Calculando pesos',
   weights: 'Calculando pesos',

@@ -19,12 +19,12 @@ export const toolbar: Texts['toolbar'] = {
   darkColours: 'Colores oscuros',
   unsaved: 'Sin guardar',
   unsavedKept: 'Sin guardar, conservado en este navegador',
-  noFile: 'ningún archivo contiene los últimos cambios',
+  noFile: 'últimos cambios no guardados en un archivo',
   kept: 'conservado en este navegador',
 };
 
 export const files: Texts['files'] = {
-  label: 'Abrir trabajos recientes, ejemplos o una dirección',
+  label: 'Abrir un trabajo reciente, un ejemplo o una dirección',
   address: 'Dirección de una imagen o un proyecto',
   placeholder: 'https://…/imagen.png',
   open: 'Abrir',
@@ -32,13 +32,13 @@ export const files: Texts['files'] = {
   removeAll: 'Quitar todo',
   noRecent: 'Las imágenes editadas aparecen aquí al abrir otra.',
   remove: (name) => `Quitar ${name} de la lista`,
-  drawing: 'un dibujo',
+  drawing: 'dibujo sin terminar',
   steps: (count) => counted(count, 'paso', 'pasos'),
   samples: 'Ejemplos',
   openSample: (name) => `Abrir el ejemplo ${name}`,
-  whole: 'Un archivo con todo',
+  whole: 'Todo en un archivo',
   saveWhole: 'Guardar con la imagen',
-  exportWhole: 'Exportar un PNG que se vuelve a abrir',
+  exportWhole: 'Exportar un PNG editable',
 };
 
 /** Words below the icons on phones. */

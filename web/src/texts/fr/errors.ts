@@ -14,16 +14,16 @@ export const errors: Texts['errors'] = {
   writing: writingErrors,
   takenBack: 'L’étape a été annulée.',
   inFile: (file, sentence) => `${file} : ${sentence}`,
-  nothingOpaque: (picture) => `${picture} : rien dans cette image n’est assez opaque pour être déformé.`,
-  pictureTooMuch: (picture) =>
-    `${picture} : cette image dépasse ce que le solveur peut faire dans ce navigateur.`,
+  nothingOpaque: (picture) =>
+    `${picture} : aucune partie de cette image n’est assez opaque pour être déformée.`,
+  pictureTooMuch: (picture) => `${picture} est trop grand pour ce navigateur. Réduisez l’image.`,
   imageSize: (width, height, picture, itsWidth, itsHeight) =>
-    `Le projet est fait pour une image de ${width} × ${height} px ; ${picture} fait ${itsWidth} × ${itsHeight} px.`,
+    `Le projet est fait pour une image de ${width} × ${height} px, mais ${picture} fait ${itsWidth} × ${itsHeight} px.`,
   emptyProject: 'Le fichier est vide.',
   exportRefused: (detail) => `L’export n’est pas possible : ${detail}`,
-  cardNotLoaded: 'Cette fiche n’a pas pu être chargée : le réseau est-il là ?',
+  cardNotLoaded: 'Impossible de charger ce panneau. Vérifiez la connexion.',
   noWebgl:
     'Ce navigateur ne peut pas dessiner avec WebGL2. Activez l’accélération matérielle ou utilisez un autre navigateur.',
-  noCanvas: 'Ce navigateur ne peut pas afficher d’image sur un canevas 2D.',
-  other: (detail) => `Erreur : ${detail}`,
+  noCanvas: 'Ce navigateur ne peut pas afficher d’images sur un canevas 2D.',
+  other: (detail) => `Une erreur s’est produite : ${detail}`,
 };

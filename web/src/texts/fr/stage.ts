@@ -7,7 +7,7 @@ export const stage: Texts['stage'] = {
   noPicture: 'Aucune image',
   picture: (name) => `Image ${name}`,
   disabled: (picture) => `${picture}, désactivée`,
-  posable: (picture) => `${picture}, à mettre en pose par ses poignées`,
+  posable: (picture) => `${picture}, avec des poignées pour la bouger`,
   original: 'Original',
   opening: 'Ouverture…',
   drop: 'Déposez une image ici, collez-en une, ou',
@@ -19,32 +19,32 @@ export const stage: Texts['stage'] = {
   selectionCorners: 'Sommets de la sélection',
   selectionCorner: (corner, part, x, y) =>
     `Sommet ${corner} de ${part === null ? 'la sélection' : `la partie ${part} de la sélection`}, x ${x}, y ${y}`,
-  selectionCornerKeys: 'Les flèches le déplacent. Suppr le supprime, et C en ajoute un après lui.',
+  selectionCornerKeys: 'Les flèches déplacent le sommet. Suppr le supprime, et C en ajoute un après lui.',
   pictureMenu: 'Image',
   cornerMenu: (corner, handle) => `${handle}, sommet ${corner}`,
 };
 
 export const hints: Texts['hints'] = {
   bar: {
-    click: 'Faites glisser pour tracer une barre, ou cliquez ses sommets',
+    click: 'Faites glisser pour tracer une barre, ou cliquez sur ses sommets',
     tap: 'Faites glisser pour tracer une barre, ou touchez ses sommets',
   },
   polygon: {
-    click: 'Tracez un polygone : cliquez ses sommets',
-    tap: 'Tracez un polygone : touchez ses sommets',
+    click: 'Cliquez sur les sommets du polygone',
+    tap: 'Touchez les sommets du polygone',
   },
   lasso: {
-    click: 'Entourez la partie à déformer : faites glisser, ou cliquez des sommets',
-    tap: 'Entourez la partie à déformer : faites glisser, ou touchez des sommets',
+    click: 'Entourez la partie à déformer : faites glisser, ou cliquez sur les sommets',
+    tap: 'Entourez la partie à déformer : faites glisser, ou touchez les sommets',
   },
   lassoAgain: 'Faites glisser un sommet de la sélection, ou entourez une autre partie',
   select: {
-    click: 'Prenez l’outil Point et cliquez sur l’image',
-    tap: 'Prenez l’outil Point et touchez l’image',
+    click: 'Choisissez l’outil Point, puis cliquez sur l’image',
+    tap: 'Choisissez l’outil Point, puis touchez l’image',
   },
   point: {
-    click: 'Cliquez sur l’image là où vous voulez la tenir',
-    tap: 'Touchez l’image là où vous voulez la tenir',
+    click: 'Cliquez sur l’image là où vous voulez une poignée',
+    tap: 'Touchez l’image là où vous voulez une poignée',
   },
   snapToEdges: 'Aimanter aux bords',
   snapToEdgesTip: 'Le lasso suit les bords de l’image. Maintenez Alt pour tracer librement',
@@ -56,7 +56,7 @@ export const drawing: Texts['drawing'] = {
   oneMore: 'Encore un sommet',
   more: (count) => `Encore ${counted(count, 'sommet')}`,
   takeBack: 'Retirer le dernier sommet',
-  giveUp: 'Abandonner le tracé',
+  giveUp: 'Annuler le tracé',
   finish: 'Terminer',
 };
 
@@ -74,18 +74,18 @@ export const brush: Texts['brush'] = {
   tips: {
     push: 'Pousser : entraîner l’image',
     pinch: 'Pincer : resserrer l’image',
-    bloat: 'Gonfler : étaler l’image',
-    smooth: 'Lisser : égaliser ce que le pinceau a déplacé',
-    restore: 'Restaurer : défaire des traits du pinceau',
-    stiffen: 'Raidir : préserver la forme de certains endroits',
+    bloat: 'Gonfler : pousser l’image vers l’extérieur',
+    smooth: 'Lisser : égaliser les traits du pinceau',
+    restore: 'Restaurer : retirer les traits du pinceau',
+    stiffen: 'Raidir : garder des zones rigides',
   },
   hints: {
     push: 'Faites glisser pour entraîner l’image.',
     pinch: 'Appuyez ou faites glisser pour resserrer l’image.',
-    bloat: 'Appuyez ou faites glisser pour étaler l’image.',
-    smooth: 'Faites glisser pour égaliser ce que le pinceau a déplacé.',
-    restore: 'Faites glisser pour défaire des traits du pinceau.',
-    stiffen: 'Passez sur les endroits qui doivent garder leur forme.',
+    bloat: 'Appuyez ou faites glisser pour pousser l’image vers l’extérieur.',
+    smooth: 'Faites glisser pour égaliser les traits du pinceau.',
+    restore: 'Faites glisser pour retirer les traits du pinceau.',
+    stiffen: 'Faites glisser sur les zones à garder rigides.',
   },
   altHints: {
     push: 'Alt restaure.',
@@ -101,13 +101,13 @@ export const brush: Texts['brush'] = {
   strengthLabel: 'Force du pinceau (%)',
   erase: 'Effacer',
   eraseTip: 'Effacer la rigidité',
-  clearStiffness: 'Ôter la rigidité',
-  clearStiffnessTip: 'Rendre l’image de nouveau souple',
-  clearStrokes: 'Ôter les traits du pinceau',
-  clearStrokesTip: 'Défaire tout ce que le pinceau a déplacé',
+  clearStiffness: 'Retirer la rigidité',
+  clearStiffnessTip: 'Rendre toute l’image de nouveau souple',
+  clearStrokes: 'Retirer les traits du pinceau',
+  clearStrokesTip: 'Retirer tous les traits du pinceau de l’image',
   holding: 'Les flèches poussent, Entrée relâche.',
-  rigidOnly: 'La rigidité ne compte que dans la déformation rigide.',
-  bendRigidly: 'Déformation rigide',
+  rigidOnly: 'La rigidité n’agit qu’en mode rigide.',
+  bendRigidly: 'Passer en mode rigide',
 };
 
 /** The line at the bottom. */
@@ -131,18 +131,18 @@ export const status: Texts['status'] = {
   zoomToCrease: 'Zoomer sur le pli',
   zoomToNextCrease: 'Zoomer sur le pli suivant',
   cancel: 'Annuler',
-  samples: (count) => counted(count, 'échantillon'),
-  virtualHandles: (count) => counted(count, 'poignée virtuelle', 'poignées virtuelles'),
+  samples: (count) => counted(count, 'point de maillage', 'points de maillage'),
+  virtualHandles: (count) => counted(count, 'point auxiliaire', 'points auxiliaires'),
 };
 
 /** Work that takes noticeable time. */
 export const tasks: Texts['tasks'] = {
   opening: (name) => `Ouverture : ${name}`,
   start: 'Recherche du contour',
-  domain: 'Échantillonnage',
+  domain: 'Création du maillage',
   sampling: 'Mesure des distances',
-  regions: 'Pondération',
-  weights: 'Pondération',
+  regions: 'Calcul des poids',
+  weights: 'Calcul des poids',
   suggesting: 'Recherche d’emplacements de poignées',
   filling: 'Remplissage du fond',
   exporting: 'Export',

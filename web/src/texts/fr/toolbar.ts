@@ -19,7 +19,7 @@ export const toolbar: Texts['toolbar'] = {
   darkColours: 'Couleurs sombres',
   unsaved: 'Non enregistré',
   unsavedKept: 'Non enregistré, conservé dans ce navigateur',
-  noFile: 'aucun fichier ne contient les derniers changements',
+  noFile: 'derniers changements non enregistrés dans un fichier',
   kept: 'conservé dans ce navigateur',
 };
 
@@ -32,13 +32,13 @@ export const files: Texts['files'] = {
   removeAll: 'Tout retirer',
   noRecent: 'Les images que vous avez modifiées apparaissent ici dès que vous en ouvrez une autre.',
   remove: (name) => `Retirer de la liste : ${name}`,
-  drawing: 'un dessin',
+  drawing: 'tracé inachevé',
   steps: (count) => counted(count, 'étape'),
   samples: 'Exemples',
   openSample: (name) => `Ouvrir l’exemple : ${name}`,
-  whole: 'Un fichier avec tout',
+  whole: 'Tout en un fichier',
   saveWhole: 'Enregistrer avec l’image',
-  exportWhole: 'Exporter un PNG qui se rouvre',
+  exportWhole: 'Exporter un PNG modifiable',
 };
 
 /** Words below the icons on phones. */

@@ -15,14 +15,15 @@ export const errors: Texts['errors'] = {
   takenBack: 'この操作は取り消されました。',
   inFile: (file, sentence) => `${file}：${sentence}`,
   nothingOpaque: (picture) => `${picture}：変形できるほど不透明な部分がこの画像にはありません。`,
-  pictureTooMuch: (picture) => `${picture}：このブラウザーのソルバーではこの画像を処理しきれません。`,
+  pictureTooMuch: (picture) =>
+    `${picture}は大きすぎて、このブラウザーでは処理できません。画像を縮小してください。`,
   imageSize: (width, height, picture, itsWidth, itsHeight) =>
     `このプロジェクトは${width} × ${height} pxの画像用ですが、${picture}は${itsWidth} × ${itsHeight} pxです。`,
   emptyProject: 'ファイルが空です。',
   exportRefused: (detail) => `このプロジェクトは書き出せません：${detail}`,
-  cardNotLoaded: 'このカードを読み込めませんでした。ネットワークを確認してください。',
+  cardNotLoaded: 'このパネルを読み込めませんでした。接続を確認してください。',
   noWebgl:
     'このブラウザーはWebGL2で描画できません。ハードウェアアクセラレーションを有効にするか、別のブラウザーを使ってください。',
   noCanvas: 'このブラウザーは2Dキャンバスに画像を表示できません。',
-  other: (detail) => `エラー：${detail}`,
+  other: (detail) => `エラーが発生しました：${detail}`,
 };

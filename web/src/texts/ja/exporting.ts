@@ -11,8 +11,8 @@ export const exporting: Texts['exporting'] = {
   background: '背景',
   area: '範囲',
   original: '元のまま',
-  allOfIt: '全体',
-  covered: '描画部分',
+  allOfIt: '拡張',
+  covered: 'トリミング',
   export: (format) => `${format}を書き出す`,
   exportRig: 'リグを書き出す',
   exportMap: 'マップを書き出す',
@@ -21,42 +21,42 @@ export const exporting: Texts['exporting'] = {
   aboutPixels: (width, height) => `≈ ${number(width)} × ${number(height)} px`,
 
   formatNotes: {
-    png: '全ピクセルをそのまま、透明も含めて保存します。',
-    jpeg: '写真を小さなファイルにします。透明は使えません。',
+    png: '可逆圧縮です。透明も使えます。',
+    jpeg: '写真に向いた小さなファイルです。透明は使えません。',
     webp: '透明も使える小さなファイルです。',
     svg: 'パスを変形した図形です。どのサイズでも鮮明です。',
   },
   areaNotes: {
-    picture: '元の画像の長方形です。',
-    grown: '元の画像からはみ出した部分まで広げます。',
-    covered: '描画された部分だけで、空の余白はありません。',
+    picture: '元の画像の枠です。',
+    grown: '元の枠からはみ出した部分まで広げます。',
+    covered: '見える部分に合わせ、空の余白を除きます。',
   },
   remark: (detail) => `図形についての注意：${detail}`,
 };
 
 export const film: Texts['film'] = {
-  noClip: 'まだクリップがありません。動画にはクリップが必要です。',
+  noClip: '動画にはクリップが必要です。タイムラインで追加してください。',
   openTimeline: 'タイムラインを開く',
   clip: 'クリップ',
   frames: '連番PNG',
   sheet: 'シート',
   formatNotes: {
-    webm: '小さく、半透明も使えます。Webページ向けです。',
-    mp4: '小さく、透明は使えません。ほぼどこでも再生できます。',
-    gif: 'どこでも再生できます。255色で、縁は硬くなります。',
-    apng: '全ピクセルをそのまま、半透明も含めて保存します。',
-    webp: '全ピクセルをそのまま保存し、APNGより小さくなります。',
+    webm: '半透明も使える小さなファイルです。Webページ向けです。',
+    mp4: '透明を使えない小さなファイルです。ほぼどこでも再生できます。',
+    gif: 'どこでも再生できますが、255色で、縁は硬くなります。',
+    apng: '可逆圧縮です。半透明も使えます。',
+    webp: '可逆圧縮です。APNGより小さくなります。',
     frames: 'フレームごとのPNGをまとめたZIPです。',
-    sheet: '全フレームを1枚のPNGにまとめ、ゲームエンジン用のJSONを添えたZIPです。',
+    sheet: 'スプライトシートのZIPです。全フレームの1枚のPNGと、ゲームエンジン用のJSONが入ります。',
   },
-  codec: (name) => `${name}を使います。`,
+  codec: (name) => `コーデック：${name}。`,
   codecWithEvenSides: (name, width, height) =>
-    `${name}を使います。辺は偶数になります：${width} × ${height} px。`,
-  gifRate: (most) => `GIFは、ビューアーが再生できる上限の毎秒${most}フレームになります。`,
-  noCodec: (formats) => `${list(formats)}：このブラウザーではエンコードできません。`,
+    `コーデック：${name}。幅と高さは偶数に切り上げられます：${width} × ${height} px。`,
+  gifRate: (most) => `GIFは毎秒${most}フレームまでです。ビューアーが再生できる上限です。`,
+  noCodec: (formats) => `このブラウザーは${list(formats)}をエンコードできません。`,
   rate: 'レート',
   rateTip: '毎秒のフレーム数',
-  allFrames: '全フレーム',
+  allFrames: '拡張',
   part: '範囲',
   wholeClip: 'クリップ全体',
   aPart: '一部',
@@ -64,7 +64,7 @@ export const film: Texts['film'] = {
   to: '終了',
   transparent: '透明',
   colour: '色',
-  softEdgesOn: '縁をなじませる色',
+  softEdgesOn: 'マットの色',
   frameCount: (count) => `${number(count)}フレーム`,
   estimate: (size, time) => `約${size}、${time}`,
   aFewSeconds: '数秒',
@@ -73,19 +73,18 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: '全クリップを収めた小さなファイル1つです。プレーヤーは14 kBのスクリプトで、エディターは要りません。',
-  withoutClips: 'まだクリップがありません。ページにはポーズが表示されます。',
-  readers: '閲覧者',
+  note: '全クリップを収めた小さなファイル1つです。14 kBのプレーヤースクリプトで、エディターなしで表示できます。',
+  withoutClips: 'クリップがない場合、ページには現在のポーズが表示されます。',
+  readers: '閲覧者ができること',
   watch: 'クリップを見る',
   pose: 'ハンドルを動かす',
-  solver: 'ページの読み込みが100 kB増え、ファイルもほぼ同じだけ大きくなります。',
+  solver: 'ファイルが約100 kB大きくなり、ページの読み込みも100 kB増えます。',
   code: 'コード',
   copyCode: 'コードをコピー',
-  codeNote: 'このファイルとパッケージのフォルダー“player”を隣に置いたページに貼り付けてください。',
+  codeNote: 'これをページに貼り付け、ファイルとパッケージのフォルダー“player”をページの隣に置いてください。',
   codeCopied: (file) =>
-    `コピーしました。ページの隣に${file}とパッケージのフォルダー“player”を置くと表示されます。`,
-  codeNotCopied:
-    'ブラウザーがクリップボードの使用を拒否しました。コードを選択してあるので、手動でコピーしてください。',
+    `コピーしました。${file}とパッケージのフォルダー“player”をページの隣に置いてください。`,
+  codeNotCopied: 'ブラウザーがクリップボードの使用を拒否しました。選択されたコードをコピーしてください。',
 };
 
 export const engine: Texts['engine'] = {
@@ -97,12 +96,11 @@ export const engine: Texts['engine'] = {
   },
   clips: (count) =>
     count === 0
-      ? 'メッシュ、ボーン、ポーズを含みます。まだクリップはありません。'
+      ? 'メッシュ、ボーン、ポーズを含みます。クリップを追加するとアニメーションも入ります。'
       : `${number(count)}個のクリップをアニメーションとして含みます。`,
-  rough:
-    'ボーンの混合はハンドルより単純なため、リグには少しずれが出ます。ずれの量は書き出し時に表示されます。',
+  rough: 'ボーンはハンドルの近似なので、リグには少しずれが出ます。ずれの量は書き出し時に表示されます。',
   bones: 'ボーン',
-  bonesTip: 'ルート以外のボーンの最大数',
+  bonesTip: 'ボーンの最大数（ルートを除く）',
   vertices: '頂点',
   verticesTip: 'メッシュの頂点の最大数',
   influences: '頂点ごとのボーン数',
@@ -110,13 +108,14 @@ export const engine: Texts['engine'] = {
   zip: 'ZIP',
   folder: 'フォルダー',
   lossCaption: (bones, sites, vertices) =>
-    `直前のリグは、${sites}個の制御点に対してボーンが${bones}本、頂点が${vertices}個です。ずれ（ピクセル）：`,
+    `直前のリグは、ハンドルと補助点${sites}個に対してボーン${bones}本、頂点${vertices}個です。ずれ（ピクセル）：`,
   largest: '最大',
   pose: 'ポーズ',
   randomPoses: '無作為なポーズ',
   clip: (name) => `クリップ ${name}`,
   betweenVertices: '頂点の間',
-  loss: (percentile, largest) => `頂点の99 %でずれは${percentile} px以下、最大で${largest} pxです。`,
+  loss: (percentile, largest) =>
+    `頂点の99 %でずれは${percentile} px以下です。最大のずれは${largest} pxです。`,
 };
 
 export const maps: Texts['maps'] = {
@@ -130,22 +129,22 @@ export const maps: Texts['maps'] = {
     weights: 'ウェイト',
   },
   notes: {
-    inverse: 'コンポジットソフト用のSTマップ：ほかの画像をこの画像と同じように変形します。',
-    forward: '逆方向のマップ：変形後の画像にSTマップとして使うと、変形を元に戻します。',
+    inverse: 'コンポジットソフト用のSTマップです。この変形をほかの画像に適用します。',
+    forward: '変形後の画像に適用すると、変形を元に戻すSTマップです。',
     stretch: '変形後の画像の各ピクセルで、面積と長さがどれだけ伸びるか。',
     disocclusion: '変形で現れる場所は赤、隠れる場所は緑。',
     heat: '画像がハンドルにどれだけついて動くかを、元の画像に色で重ねます。',
-    weights: '元の画像の点がどれだけついて動くかを、スクリプト用の数値にします。',
+    weights: '元の画像の点が各ハンドルにどれだけついて動くかを、スクリプト用の数値にします。',
   },
   formatNotes: {
-    exr: '32ビット浮動小数点のOpenEXR。チャンネルの意味はヘッダーにあります。',
+    exr: '32ビット浮動小数点のOpenEXR。チャンネルの説明はヘッダーにあります。',
     png: 'チャンネルあたり16ビット。OpenEXRを使えないソフト用です。',
   },
   csvNote: '0より大きいウェイトごとに1行です。',
   npyNote: 'NumPyの配列です。',
-  npyZipNote: 'NumPyの配列と制御点の一覧を収めたZIPです。',
-  of: '対象',
-  allSites: 'すべての制御点',
+  npyZipNote: 'NumPyの配列と、ハンドルと補助点の一覧を収めたZIPです。',
+  of: 'ウェイトの対象',
+  allSites: 'すべてのハンドル',
   selectedHandle: '選択中のハンドル',
   every: '点の間隔（ピクセル）',
   points: (width, height) => `${number(width)} × ${number(height)}点`,

@@ -19,7 +19,7 @@ export const stage: Texts['stage'] = {
   selectionCorners: '選択範囲の角',
   selectionCorner: (corner, part, x, y) =>
     `${part === null ? '選択範囲' : `選択範囲の部分 ${part}`}の角 ${corner}、x ${x}、y ${y}`,
-  selectionCornerKeys: '矢印キーで移動します。Deleteで削除し、Cで次の角を追加します。',
+  selectionCornerKeys: '矢印キーで角を移動します。Deleteで削除し、Cで次の角を追加します。',
   pictureMenu: '画像',
   cornerMenu: (corner, handle) => `${handle}の角 ${corner}`,
 };
@@ -43,8 +43,8 @@ export const hints: Texts['hints'] = {
     tap: 'ポイントツールを選び、画像をタップしてください',
   },
   point: {
-    click: '画像の押さえたい場所をクリックしてください',
-    tap: '画像の押さえたい場所をタップしてください',
+    click: 'ハンドルを置きたい場所をクリックしてください',
+    tap: 'ハンドルを置きたい場所をタップしてください',
   },
   snapToEdges: '輪郭に吸着',
   snapToEdgesTip: '投げ縄が画像の輪郭に沿います。Altを押している間は自由に描けます',
@@ -55,7 +55,7 @@ export const drawing: Texts['drawing'] = {
   ready: '角を追加するか、完了してください',
   oneMore: '角があと1個必要です',
   more: (count) => `角があと${count}個必要です`,
-  takeBack: '最後の角を取り消す',
+  takeBack: '最後の角を削除',
   giveUp: '描画をやめる',
   finish: '完了',
 };
@@ -75,17 +75,17 @@ export const brush: Texts['brush'] = {
     push: '押す：画像を引きずって動かします',
     pinch: '縮める：画像を中心に寄せます',
     bloat: '膨らます：画像を外側に広げます',
-    smooth: 'ならす：ブラシで動かした場所を滑らかにします',
-    restore: '戻す：ブラシの跡を取り消します',
-    stiffen: '固める：場所の形を保ちます',
+    smooth: 'ならす：ブラシの跡を滑らかにします',
+    restore: '戻す：ブラシの跡を取り除きます',
+    stiffen: '固める：領域を硬く保ちます',
   },
   hints: {
     push: 'ドラッグすると画像を押して動かします。',
     pinch: '押すかドラッグすると画像を縮めます。',
     bloat: '押すかドラッグすると画像を膨らませます。',
-    smooth: 'ブラシで動かした場所をドラッグすると滑らかになります。',
-    restore: 'ドラッグするとブラシの跡を取り消します。',
-    stiffen: '形を保ちたい場所をドラッグしてください。',
+    smooth: 'ドラッグするとブラシの跡が滑らかになります。',
+    restore: 'ドラッグするとブラシの跡を取り除きます。',
+    stiffen: '硬く保ちたい領域をドラッグしてください。',
   },
   altHints: {
     push: 'Altで戻します。',
@@ -102,12 +102,12 @@ export const brush: Texts['brush'] = {
   erase: '消す',
   eraseTip: '硬さを消す',
   clearStiffness: '硬さを消去',
-  clearStiffnessTip: '画像を再び柔らかくします',
+  clearStiffnessTip: '画像全体を再び柔らかくします',
   clearStrokes: 'ブラシの跡を消去',
-  clearStrokesTip: 'ブラシで動かしたものをすべて取り消します',
+  clearStrokesTip: '画像からブラシの跡をすべて取り除きます',
   holding: '矢印キーで押し、Enterで放します。',
-  rigidOnly: '硬さが効くのは剛体変形だけです。',
-  bendRigidly: '剛体変形にする',
+  rigidOnly: '硬さは剛体モードでのみ働きます。',
+  bendRigidly: '剛体モードを使う',
 };
 
 export const status: Texts['status'] = {
@@ -117,7 +117,7 @@ export const status: Texts['status'] = {
   privacyTip: '画像を開く、変形する、保存する処理は、すべてこの端末だけで行われます。',
   view: '表示',
   zoom: 'ズーム',
-  seeIt: '見る',
+  seeIt: '確認',
   out: '縮小',
   in: '拡大',
   fit: '全体',
@@ -130,14 +130,14 @@ export const status: Texts['status'] = {
   zoomToCrease: '折れを拡大表示',
   zoomToNextCrease: '次の折れを拡大表示',
   cancel: '中止',
-  samples: (count) => `サンプル点${number(count)}個`,
-  virtualHandles: (count) => `仮想ハンドル${number(count)}個`,
+  samples: (count) => `メッシュ点${number(count)}個`,
+  virtualHandles: (count) => `補助点${number(count)}個`,
 };
 
 export const tasks: Texts['tasks'] = {
   opening: (name) => `${name}を開いています`,
   start: '輪郭を検出中',
-  domain: 'サンプリング中',
+  domain: 'メッシュを作成中',
   sampling: '距離を計測中',
   regions: 'ウェイトを計算中',
   weights: 'ウェイトを計算中',

@@ -31,13 +31,13 @@ export const files: Texts['files'] = {
   removeAll: 'すべて除去',
   noRecent: '編集した画像は、別の画像を開くとここに表示されます。',
   remove: (name) => `${name}を一覧から除去`,
-  drawing: '図形',
+  drawing: '描きかけ',
   steps: (count) => `${number(count)}ステップ`,
   samples: 'サンプル',
   openSample: (name) => `サンプル「${name}」を開く`,
   whole: 'すべてを1つのファイルに',
   saveWhole: '画像ごと保存',
-  exportWhole: '開き直せるPNGを書き出す',
+  exportWhole: '編集可能なPNGを書き出す',
 };
 
 export const tools: Texts['tools'] = {

@@ -4,10 +4,10 @@ import { number, quoted } from './language';
 
 export const pictureErrors: Texts['errors']['picture'] = {
   empty: '文件是空的。',
-  unreadable: '无法读取文件：它是文件夹，或者已被移动或更改。请重新选择文件。',
-  incomplete: '图片不完整：缺少文件末尾。请重新获取文件。',
+  unreadable: '无法读取文件。它是文件夹，或者已被移动或更改。请重新选择文件。',
+  incomplete: '图片不完整：缺少文件末尾。请重新下载或复制文件。',
   unknown: '此浏览器无法将该文件作为图片读取。请使用 PNG、JPEG 或 WebP。',
-  otherKind: (kind) => `文件类型：${kind}。请另存为 PNG、JPEG 或 WebP。`,
+  otherKind: (kind) => `这是 ${kind}。请另存为 PNG、JPEG 或 WebP。`,
   kinds: {
     png: 'PNG 图片',
     jpeg: 'JPEG 图片',
@@ -29,28 +29,21 @@ export const pictureErrors: Texts['errors']['picture'] = {
   damaged: '图片已损坏，或此浏览器无法读取。请重新保存为 PNG、JPEG 或 WebP。',
   tooSmall: (width, height, least) => `图片为 ${width} × ${height} px。至少须为 ${least} × ${least} px。`,
   tooLong: (width, height, most) =>
-    `图片为 ${width} × ${height} px。边长最多 ${number(most)} px：请缩小图片。`,
+    `图片为 ${width} × ${height} px。边长最多 ${number(most)} px。请缩小图片。`,
   tooLarge: (width, height, millions) =>
-    `图片为 ${width} × ${height} px。最多 ${number(millions * 100)} 万像素：请缩小图片。`,
+    `图片为 ${width} × ${height} px。最多 ${number(millions * 100)} 万像素。请缩小图片。`,
   drawingDamaged: '矢量图已损坏，或此浏览器无法显示。',
   drawingWithoutSize: '矢量图没有尺寸。请为其设定宽度和高度，或 viewBox。',
   drawingTooLarge: '矢量图超过 64 MB。请将其简化。',
   drawingEncoding: (encoding) => `矢量图不能按${encoding}读取。请另存为 UTF-8。`,
-  drawingUnread: '无法读取矢量图。请检查网络连接后重新打开。',
-  drawingTooManyElements: (most) => `矢量图的元素超过${number(most)}个。请简化。`,
-  drawingTooManyAttributes: (most) => `矢量图中有元素的属性超过${most}个。请删去一些。`,
-  drawingTooDeep: (most) => `矢量图的元素嵌套超过${most}层。请取消一些编组。`,
-  drawingTooManyCopies: '矢量图中的元素被重复使用太多次。请换用更小的元素，或减少使用次数。',
-  drawingTooManyStyles: '矢量图的样式处理时间过长。请简化样式。',
-  drawingTooSlow: (element) => `绘制矢量图耗时过长，主要是其中的<${element}>。请简化。`,
-  drawingTooMuchMemory: (element) => `绘制矢量图需要的内存过多，主要是其中的<${element}>。请简化。`,
+  drawingRefused: (detail) => `无法打开此矢量图：${detail}`,
   noWebgl: '此浏览器无法用 WebGL2 读取图片。请开启硬件加速，或使用其他浏览器。',
-  contextLost: '读取图片时图形上下文丢失。请重新打开图片。',
+  contextLost: '读取图片时，浏览器无法再访问显卡。请重新打开图片。',
 };
 
 export const addressErrors: Texts['errors']['address'] = {
   status: (file, status) => `无法加载${quoted(file)}：服务器返回 ${status}。`,
-  webPage: (file) => `无法加载${quoted(file)}：它是网页。请给出图片本身的网址。`,
+  webPage: (file) => `${quoted(file)}是网页。请输入图片本身的网址。`,
   unreachable: (file) => `无法加载${quoted(file)}。请检查网址和网络连接。`,
   refused: (file, host) =>
     `无法加载${quoted(file)}。${host} 不允许本页面读取（CORS），或无法连接。请先保存图片，再打开文件。`,
@@ -58,7 +51,7 @@ export const addressErrors: Texts['errors']['address'] = {
 };
 
 export const carriedErrors: Texts['errors']['carried'] = {
-  tooLong: '此图片中的项目过长。',
+  tooLong: '此图片中的项目过大。',
   damaged: '此图片中的项目已损坏。',
-  compressed: '此图片中的项目经过压缩，不受支持。',
+  compressed: '此图片中的项目经过压缩。编辑器只能读取未压缩的项目。',
 };

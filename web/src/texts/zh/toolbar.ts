@@ -31,13 +31,13 @@ export const files: Texts['files'] = {
   removeAll: '全部移除',
   noRecent: '打开另一张图片后，编辑过的图片会列在这里。',
   remove: (name) => `从列表中移除：${name}`,
-  drawing: '矢量图',
+  drawing: '未完成的绘制',
   steps: (count) => `${number(count)} 步`,
   samples: '示例',
   openSample: (name) => `打开示例：${name}`,
   whole: '全部存入一个文件',
   saveWhole: '连同图片保存',
-  exportWhole: '导出可重新打开的 PNG',
+  exportWhole: '导出可编辑的 PNG',
 };
 
 export const tools: Texts['tools'] = {

@@ -89,13 +89,13 @@ export function sizeText(size: Size | null, about: boolean, { exporting }: Texts
 
 /** The last row: a text about the file, and the button with its label. */
 export const exportRow = (
-  told: string | TemplateResult,
+  summary: string | TemplateResult,
   label: string,
   disabled: boolean,
   model: EditorModel,
   dispatch: Dispatch,
 ): TemplateResult => html`<div class="row">
-  <span class="faint">${told}</span>
+  <span class="faint">${summary}</span>
   <button
     type="button"
     class="primary"

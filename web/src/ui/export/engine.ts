@@ -16,12 +16,13 @@ const FORMATS = Object.fromEntries(
 
 const COMMON = { unit: '', digits: 0, digitKeys: true, changesNothing: true } as const;
 
-const bonesLook = ({ engine }: Texts): FieldLook => ({
+const bonesLook = ({ engine }: Texts, least: number): FieldLook => ({
   name: 'bones',
   label: engine.bones,
   tip: engine.bonesTip,
   step: 8,
-  ...BONES,
+  least,
+  most: BONES.most,
   ...COMMON,
 });
 const verticesLook = ({ engine }: Texts): FieldLook => ({
@@ -42,7 +43,7 @@ const influencesLook = ({ engine }: Texts, most: number): FieldLook => ({
 });
 
 export function enginePage(engine: EngineModel, model: EditorModel, dispatch: Dispatch): TemplateResult {
-  const { choices, influences, loss } = engine;
+  const { choices, bones, influences, loss } = engine;
   const { texts } = model;
   const { engine: words } = texts;
   const targets = { zip: words.zip, folder: words.folder };
@@ -54,7 +55,7 @@ export function enginePage(engine: EngineModel, model: EditorModel, dispatch: Di
     </div>
     <p class="faint">${texts.names.sentences([words.notes[choices.format], words.clips(engine.clips)])}</p>
     <div class="engine-fields">
-      ${field(bonesLook(texts), choices.bones, (bones) => choose({ bones }))}
+      ${field(bonesLook(texts, bones.least), bones.now, (bones) => choose({ bones }))}
       ${field(verticesLook(texts), choices.vertices, (vertices) => choose({ vertices }))}
       ${field(influencesLook(texts, influences.most), influences.now, (influences) => choose({ influences }))}
     </div>

@@ -16,6 +16,7 @@ import type { FilmModel } from '../../editor/film_model';
 import { roughSize, roughTime } from '../../editor/film_words';
 import { secondsText } from '../../editor/seconds';
 import type { EditorModel } from '../../editor/view_model';
+import { shownName } from '../../texts/shown_name';
 import type { Texts } from '../../texts/texts';
 import { closePopover } from '../close_popover';
 import { type FieldLook, numberField } from '../number_field';
@@ -82,7 +83,7 @@ export function filmPage(film: FilmModel, model: EditorModel, dispatch: Dispatch
     </div>
     ${choice(texts.exporting.area, areas, choices.area, (area) => choose({ area }))} ${part(film, choose, model, dispatch)} ${background(film, texts, choose)}
     ${film.refusal ? html`<p class="film-refusal" role="status">${model.worded(film.refusal)}</p>` : nothing}
-    ${exportRow(told(film, model), texts.exporting.export(format ? formats[format] : ''), !format || film.refusal !== null, model, dispatch)}`;
+    ${exportRow(summary(film, model), texts.exporting.export(format ? formats[format] : ''), !format || film.refusal !== null, model, dispatch)}`;
 }
 
 const withoutClip = (
@@ -119,7 +120,7 @@ const clipOption = (
           @change=${(event: Event) => choose({ clip: keptValue(event) })}
           @input=${keptValue}
         >
-          ${clips.map((name) => html`<option .value=${name} ?selected=${name === clip?.name}>${name}</option>`)}
+          ${clips.map((name) => html`<option .value=${name} ?selected=${name === clip?.name}>${shownName(name)}</option>`)}
         </select>
       </label>`;
 
@@ -191,7 +192,7 @@ function background(
 }
 
 /** The frames and the pixels, and roughly the size of the file and the time that it takes. */
-function told(
+function summary(
   { clip, choices, size, frames, range, estimate }: FilmModel,
   { texts, worded }: EditorModel,
 ): TemplateResult {

@@ -33,7 +33,7 @@ export function mapPage(maps: MapModel, model: EditorModel, dispatch: Dispatch):
   return html`<div class="map-kinds">${choice(words.map, words.names, map, (map) => choose({ map }))}</div>
     <p class="faint">${words.notes[map]}</p>
     ${map === 'heat' ? heat(maps, model) : map === 'weights' ? weights(maps, choose, model, dispatch) : warpMap(maps, model.texts, choose)}
-    ${exportRow(told(maps, model.texts), label, maps.file === null, model, dispatch)}`;
+    ${exportRow(summary(maps, model.texts), label, maps.file === null, model, dispatch)}`;
 }
 
 const warpMap = (
@@ -72,7 +72,7 @@ function tableNote({ table, of }: MapChoices, { csvNote, npyNote, npyZipNote }: 
   return of === 'sites' ? npyZipNote : npyNote;
 }
 
-function told({ choices: { map, area }, file, size }: MapModel, texts: Texts): TemplateResult {
+function summary({ choices: { map, area }, file, size }: MapModel, texts: Texts): TemplateResult {
   const points = size ? texts.maps.points(size.width, size.height) : '';
   const sides = map === 'weights' ? points : sizeText(size, area === 'grown', texts);
   return html`${file === null ? nothing : html`<span class="map-file">${file}</span>`}${sides}`;

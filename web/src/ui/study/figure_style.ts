@@ -46,19 +46,19 @@ export const figureStyle = css`
     stroke-dasharray: none;
   }
   .radius.cell-radius {
-    stroke: light-dark(#b3226b, #f07ab4);
+    stroke: var(--_farthest);
   }
   .radius.separation {
-    stroke: light-dark(#1263ad, #79b8f2);
+    stroke: var(--_nearest);
   }
   .figure .radius-name.support {
     fill: var(--_accent);
   }
   .figure .radius-name.cell-radius {
-    fill: light-dark(#b3226b, #f07ab4);
+    fill: var(--_farthest);
   }
   .figure .radius-name.separation {
-    fill: light-dark(#1263ad, #79b8f2);
+    fill: var(--_nearest);
   }
   .grip {
     fill: var(--_surface);
@@ -72,7 +72,7 @@ export const figureStyle = css`
     stroke: var(--_bound);
   }
   .figure .dot.virtual {
-    fill: light-dark(#0b8a56, #4cc38f);
+    fill: var(--_virtual);
   }
   .figure .dot.real {
     fill: var(--_accent);
@@ -95,7 +95,7 @@ export const figureStyle = css`
   }
   .figure .entering {
     fill: none;
-    stroke: light-dark(#b3226b, #f07ab4);
+    stroke: var(--_farthest);
     stroke-width: 2;
   }
   .figure .limit {
@@ -126,10 +126,10 @@ export const figureStyle = css`
     padding-inline-start: 8px;
   }
   .swatch.of-farthest {
-    background: light-dark(#b3226b, #f07ab4);
+    background: var(--_farthest);
   }
   .swatch.of-nearest {
-    background: light-dark(#1263ad, #79b8f2);
+    background: var(--_nearest);
   }
   .times-title {
     margin-top: 12px;

@@ -1,4 +1,4 @@
-/** Figures to be saved: each a whole SVG that stands by itself. */
+/** Figures for saving, each a self-contained SVG. */
 import { html, svg, type TemplateResult } from 'lit-html';
 import { lensModel } from '../../editor/lens_model';
 import { roundModel } from '../../editor/rounds_model';

@@ -1,4 +1,4 @@
-/** Figures that are saved: in light colours, whatever the page has. */
+/** Styles of saved figures, always in light colours. */
 import { css } from '../style/css';
 
 export const figuresStyle = css`

@@ -1,4 +1,4 @@
-/** The study card: in place of the panel, or a sheet above the tools on phones. */
+/** The study card: it replaces the panel, or is a sheet above the tools on phones. */
 
 import { FROM_BOTTOM } from '../../editor/sizes';
 import { css } from '../style/css';
@@ -155,7 +155,7 @@ export const studyStyle = css`
   .track {
     display: flex;
     height: 10px;
-    border-radius: 3px;
+    border-radius: calc(0.3 * var(--_radius));
     background: var(--_raised);
     overflow: hidden;
   }
@@ -164,7 +164,7 @@ export const studyStyle = css`
     background: var(--_accent);
   }
   :is(.track.of-virtual, .virtual ul) .own {
-    background: light-dark(#0b8a56, #4cc38f);
+    background: var(--_virtual);
   }
   .track .passed,
   .swatch.passed {
@@ -176,7 +176,7 @@ export const studyStyle = css`
     height: 10px;
     margin-block: 0;
     margin-inline: 0 5px;
-    border-radius: 3px;
+    border-radius: calc(0.3 * var(--_radius));
   }
   .key .meaning {
     display: inline-block;

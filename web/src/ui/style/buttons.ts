@@ -64,7 +64,7 @@ export const buttonsStyle = css`
   .link {
     color: var(--_accent);
     padding: 4px 6px;
-    border-radius: 5px;
+    border-radius: var(--_radius-item);
     font-weight: 600;
     white-space: nowrap;
   }
@@ -74,7 +74,7 @@ export const buttonsStyle = css`
   .primary {
     height: var(--_finger);
     padding: 0 20px;
-    border-radius: calc(var(--_finger) / 2);
+    border-radius: calc(2.2 * var(--_radius));
     background: var(--_accent);
     color: var(--_on-accent);
     font-weight: 600;

@@ -6,9 +6,6 @@ export const drawingStyle = css`
   .draft {
     stroke-linejoin: round;
   }
-  .draft.waiting {
-    opacity: 0.6;
-  }
   .draft .line {
     stroke: var(--_handle);
     stroke-width: var(--_stroke);

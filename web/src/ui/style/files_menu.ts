@@ -6,9 +6,7 @@ export const filesMenuStyle = css`
   .files {
     --_width: 300;
     width: min(300px, calc(100vw - 12px));
-    max-height: calc(100dvh - 70px);
     padding: 12px;
-    overflow: auto;
   }
   .files h2 {
     display: flex;
@@ -94,7 +92,7 @@ export const filesMenuStyle = css`
     width: 40px;
     height: 40px;
     object-fit: contain;
-    border-radius: 4px;
+    border-radius: calc(0.4 * var(--_radius));
     background: var(--_ground);
   }
   .files [data-command='open'],

@@ -1,6 +1,6 @@
 /** The positions of hints, drawing bar and notices: over the picture, beside the cards, without overlaps. */
 import { css } from './css';
-import { lowPhone, notPhone, phone } from './layouts';
+import { lowHints, lowPhone, notPhone, phone } from './layouts';
 import { ORDER } from './order';
 
 export const floatingStyle = css`
@@ -19,6 +19,11 @@ export const floatingStyle = css`
   }
   .hint {
     bottom: 22px;
+  }
+  @container ${lowHints} {
+    .hint {
+      bottom: 8px;
+    }
   }
   @container ${notPhone} {
     :is(.draft-bar, .brush-bar, .hint:not(.bubble)) ~ .notices .notice {

@@ -49,9 +49,12 @@ export const handleListStyle = css`
     outline-offset: -2px;
   }
   .item .name {
-    display: inline-block;
+    display: -webkit-box;
     min-width: 0;
+    overflow: hidden;
     overflow-wrap: anywhere;
+    -webkit-box-orient: vertical;
+    -webkit-line-clamp: 3;
   }
   .item .name::first-letter {
     text-transform: uppercase;

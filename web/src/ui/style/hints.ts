@@ -1,14 +1,17 @@
 /** Hints over the picture, and the bubble that points at a handle. */
+
+import { HINT } from '../../editor/hint_place';
+import { NARROW } from '../../editor/sizes';
 import { css } from './css';
-import { lowPhone, phone } from './layouts';
+import { lowHints, phone } from './layouts';
 
 export const hintsStyle = css`
   .hint {
-    --_veil: light-dark(#26272bee, #ececeaee);
     padding: 9px 18px;
-    border-radius: 20px;
-    background: var(--_veil);
-    color: var(--_on-inverse);
+    border: 1px solid var(--_line);
+    border-radius: calc(2 * var(--_radius));
+    background: var(--_surface);
+    box-shadow: var(--_shadow);
     font-size: 14px;
     font-weight: 550;
     text-align: center;
@@ -21,7 +24,7 @@ export const hintsStyle = css`
     gap: 14px;
     padding-block: 6px;
     padding-inline: 18px 6px;
-    border-radius: 26px;
+    border-radius: calc(2.6 * var(--_radius));
     /* It can be pressed at once. */
     animation-delay: 0ms;
   }
@@ -40,11 +43,48 @@ export const hintsStyle = css`
       flex-direction: column;
       gap: 6px;
       padding: 10px 16px;
-      border-radius: 22px;
+      border-radius: calc(2.2 * var(--_radius));
       font-size: 13px;
     }
     .hint.suggests .primary {
       height: var(--_finger);
+    }
+  }
+  /* Low: at most two short lines, below the middle of the picture. */
+  @container ${lowHints} {
+    .hint {
+      padding: 5px 12px;
+      font-size: 13px;
+      line-height: 1.3;
+    }
+    .hint.suggests {
+      padding-inline-end: 5px;
+    }
+    .hint > span {
+      display: -webkit-box;
+      -webkit-box-orient: vertical;
+      -webkit-line-clamp: 2;
+      overflow: hidden;
+    }
+  }
+  /* Only the button or the switch. */
+  @container ${lowHints} and (width < ${NARROW}px) {
+    .hint.suggests {
+      padding: 0;
+    }
+    .hint.suggests:has(.primary) {
+      border: 0;
+      background: none;
+      box-shadow: none;
+    }
+    .hint.suggests > span {
+      display: none;
+    }
+    .hint .edge-switch {
+      min-width: 0;
+      line-height: 1.2;
+      text-align: start;
+      white-space: normal;
     }
   }
   /* The bubble belongs to the picture, so it lies under the cards. */
@@ -52,31 +92,46 @@ export const hintsStyle = css`
     right: auto;
     bottom: auto;
     z-index: auto;
-    white-space: nowrap;
-    translate: 26px -50%;
+    max-width: ${HINT.widest}px;
+    translate: ${HINT.apart}px -50%;
+    text-wrap: balance;
   }
+  .hint.bubble.left {
+    translate: calc(-100% - ${HINT.apart}px) -50%;
+  }
+  .hint.bubble.above {
+    translate: calc(-100% * var(--_along)) calc(-100% - ${HINT.apart}px);
+  }
+  .hint.bubble.below {
+    translate: calc(-100% * var(--_along)) ${HINT.apart}px;
+  }
+  /* Its point: a corner of a square on the edge. */
   .bubble::before {
     content: '';
     position: absolute;
-    top: calc(50% - 7px);
-    right: 100%;
-    border: 7px solid transparent;
-    border-left: 0;
-    border-right-color: var(--_veil);
+    top: calc(50% - 6px);
+    left: -6.5px;
+    width: 12px;
+    height: 12px;
+    border: inherit;
+    border-width: 0 0 1px 1px;
+    background: inherit;
+    rotate: 45deg;
   }
-  .hint.bubble.above {
-    translate: -75% calc(-100% - 28px);
+  .bubble.left::before {
+    left: auto;
+    right: -6.5px;
+    rotate: 225deg;
   }
-  .bubble.above::before {
-    inset: 100% auto auto calc(75% - 7px);
-    border: 7px solid transparent;
-    border-bottom: 0;
-    border-top-color: var(--_veil);
+  .bubble:is(.above, .below)::before {
+    top: auto;
+    bottom: -6.5px;
+    left: calc(100% * var(--_along) - 6px);
+    rotate: -45deg;
   }
-  @container ${lowPhone} {
-    .hint:not(.bubble) {
-      padding: 6px 12px;
-      font-size: 13px;
-    }
+  .bubble.below::before {
+    top: -6.5px;
+    bottom: auto;
+    rotate: 135deg;
   }
 `;

@@ -14,7 +14,7 @@ export const legendsStyle = css`
   .ramp {
     width: 120px;
     height: 10px;
-    border-radius: 5px;
+    border-radius: calc(0.5 * var(--_radius));
     background-color: #b9b5b0;
   }
   /* The mark of one half, like the bold isoline. */

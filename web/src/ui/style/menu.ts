@@ -1,6 +1,6 @@
 /** Check boxes, the menu of a phone, and the context menu. */
 import { css } from './css';
-import { phone } from './layouts';
+import { lowestPhone, phone } from './layouts';
 
 export const menuStyle = css`
   .menu {
@@ -12,6 +12,8 @@ export const menuStyle = css`
   .popover {
     --_width: 208;
     max-width: calc(100vw - 12px);
+    max-height: calc(100dvh - 70px);
+    overflow: auto;
     position: fixed;
     inset: auto;
     margin: 0;
@@ -74,6 +76,10 @@ export const menuStyle = css`
     font: inherit;
     text-align: start;
   }
+  /* The card of tools has it where there is room. */
+  .more [data-entry='brush'] {
+    display: none;
+  }
   .more .entry:disabled {
     color: color-mix(in srgb, currentcolor 35%, transparent);
   }
@@ -107,6 +113,11 @@ export const menuStyle = css`
   @media (hover: none) {
     .entry kbd {
       display: none;
+    }
+  }
+  @container ${lowestPhone} {
+    .more [data-entry='brush'] {
+      display: flex;
     }
   }
   @container ${phone} {

@@ -11,7 +11,7 @@ export const ORDER = {
   floating: 2,
   toolbar: 3,
   progress: 3,
-  /** The panel, if there is no room beside the tools. */
+  /** The panel, if it does not fit beside the tools. */
   panelOverTools: 3,
   tooltip: 4,
 } as const;

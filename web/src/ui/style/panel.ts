@@ -35,6 +35,11 @@ export const panelStyle = css`
   h2::first-letter {
     text-transform: uppercase;
   }
+  h2.name {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
   button.name {
     display: flex;
     align-items: center;

@@ -9,7 +9,7 @@ export const segmentsStyle = css`
     gap: 2px;
     margin: 6px 0;
     padding: 2px;
-    border-radius: 8px;
+    border-radius: calc(0.8 * var(--_radius));
     background: var(--_raised);
   }
   .segment {
@@ -19,7 +19,8 @@ export const segmentsStyle = css`
     border-radius: var(--_radius-item);
   }
   .button.segment[aria-pressed='true'] {
-    background: light-dark(var(--_surface), color-mix(in srgb, var(--_raised), #fff 17%));
+    /* Light on dark surfaces too. */
+    background: color-mix(in srgb, #fff 21%, var(--_surface));
     color: var(--_text);
     box-shadow: 0 1px 2px light-dark(#0000002b, #0009);
   }

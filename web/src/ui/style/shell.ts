@@ -60,16 +60,16 @@ export const shellStyle = css`
       --_end: ${PANEL.narrow}px;
     }
   }
-  /* Low: the tools have two or three columns. */
+  /* Low: the tools have two or four columns. */
   @container ${low} {
     .middle {
-      --_start: ${TOOLS.low}px;
+      --_start: ${TOOLS.low.fine}px;
       --_end: ${PANEL.narrow}px;
     }
   }
   @container ${lowest} {
     .middle {
-      --_start: ${TOOLS.lowest}px;
+      --_start: ${TOOLS.lowest.fine}px;
     }
   }
   .middle.studying {

@@ -63,7 +63,7 @@ export const stageStyle = css`
     position: absolute;
     inset: 10px;
     border: 2px dashed var(--_accent);
-    border-radius: 14px;
+    border-radius: calc(1.4 * var(--_radius));
     background: color-mix(in srgb, var(--_accent) 8%, transparent);
   }
 `;

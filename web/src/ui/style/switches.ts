@@ -74,7 +74,7 @@ export const switchesStyle = css`
     height: 34px;
     padding: 0 12px;
     border: 0;
-    border-radius: 17px;
+    border-radius: calc(1.7 * var(--_radius));
     background: none;
     color: inherit;
     font: inherit;
@@ -85,6 +85,7 @@ export const switchesStyle = css`
   }
   .edge-switch::before {
     content: '';
+    flex: none;
     width: 30px;
     height: 18px;
     border-radius: 9px;

@@ -18,19 +18,33 @@ export const tokensStyle = css`
     --_faint: color-mix(in srgb, var(--_text) 66%, var(--_surface));
     /* The boundary of controls: contrast 3:1 to the surface (WCAG 1.4.11). */
     --_bound: color-mix(in srgb, var(--_text) 53%, var(--_surface));
-    --_ground: var(--c2-ground, light-dark(#f5f5f3, #191a1c));
-    --_checker: var(--c2-checker, light-dark(#ebebe8, #1f2023));
+    /* A little darker than the surface. */
+    --_ground: var(
+      --c2-ground,
+      light-dark(
+        color-mix(in srgb, #37370f 5%, var(--_surface)),
+        color-mix(in srgb, #000 28%, var(--_surface))
+      )
+    );
+    --_checker: var(
+      --c2-checker,
+      light-dark(
+        color-mix(in srgb, #212100 9%, var(--_surface)),
+        color-mix(in srgb, #000 11%, var(--_surface))
+      )
+    );
     /* Marks on the picture are the same in light and dark: the handle colour with a casing. */
     --_handle: var(--c2-handle, #2558e8);
     --_casing: #fff;
-    /* Tooltips and hints. */
-    --_inverse: light-dark(#26272b, #ececea);
-    --_on-inverse: light-dark(#fff, #1e1f22);
-    --_warning: light-dark(#9a5b00, #f0b45a);
-    --_danger: light-dark(#b3261e, #ff8f85);
+    /* Meanings: mixed with the text, so that they contrast with any surface that it is read on. */
+    --_farthest: color-mix(in srgb, #d93a8c 75%, var(--_text));
+    --_nearest: color-mix(in srgb, #2b86dd 70%, var(--_text));
+    --_virtual: color-mix(in srgb, #17a56a 75%, var(--_text));
+    --_warning: color-mix(in srgb, #d07c00 68%, var(--_text));
+    --_danger: color-mix(in srgb, #ea3a2e 68%, var(--_text));
     --_radius: var(--c2-radius, 10px);
-    --_radius-control: 7px;
-    --_radius-item: 6px;
+    --_radius-control: calc(0.7 * var(--_radius));
+    --_radius-item: calc(0.6 * var(--_radius));
     /* Heights of controls for mouse and touch. */
     --_control: 34px;
     --_finger: 44px;

@@ -31,7 +31,7 @@ export const toolStripStyle = css`
   }
   @container ${lowest} {
     .tools {
-      grid-template-columns: auto auto auto;
+      grid-template-columns: repeat(4, auto);
     }
   }
   @container ${phone} {
@@ -70,18 +70,13 @@ export const toolStripStyle = css`
       border: 0;
     }
   }
-  /* No room for the lens, which its card has too, nor for the hand: two fingers and the space bar pan. */
-  @container ${low} {
-    .tools :is([data-command='lens'], [data-command='hand']) {
-      display: none;
-    }
-  }
+  /* The menu has the lens and the hand. Two fingers and the space bar pan, too. */
   @container ${phone} {
     .tools :is([data-command='lens'], [data-command='hand']) {
       display: none;
     }
   }
-  /* No room for a sixth tool and the settings, nor for the bar of the brush. */
+  /* No room for a sixth tool and the settings. The menu has the brush. */
   @container ${lowestPhone} {
     .tools [data-command='brush'] {
       display: none;

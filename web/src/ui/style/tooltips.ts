@@ -20,8 +20,8 @@ export const tooltipsStyle = css`
       max-width: 270px;
       padding: 4px 9px;
       border-radius: var(--_radius-item);
-      background: var(--_inverse);
-      color: var(--_on-inverse);
+      background: var(--_text);
+      color: var(--_surface);
       font-size: 12px;
       font-weight: 400;
       text-align: start;

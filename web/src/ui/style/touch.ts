@@ -6,7 +6,7 @@
 
 import { BARS, TOOLS } from '../../editor/sizes';
 import { css } from './css';
-import { lowestPhone, lowPhone, phone } from './layouts';
+import { low, lowest, lowestPhone, lowPhone, phone } from './layouts';
 
 export const touchStyle = css`
   @media (pointer: coarse) {
@@ -25,6 +25,11 @@ export const touchStyle = css`
     .tools .button {
       width: 48px;
       height: 46px;
+    }
+    @container shell (width < 720px) {
+      .brand {
+        display: none;
+      }
     }
     .segment {
       min-width: 0;
@@ -58,6 +63,17 @@ export const touchStyle = css`
     @container ${phone} {
       .status .caption {
         display: block;
+      }
+    }
+    /* Four rows. */
+    @container ${low} {
+      .tools {
+        gap: 0;
+      }
+    }
+    @container ${lowest} {
+      .middle {
+        --_start: ${TOOLS.lowest.coarse}px;
       }
     }
     @container ${lowPhone} {

@@ -9,11 +9,15 @@ import type { Dispatch } from '../../editor/events';
 import type { TimelineModel } from '../../editor/timeline_model';
 import { RATES, type Rate } from '../../editor/timeline_state';
 import type { EditorModel } from '../../editor/view_model';
+import { shownName } from '../../texts/shown_name';
 import type { Texts } from '../../texts/texts';
 import { commandButton } from '../command_button';
 import { type IconName, icon } from '../icons';
 import { nameInput } from '../name_input';
 import { numberField } from '../number_field';
+
+/** The commands of the selected keys. */
+const OF_KEYS = ['copy-keys', 'paste-keys', 'mirror-keys', 'remove-keys'] as const;
 
 export function clipBar(timeline: TimelineModel, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { clip } = timeline;
@@ -45,8 +49,7 @@ function clipTools(
   dispatch: Dispatch,
 ): TemplateResult {
   const small = button(dispatch);
-  const { playing, recordHeld, recording, selectedKeys: count } = timeline;
-  const none = count === 0;
+  const { playing, recordHeld, recording } = timeline;
   const { timeline: words } = model.texts;
   return html`
     ${commandButton('play', model, dispatch, { label: playing ? words.stop : words.play, icon: playing ? 'pause' : 'play' })}
@@ -72,26 +75,22 @@ function clipTools(
         timeline.ease ?? '',
         { ...(timeline.ease ? {} : { '': words.ease }), ...words.eases },
         (ease) => ease !== '' && dispatch({ type: 'keys-eased', ease: ease as Ease }),
-        none,
+        timeline.lead === null,
       )}
-      ${small(words.copyKeys, 'copy', { type: 'keys-copied' }, none)}
-      ${small(words.pasteKeys, 'paste', { type: 'keys-pasted' }, !timeline.canPaste)}
-      ${small(words.mirrorKeys, 'mirror', { type: 'keys-mirrored' }, none)}
-      ${small(words.deleteKeys, 'remove', { type: 'keys-removed' }, none)}
+      ${OF_KEYS.map((name) => commandButton(name, model, dispatch))}
     </span>`;
 }
 
 /** Makes buttons with an icon that dispatch an event. */
 const button =
   (dispatch: Dispatch) =>
-  (label: string, name: IconName, event: Parameters<Dispatch>[0], disabled = false): TemplateResult =>
+  (label: string, name: IconName, event: Parameters<Dispatch>[0]): TemplateResult =>
     html`<button
     type="button"
     class="button"
     part="button"
     data-tip=${label}
     aria-label=${label}
-    ?disabled=${disabled}
     @click=${() => dispatch(event)}
   >
     ${icon(name)}
@@ -154,7 +153,7 @@ function clipChoice(
     else dispatch({ type: 'clip-added', preset: CLIP_PRESETS.find((preset) => preset === value) ?? null });
   };
   return html`<select class="choice" aria-label=${words.clip} title=${words.clip} .value=${live(`=${clip.name}`)} @change=${choose}>
-    ${clips.map((name) => html`<option value="=${name}" ?selected=${name === clip.name}>${name}</option>`)}
+    ${clips.map((name) => html`<option value="=${name}" ?selected=${name === clip.name}>${shownName(name)}</option>`)}
     <optgroup label=${words.add}>
       ${CLIP_PRESETS.map((preset) => html`<option value="+${preset}">${words.presets[preset]}</option>`)}
       <option value="+">${words.newClip}</option>
@@ -162,14 +161,17 @@ function clipChoice(
   </select>`;
 }
 
-const nameField = (clip: Clip, words: Texts['timeline'], dispatch: Dispatch): TemplateResult =>
-  nameInput({
+function nameField(clip: Clip, words: Texts['timeline'], dispatch: Dispatch): TemplateResult {
+  const shown = shownName(clip.name);
+  return nameInput({
     control: 'clip-name',
     label: words.nameOfClip,
-    name: clip.name,
-    given: (name) => dispatch({ type: 'clip-named', name }),
+    name: shown,
+    // Without a change, the name is kept.
+    given: (name) => dispatch({ type: 'clip-named', name: name === shown ? clip.name : name }),
     ended: () => dispatch({ type: 'clip-renaming-switched', on: false }),
   });
+}
 
 const durationField = (clip: Clip, model: EditorModel, dispatch: Dispatch): TemplateResult =>
   numberField(

@@ -30,6 +30,8 @@ export const timelineStyle = css`
     min-height: 44px;
     padding: 0 8px;
     overflow-x: auto;
+    /* The button that closes lies above the end of the bar. */
+    scroll-padding-inline-end: 56px;
     scrollbar-width: none;
     border-bottom: 1px solid var(--_line);
   }
@@ -278,6 +280,27 @@ export const timelineStyle = css`
     border-color: var(--_accent);
     background: var(--_accent);
   }
+  /* A press focuses the key, and its colour shows that. */
+  :host(:not(.keyed)) .clip-key:focus-visible {
+    outline: none;
+  }
+  /* Keyboard commands apply to keys, so the marks of their handles are less prominent. */
+  .of-keys .handle[aria-pressed='true']:not(.middle-mark, .behind)::before {
+    background: var(--_casing);
+    border: 3.5px solid var(--_handle);
+    box-shadow:
+      0 0 0 1.5px var(--_casing),
+      0 1px 5px 1px #0007;
+  }
+  .of-keys :is(.ring, .line-handle.selected) {
+    opacity: 0.45;
+  }
+  .of-keys :is(.item[aria-pressed='true'], .item[aria-pressed='true'] .dot, .key-row.selected .lane) {
+    background: none;
+  }
+  .of-keys .key-row.selected .track-name {
+    box-shadow: none;
+  }
   .key-box {
     position: absolute;
     z-index: 2;
@@ -300,10 +323,10 @@ export const timelineStyle = css`
       height: var(--_finger);
     }
   }
-  /* The tools keep clear of it in two columns, or three. */
+  /* The tools keep clear of it in two columns, or four. */
   @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.low}px) {
     .middle:has(~ .timeline) {
-      --_start: ${TOOLS.low}px;
+      --_start: ${TOOLS.low.fine}px;
     }
     .middle:has(~ .timeline) .tools {
       display: grid;
@@ -312,10 +335,22 @@ export const timelineStyle = css`
   }
   @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.lowest}px) {
     .middle:has(~ .timeline) {
-      --_start: ${TOOLS.lowest}px;
+      --_start: ${TOOLS.lowest.fine}px;
     }
     .middle:has(~ .timeline) .tools {
-      grid-template-columns: auto auto auto;
+      grid-template-columns: repeat(4, auto);
+      /* The least elements have room for one row. */
+      overflow: hidden auto;
+    }
+    .middle:has(~ .timeline) .tools [data-tip]::after {
+      content: none;
+    }
+  }
+  @media (pointer: coarse) {
+    @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.lowest}px) {
+      .middle:has(~ .timeline) {
+        --_start: ${TOOLS.lowest.coarse}px;
+      }
     }
   }
   @container ${phone} {

@@ -1,12 +1,13 @@
 /** A row for each handle, with its keys as diamonds. */
 import { html, type TemplateResult } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
-import type { KeyRef } from '../../document/clip_keys';
+import { isSameKey, type KeyRef } from '../../document/clip_keys';
 import type { Clip } from '../../document/project';
 import type { Dispatch } from '../../editor/events';
 import { secondsText } from '../../editor/seconds';
 import type { TimelineKey, TimelineModel, TimelineRow } from '../../editor/timeline_model';
 import type { EditorModel } from '../../editor/view_model';
+import { isKeyed } from '../handle_buttons';
 import { boxSelection } from './box';
 import { follow } from './gestures';
 import { at, secondsPerPixel } from './scale';
@@ -17,7 +18,7 @@ const SLIP = 3;
 export function trackRows(timeline: TimelineModel, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { clip, rows } = timeline;
   if (!clip) return html``;
-  const entry = entryOf(rows);
+  const entry = entryOf(timeline);
   return html`<div
     class="tracks"
     role="group"
@@ -34,7 +35,7 @@ export function trackRows(timeline: TimelineModel, model: EditorModel, dispatch:
 
 function trackRow(
   row: TimelineRow,
-  entry: TimelineKey | undefined,
+  entry: KeyRef | null,
   clip: Clip,
   timeline: TimelineModel,
   model: EditorModel,
@@ -57,17 +58,17 @@ function trackRow(
     </button>
     <div class="lane">
       <div class="time">
-        ${row.keys.map((key) => keyButton(key, key === entry, row, clip, timeline, model, dispatch))}
+        ${row.keys.map((key) => keyButton(key, entry, row, clip, timeline, model, dispatch))}
         <i class="playhead" .style=${at(clip, timeline.time)}></i>
       </div>
     </div>
   </div>`;
 }
 
-/** @param isEntry Tab comes to this key. Arrow keys go to the others. */
+/** @param entry Tab comes to this key. Arrow keys go to the others. */
 function keyButton(
   key: TimelineKey,
-  isEntry: boolean,
+  entry: KeyRef | null,
   row: TimelineRow,
   clip: Clip,
   timeline: TimelineModel,
@@ -81,26 +82,33 @@ function keyButton(
     class="clip-key ${key.ease}"
     data-key-of=${row.handle}
     data-time=${key.time}
-    tabindex=${isEntry ? 0 : -1}
+    tabindex=${entry && isSameKey(entry, ref) ? 0 : -1}
     .style=${at(clip, key.shown)}
     aria-label=${label}
     aria-pressed=${String(key.selected)}
     title=${label}
+    @focus=${(event: FocusEvent) => focused(event, ref, key, dispatch)}
     @pointerdown=${(event: PointerEvent) => press(event, ref, key, clip, timeline, dispatch)}
     @dblclick=${() => dispatch({ type: 'playhead-moved', time: key.time })}
   ></button>`;
 }
 
-/** The key that Tab comes to: the first selected one, or else the first of all. */
-function entryOf(rows: readonly TimelineRow[]): TimelineKey | undefined {
-  const keys = rows.flatMap((row) => row.keys);
-  return keys.find(({ selected }) => selected) ?? keys[0];
+/** The key that Tab comes to: the one that arrows go from, or else the first of all. */
+function entryOf({ rows, lead }: TimelineModel): KeyRef | null {
+  const [first] = rows.flatMap(({ handle, keys }) => keys.map(({ time }) => ({ handle, time })));
+  return lead ?? first ?? null;
 }
 
 export const selectedRefs = ({ rows }: TimelineModel): readonly KeyRef[] =>
   rows.flatMap(({ handle, keys }) =>
     keys.filter(({ selected }) => selected).map(({ time }) => ({ handle, time })),
   );
+
+/** As with handles, keyboard focus selects a key. */
+function focused({ target }: FocusEvent, ref: KeyRef, { selected }: TimelineKey, dispatch: Dispatch): void {
+  const keyed = target instanceof Element && target.matches(':focus-visible') && isKeyed(target);
+  if (keyed && !selected) dispatch({ type: 'keys-selected', keys: [ref] });
+}
 
 /** Selects the pressed key, with Shift besides the others, and drags the selected ones. */
 function press(

@@ -1,4 +1,4 @@
-//! Rings as doubly linked chains that points are dropped from.
+//! Rings as doubly linked chains, from which points are dropped.
 
 use glam::DVec2;
 use robust::{Coord, orient2d};
@@ -6,7 +6,7 @@ use robust::{Coord, orient2d};
 use super::point_grid::PointGrid;
 use crate::{domain::ring::Ring, min_entry::MinEntry, segment::segment_distance};
 
-/// Costs are rounded to multiples of this many pixels, above rounding errors and far below the tolerance. They are
+/// Costs are rounded to multiples of this many pixels, above rounding errors and far below the tolerance. Costs are
 /// then the same in a mirror image.
 const COST_STEP: f64 = 1.0 / (1_u64 << 30) as f64;
 
@@ -14,7 +14,8 @@ const COST_STEP: f64 = 1.0 / (1_u64 << 30) as f64;
 /// stamp.
 pub(super) type Candidate = MinEntry<(Remoteness, usize, u32)>;
 
-/// Squared distance from the centre of the ring's box, as bits. Bits of positive numbers order like the numbers.
+/// Squared distance from the centre of the ring's box, as bits. The bits of positive numbers have the same order as the
+/// numbers.
 pub(super) type Remoteness = u64;
 
 /// All rings as doubly linked chains over the original points.
@@ -27,12 +28,12 @@ pub(super) struct Chains {
     alive: Vec<bool>,
     /// Number of changes around each point. A candidate with an older stamp is outdated.
     stamp: Vec<u32>,
-    /// The last round with each point as a candidate, and its stamp then.
+    /// The last round in which each point was a candidate, and its stamp in that round.
     tied: Vec<(u32, u32)>,
     /// Number of points that remain of each ring, indexed by the ring's first point.
     remaining: Vec<usize>,
     remoteness: Vec<Remoteness>,
-    /// Greatest distance of an original point from the outline, in pixels.
+    /// Maximum distance of an original point from the outline, in pixels.
     tolerance: f64,
     /// Number of original points from each point to the end of the exactly straight run that begins there: 1 or more.
     straight: Vec<usize>,
@@ -77,7 +78,7 @@ impl Chains {
         cost.map(|key| MinEntry { key, item: (self.remoteness[at], at, self.stamp[at]) })
     }
 
-    /// Whether nothing around the point has changed since the candidate was made.
+    /// Whether the surroundings of the point have not changed since the candidate was created.
     pub(super) fn is_current(&self, &MinEntry { item: (_, at, stamp), .. }: &Candidate) -> bool {
         self.alive[at] && self.stamp[at] == stamp
     }
@@ -87,10 +88,10 @@ impl Chains {
         self.tied[at] = (round, stamp);
     }
 
-    /// Drops a point if nothing is in the way, together with a neighbour of the same round.
+    /// Drops a point if no other point is in the way, together with a neighbour of the same round.
     ///
-    /// Such neighbours lie on both sides of an axis of symmetry. They go or stay together, and more than two in a row
-    /// stay. Returns the points on both sides of the dropped ones.
+    /// Such neighbours lie on both sides of an axis of symmetry. They are dropped or kept together, and more than two
+    /// in a row are kept. Returns the points on both sides of the dropped ones.
     pub(super) fn drop_with_neighbour(&mut self, candidate: &Candidate, round: u32) -> Option<[usize; 2]> {
         let (_, at, _) = candidate.item;
         let is_tied = |other: usize| self.alive[other] && self.tied[other] == (round, self.stamp[other]);
@@ -124,7 +125,7 @@ impl Chains {
         Some([from, to])
     }
 
-    /// The cost of a chord in place of all points between two, of which `dropped` are still there.
+    /// The cost of replacing all points between two points by a chord. `dropped` of them still exist.
     ///
     /// Returns `None` beyond the tolerance, or if fewer than three points of the ring would remain.
     fn cost(&self, from: usize, to: usize, dropped: usize) -> Option<f64> {

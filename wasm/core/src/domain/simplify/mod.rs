@@ -2,17 +2,17 @@
 //!
 //! A point is dropped under two conditions. The chord in its place must stay within a tolerance of every original
 //! point. The triangle that the outline sweeps must contain no other point of any ring. Every step is then a
-//! deformation without contact, so rings stay simple and disjoint: gaps are not bridged, and thin parts not cut.
+//! deformation without contact, so rings remain simple and disjoint: gaps are not bridged, and thin parts are not cut.
 //!
 //! Of two points with the same cost, the one nearer to the centre of its ring's box goes first. Points at the same
-//! distance go in one round. A symmetric outline therefore stays symmetric, for any first point and either
+//! distance are dropped in one round. A symmetric outline therefore remains symmetric, for any first point and either
 //! orientation of its rings.
 //!
 //! Cost: usually O(n log n) for n contour points, with a grid over the points. Each step visits the cells that its
 //! triangle touches, and the original points under its chord, but only the ends of exactly straight runs.
 //!
 //! Known limit: a contour may be within the tolerance of a chord over thousands of points, yet nowhere exactly
-//! straight. It costs that many visits for each of these points.
+//! straight. Each of these points then costs that many visits.
 
 mod chains;
 mod point_grid;
@@ -22,9 +22,9 @@ use std::collections::BinaryHeap;
 use self::chains::{Candidate, Chains};
 use super::ring::Ring;
 
-/// Simplifies rings. They must be simple and disjoint, and stay so.
+/// Simplifies rings. The rings must be simple and disjoint, and remain so.
 ///
-/// `tolerance` is the greatest distance of an original point from the simplified outline, in pixels.
+/// `tolerance` is the maximum distance of an original point from the simplified outline, in pixels.
 pub(super) fn simplified(rings: &[Ring], tolerance: f64) -> Vec<Ring> {
     let mut chains = Chains::new(rings, tolerance);
     let mut queue: BinaryHeap<Candidate> = (0..chains.len()).filter_map(|at| chains.candidate(at)).collect();

@@ -1,4 +1,4 @@
-//! Points in square cells, for the search of points in a triangle.
+//! Points in square cells, for finding points in a triangle.
 
 use glam::DVec2;
 
@@ -46,7 +46,7 @@ impl PointGrid {
 
     /// Whether a point accepted by `filter` lies in a closed triangle.
     ///
-    /// The search goes row by row, as such triangles are long and thin.
+    /// The search proceeds row by row, because such triangles are long and thin.
     pub(super) fn any_in_triangle(
         &self,
         triangle: [DVec2; 3],

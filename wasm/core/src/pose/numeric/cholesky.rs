@@ -1,12 +1,12 @@
 //! The factorisation L D Lᵀ of a symmetric positive definite matrix: sparse Cholesky, with a fixed order of all
 //! sums.
 //!
-//! Rows come in groups of up to three, the unknowns of one site. The group with the fewest neighbours is
-//! eliminated first (minimum degree: Tinney and Walker 1967). The columns of a group have their entries in the
-//! same rows, so they are stored and processed together (supernodes). Unlike [`elimination`](super::elimination)
-//! it accepts entries of any sign, and its accuracy depends on the condition of the matrix.
+//! Rows form groups of up to three, the unknowns of one site. The group with the fewest neighbours is eliminated first
+//! (minimum degree: Tinney and Walker 1967). The columns of a group have their entries in the same rows, so they are
+//! stored and processed together (supernodes). Unlike [`elimination`](super::elimination), it accepts entries of any
+//! sign, and its accuracy depends on the condition of the matrix.
 //!
-//! Cost: for 200 sites of three rows, 40,000 entries and some 50 µs for a solution.
+//! Cost: for 200 sites of three rows, 40,000 entries and about 50 µs for a solution.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,7 +14,7 @@ use glam::DVec2;
 
 use crate::rank::sort_by_rank;
 
-/// Greatest number of rows in a group.
+/// Maximum number of rows in a group.
 const MAX_WIDTH: usize = 3;
 
 /// A group of columns.
@@ -37,7 +37,7 @@ pub(crate) struct Cholesky {
     supernodes: Vec<Supernode>,
     /// The rows below each supernode, as pivot numbers.
     rows: Vec<u32>,
-    /// For each of these rows one value for each column of the supernode.
+    /// For each of these rows, one value for each column of the supernode.
     values: Vec<f64>,
 }
 
@@ -98,7 +98,7 @@ impl Cholesky {
         Self { pivots, supernodes, rows, values }
     }
 
-    /// Replaces a right hand side by the solution.
+    /// Replaces a right-hand side by the solution.
     pub(crate) fn solve(&self, x: &mut [DVec2]) {
         let mut y: Vec<DVec2> = self.pivots.iter().map(|&row| x[row as usize]).collect();
         let (mut first, mut start, mut value) = (0, 0, 0);

@@ -1,12 +1,12 @@
 //! Descent to a minimum: L-BFGS (Nocedal 1980), preconditioned by an approximate inverse of the Hessian.
 //!
-//! For as-rigid-as-possible that inverse is the Laplacian's. A step by it alone is one iteration of the local/global
-//! method (Sorkine and Alexa 2007), which keeps no history and so crawls along the directions in which rotations
-//! yield. The last few steps carry that information (Liu, Bouaziz and Kavan 2017): the energy of a bent strip
-//! converges in a quarter of the iterations, that of an unrolled spiral in a tenth.
+//! For as-rigid-as-possible deformation, that inverse is the Laplacian's. A step with only this inverse is one
+//! iteration of the local/global method (Sorkine and Alexa 2007). Without history, that method converges slowly along
+//! directions in which rotations yield. The last few steps contain that information (Liu, Bouaziz and Kavan 2017): the
+//! energy of a bent strip converges in a quarter of the iterations, and that of an unrolled spiral in a tenth.
 //!
 //! Once a direction is set, the energy is known along the whole line with its derivatives, so the line search is
-//! cheap: Halley's method takes one or two samples. Every step is checked: the energy never rises.
+//! cheap: Halley's method takes one or two samples. Every step is checked, so the energy never rises.
 
 use std::collections::VecDeque;
 
@@ -14,33 +14,34 @@ use glam::DVec2;
 
 use super::Jet;
 
-/// Number of stored steps. With 5 a spiral takes a quarter more iterations; with 20 no fewer, but longer ones.
+/// Number of stored steps. With 5, a spiral takes a quarter more iterations; 20 do not save iterations, but make them
+/// longer.
 const MEMORY: usize = 8;
 /// Sufficient decrease (first Wolfe condition): the least decrease of a step, as a fraction of the decrease that the
 /// initial slope predicts.
 const SUFFICIENT_DECREASE: f64 = 1e-4;
-/// Relative rounding of an energy: where the decrease is below it, the slopes decide (Hager and Zhang 2005).
+/// Relative rounding error of an energy: for smaller decreases, the slopes decide (Hager and Zhang 2005).
 const ENERGY_ROUNDING: f64 = 1e-13;
 /// Samples along a line before the search returns the best one.
 const MAX_SAMPLES: usize = 12;
-/// In a bracket no sample is closer to either end than this fraction of its width.
+/// In a bracket, samples keep at least this fraction of its width from both ends.
 const BRACKET_MARGIN: f64 = 0.01;
-/// If the curvature suggests no length in a bracket, this fraction of its width is tried.
+/// If the curvature suggests no length in a bracket, the search tries this fraction of its width.
 const BRACKET_STEP: f64 = 0.1;
 
 /// Growth of the length if the curvature suggests none, and the greatest growth otherwise.
 const MAX_GROWTH: f64 = 3.0;
 
-/// The energy to be lowered, with its current point.
+/// The energy to minimise, with its current point.
 pub(crate) trait Objective {
     /// Writes the gradient at the current point.
     fn gradient(&mut self, gradient: &mut [DVec2]);
-    /// Sets the direction of the line through the current point, whose gradient has been asked for. Returns the
-    /// energy there.
+    /// Sets the direction of the line through the current point, after its gradient was requested. Returns the energy
+    /// there.
     fn set_direction(&mut self, direction: &[DVec2]) -> Jet;
     /// The energy on that line, at the current point plus `length` times the direction.
     fn along_line(&mut self, length: f64) -> Jet;
-    /// Moves the current point to there. Nearly always it is where the energy was asked for last.
+    /// Moves the current point there. Nearly always, this is where the energy was last evaluated.
     fn advance(&mut self, length: f64);
 }
 
@@ -48,9 +49,9 @@ pub(crate) trait Objective {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
     pub(crate) max_iterations: usize,
-    /// The descent ends with an iteration whose direction moves no place by more than this,
+    /// The descent ends with an iteration whose direction moves every position by at most this,
     pub(crate) tolerance: f64,
-    /// or that lowers the energy by no more than this fraction of it.
+    /// or that lowers the energy by at most this fraction.
     pub(crate) gain: f64,
     /// Curvature condition (strong Wolfe): a line search ends where the slope is this fraction of the initial one.
     pub(crate) curvature_condition: f64,
@@ -64,7 +65,7 @@ struct Correction {
     reciprocal: f64,
 }
 
-/// Lowers an energy of `places` unknowns. `solve` applies the approximate inverse of the Hessian.
+/// Minimises an energy of `places` unknowns. `solve` applies the approximate inverse of the Hessian.
 pub(crate) fn descend(objective: &mut impl Objective, places: usize, solve: impl Fn(&mut [DVec2]), limits: Limits) {
     let mut direction = vec![DVec2::ZERO; places];
     let (mut gradient, mut next_gradient) = (direction.clone(), direction.clone());
@@ -139,7 +140,8 @@ impl Correction {
         Self { step: Vec::new(), change: Vec::new(), reciprocal: 0.0 }
     }
 
-    /// The reciprocal stays 0 if the slope did not rise along the step: such a pair says nothing about the curvature.
+    /// The reciprocal remains 0 if the slope did not rise along the step: such a pair has no information about the
+    /// curvature.
     fn set(&mut self, length: f64, direction: &[DVec2], gradient: &[DVec2], next_gradient: &[DVec2]) {
         self.step.clear();
         self.step.extend(direction.iter().map(|&by| length * by));
@@ -177,7 +179,7 @@ fn add(sum: &mut [DVec2], factor: f64, terms: &[DVec2]) {
     }
 }
 
-/// In two independent sums, which a processor can run in parallel.
+/// Uses two independent sums, which a processor can compute in parallel.
 fn dot(a: &[DVec2], b: &[DVec2]) -> f64 {
     let sum = a.iter().zip(b).fold(DVec2::ZERO, |sum, (&a, &b)| sum + a * b);
     sum.x + sum.y
@@ -240,7 +242,7 @@ mod tests {
     const START: [DVec2; 3] = [DVec2::new(0.02, 3.0), DVec2::new(-5.0, 0.1), DVec2::new(0.5, -40.0)];
 
     #[test]
-    fn it_ends_in_minima_however_wrong_the_first_steps_are() {
+    fn descent_reaches_a_minimum_despite_wrong_first_steps() {
         for scale in [1e-3, 1.0, 100.0] {
             let mut well = DoubleWell::new(&START);
             descend(&mut well, START.len(), |values| values.iter_mut().for_each(|value| *value *= scale), LIMITS);
@@ -276,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn a_small_gain_ends_it() {
+    fn descent_ends_after_a_small_gain() {
         let iterations = |gain| {
             let mut well = DoubleWell::new(&START);
             descend(&mut well, START.len(), |_| {}, Limits { gain, ..LIMITS });

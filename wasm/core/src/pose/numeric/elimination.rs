@@ -5,9 +5,9 @@
 //! planar graph sparse. The conductance of a vertex to the ground is stored in place of its diagonal entry
 //! (Grassmann, Taksar and Heyman 1985), so every number is a sum, product or quotient of positive ones. Nothing
 //! cancels: each entry of the factor is accurate to the last digits, however much the weights differ, and so are
-//! solutions for right hand sides of one sign.
+//! solutions for right-hand sides of one sign.
 //!
-//! Cost: for a planar graph of n vertices, some n √n to factorise and n log n for a solution. For 200 sites: 0.2 ms
+//! Cost: for a planar graph of n vertices, about n √n to factorise and n log n for a solution. For 200 sites: 0.2 ms
 //! and 5 µs.
 
 use std::{
@@ -31,7 +31,7 @@ struct Pivot {
 #[derive(Debug, Clone)]
 pub(crate) struct GroundedLaplacian {
     pivots: Vec<Pivot>,
-    /// For each pivot its neighbours at its elimination, and the fraction of its value that each receives.
+    /// For each pivot, its neighbours at its elimination, and the fraction of its value that each receives.
     fractions: Vec<(u32, f64)>,
 }
 
@@ -72,7 +72,7 @@ impl GroundedLaplacian {
         Self { pivots, fractions }
     }
 
-    /// Replaces a right hand side by the solution.
+    /// Replaces a right-hand side by the solution.
     pub(crate) fn solve<V>(&self, x: &mut [V])
     where
         V: Copy + AddAssign + MulAssign<f64>,
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn what_nothing_holds_stays_at_0() {
+    fn unconstrained_unknowns_remain_0() {
         let laplacian = GroundedLaplacian::new(vec![0.0, 0.0, 2.0], [(0, 1, 1.0)].into_iter());
         let mut x = [0.0, 0.0, 3.0];
         laplacian.solve(&mut x);

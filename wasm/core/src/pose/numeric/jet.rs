@@ -19,7 +19,7 @@ impl<T: Copy + Default + From<f64> + Add<Output = T> + Mul<Output = T>> Jet<T> {
         Self { value: (c2 * t + c1) * t + c0, first: (c2 + c2) * t + c1, second: c2 + c2, third: T::default() }
     }
 
-    /// This as a function of `inner`, which is at its argument (chain rule).
+    /// Composes this function with `inner`, evaluated at its argument (chain rule).
     #[inline]
     pub(crate) fn of(&self, inner: &Self) -> Self {
         let Self { value, first, second, third } = *self;
@@ -125,7 +125,7 @@ mod tests {
             assert_close(square, derivatives(&[3.0, -1.0, 2.0], t));
             // (t³ − 2t) (3 − t + 2t²)
             assert_close(cubic(t) * square, derivatives(&[0.0, -6.0, 2.0, -1.0, -1.0, 2.0], t));
-            // With t = 1 − s + s²/2 in place of t: expanded.
+            // With t = 1 − s + s²/2 instead of t: expanded.
             let inner = Jet::of_polynomial([1.0, -1.0, 0.5], t);
             let expanded = [-1.0, -1.0, 3.5, -4.0, 2.25, -0.75, 0.125];
             assert_close(cubic(inner.value).of(&inner), derivatives(&expanded, t));

@@ -1,9 +1,8 @@
-//! Sparse factorisations and descent: numerics that know nothing of sites, handles and pictures.
+//! Sparse factorisations and descent: numerics that are independent of sites, handles and pictures.
 //!
-//! - `laplacian`: a weighted graph with some of its vertices as boundary, factorised by `elimination` without a
-//!   subtraction.
+//! - `laplacian`: a weighted graph with some vertices as boundary, factorised by `elimination` without subtractions.
 //! - `cholesky`: any symmetric positive definite matrix.
-//! - `descent`: to the minimum of an energy, with one of these as approximate inverse of its Hessian.
+//! - `descent`: minimises an energy, with one of these as approximate inverse of its Hessian.
 //! - `jet`: a number along a line, with its derivatives.
 
 mod cholesky;

@@ -1,9 +1,9 @@
-//! The cell graph, deformed as rigidly as possible (Sorkine and Alexa 2007), on the sites alone.
+//! Deforms the cell graph as rigidly as possible (Sorkine and Alexa 2007), using only the sites.
 //!
 //! The motions minimise Σ w_ij |(p_i − p_j) − s_i R_i (h_i − h_j)|² over the links, each counted from both ends. The
-//! scales s_i are those that handles request, harmonic in between. Real sites stay with their handles, and keep a
-//! rotation that the person set. For given places the best rotations have a closed form, so the energy depends on the
-//! places alone; a [descent](descend) on the factorised Laplacian lowers it.
+//! scales s_i are those that handles request, harmonic in between. Real sites follow their handles, and keep a rotation
+//! that the user set. For given positions, the best rotations have a closed form, so the energy depends only on the
+//! positions; a [descent](descend) on the factorised Laplacian minimises it.
 
 use glam::DVec2;
 
@@ -13,15 +13,15 @@ use super::super::{
     numeric::{Jet, Laplacian, Limits, Objective, descend},
 };
 
-/// Iterations of the graph at most: twice as many as 200 sites of an unrolled spiral take.
+/// Maximum number of iterations of the graph: twice as many as an unrolled spiral of 200 sites needs.
 const MAX_ITERATIONS: usize = 120;
 
-/// Line searches end where the slope is this fraction of the initial one: nearly always at the step that the
+/// Line searches end where the slope is this fraction of the initial slope: nearly always at the step that the
 /// Laplacian suggests.
 const CURVATURE_CONDITION: f64 = 0.9;
 
-/// Deforms the graph until no site moves by more than `tolerance`. `is_free` says for each site whether its rotation
-/// is free, `scales` are those requested at the sites.
+/// Deforms the graph until no site moves by more than `tolerance`. `is_free` states for each site whether its rotation
+/// is free. `scales` are the requested scales at the sites.
 pub(super) fn bend(
     laplacian: &Laplacian,
     links: impl Iterator<Item = (usize, usize, f64)>,
@@ -62,7 +62,7 @@ struct Bending<'a> {
     /// Sites that move: the unknowns.
     free: &'a [u32],
     posed: Vec<DVec2>,
-    /// Derivative of the places along the direction.
+    /// Derivative of the positions along the direction.
     direction: Vec<DVec2>,
     /// Cosine and sine of each site's rotation.
     rotations: Vec<DVec2>,
@@ -75,7 +75,7 @@ struct Bending<'a> {
 }
 
 impl<'a> Bending<'a> {
-    /// Begins at the places of motions, with the rotations that fit these best.
+    /// Begins at the positions of motions, with the rotations that fit these best.
     fn new(
         free: &'a [u32],
         links: impl Iterator<Item = (usize, usize, f64)>,
@@ -174,7 +174,7 @@ impl Objective for Bending<'_> {
     }
 }
 
-/// The best rotation. A site without links, or whose links have shrunk to nothing, keeps its own.
+/// The best rotation. A site without links, or with links of zero length, keeps its own rotation.
 fn turned(turn: DVec2, torque: DVec2, is_free: bool) -> DVec2 {
     if is_free { torque.try_normalize().unwrap_or(turn) } else { turn }
 }
@@ -184,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_energy_along_a_line_has_the_derivatives_that_are_told() {
+    fn energy_along_a_line_matches_its_derivatives() {
         let rest = [(0.0, 0.0), (10.0, 1.0), (12.0, 9.0), (-1.0, 11.0)].map(DVec2::from);
         let motion = |k: usize| Motion::similarity(0.0, 1.0, DVec2::new(k as f64, 3.0 - k as f64), 0.0);
         let motions: Vec<Motion> = (0..4).map(motion).collect();

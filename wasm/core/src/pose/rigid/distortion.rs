@@ -1,9 +1,9 @@
 //! Distortion of a map: the symmetric Dirichlet energy of its Jacobian J, |J|² + |J⁻¹|² (Smith and Schaefer 2015).
 //!
-//! Rotations have the least energy. Near a rotation it measures strain as as-rigid-as-possible does, but it also
-//! grows without bound where J becomes singular, so shapes do not collapse. In the plane |J⁻¹|² = |J|² / det². To be
-//! finite for an inverted J too, with a steep gradient towards recovery, it has χ(det) = (det + √(det² + ε²)) / 2 > 0
-//! in place of det (Garanzha et al. 2021).
+//! Rotations have the least energy. Near a rotation it measures strain like the as-rigid-as-possible energy, but it
+//! also grows without bound where J becomes singular, so shapes do not collapse. In the plane |J⁻¹|² = |J|² / det². It
+//! replaces det by χ(det) = (det + √(det² + ε²)) / 2 > 0 (Garanzha et al. 2021). So it is also finite for an inverted
+//! J, with a steep gradient towards recovery.
 //!
 //! Cost: one square root and one division for each evaluation.
 
@@ -19,7 +19,7 @@ pub(super) struct Distortion {
     regularisation: f64,
     /// Factor of |J|² / χ².
     inverse: f64,
-    /// So that a rotation has no energy.
+    /// Subtracted so that a rotation has zero energy.
     pub(super) least: f64,
 }
 
@@ -38,7 +38,7 @@ impl Distortion {
         Self { regularisation, inverse: SCALE * factor, least: SCALE * 2.0 * (1.0 + factor / (chi * chi)) }
     }
 
-    /// f, at the determinants of some J.
+    /// f at the determinants of several J.
     #[inline]
     pub(super) fn factor(&self, det: f64x4) -> Jet<f64x4> {
         let root = (det * det + self.regularisation).sqrt();
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn the_gradient_is_that_of_the_energy_turned_over_or_not() {
+    fn gradient_matches_the_energy_even_if_inverted() {
         let step = 1e-6;
         for entries in [[1.2, 0.4, -0.3, 0.8], [0.3, 0.1, 0.2, 0.1], [1.0, 0.0, 0.0, -0.4], [0.0; 4]] {
             let distortion = Distortion::new(0.2);

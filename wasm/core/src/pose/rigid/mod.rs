@@ -1,22 +1,23 @@
-//! The rigid pose mode: virtual sites move so that the picture distorts as little as it can.
+//! The rigid pose mode: virtual sites move so that the picture distorts as little as possible.
 //!
-//! First the cell graph [bends](bending) as rigidly as possible, on the sites alone. From there the picture itself is
-//! [relaxed](relaxation): its [distortion] is measured at the nodes of a [quadrature], first coarse and then fine, and
-//! lowered over everything that the handles leave free. So it needs no rotations from the person, bends as a limb
-//! bends, and seldom folds. A point cloud has no picture between its sites, so a cloud keeps the result of the graph.
+//! First the cell graph [bends](bending) as rigidly as possible, using only the sites. From there, the picture itself
+//! is [relaxed](relaxation): its [distortion] is measured at the nodes of a [quadrature], first coarse and then fine,
+//! and minimised over everything that the handles leave free. So the user need not set rotations, the picture bends
+//! like a limb, and it seldom folds. A point cloud has no picture between its sites, so it keeps the result of the
+//! graph.
 //!
-//! Everything begins at the harmonic pose, so a pose depends on the handles alone, not on the drag. Two iterations
-//! from the last frame's pose would take six tenths of the time, but depend on the drag. A twisted cross ends six
-//! pixels elsewhere, and a spiral that is unrolled in 60 frames keeps windings, at 400 times the energy. Clips alone
+//! Every pose starts from the harmonic pose, so it depends only on the handles, not on the drag. Two iterations from
+//! the last frame's pose would take six tenths of the time, but depend on the drag. A twisted cross would end six
+//! pixels away, and a spiral that is unrolled in 60 frames would keep windings, at 400 times the energy. Only clips
 //! continue poses, and only where poses jump: see [`Playback`](crate::clip::Playback).
 //!
 //! Cost: one to four milliseconds for a pose of 150 virtual sites.
 //!
-//! Limits: both energies have several local minima, and the descent from the harmonic pose leads to one of them. Where
-//! two of them are as near, a drag jumps from one to the other. Where handles are taken past one another the descent
-//! ends earlier, with folds. Between nodes, close to handles, single triangles fold that a denser mesh of sites would
-//! save. The quadrature is one of samples, so poses differ by some thousandths of the picture's size with their number,
-//! and by up to two hundredths where the picture is turned.
+//! Limits: both energies have several local minima, and the descent from the harmonic pose leads to one of them. If two
+//! of them are equally near, a drag jumps from one to the other. If handles are moved past one another, the descent
+//! ends earlier, with folds. Between nodes, close to handles, single triangles may fold; a denser mesh of sites would
+//! prevent that. The quadrature depends on the samples. So poses differ by some thousandths of the picture's size with
+//! the number of samples, and by up to two hundredths if the picture is rotated.
 
 mod bending;
 mod distortion;
@@ -41,9 +42,9 @@ pub(crate) use self::{
     stiffness::{StiffnessField, StiffnessMask},
 };
 
-/// The descent of the graph ends with an iteration that moves no site by more than this fraction of the scene's
-/// extent: a tenth of a pixel. A relaxation from a pixel away is hardly worse, but jumps when a drag makes the graph
-/// take one iteration more or less.
+/// The descent of the graph ends with an iteration that moves no site by more than this fraction of the scene's extent:
+/// a tenth of a pixel. With a pixel, the relaxation would be hardly worse, but would jump whenever a drag changes the
+/// number of iterations.
 const BENDING_TOLERANCE: f64 = 1e-4;
 /// The same if no relaxation follows: a ten-thousandth of a pixel.
 const GRAPH_TOLERANCE: f64 = 1e-7;
@@ -58,13 +59,13 @@ pub(super) struct Rigid {
     freedom: Vec<Freedom>,
     quadrature: Option<Quadrature>,
     stiffness: StiffnessField,
-    /// Made for the first pose: several times the size of the links, and as quick to compute as to read.
+    /// Computed for the first pose: several times the size of the links, and as quick to compute as to read.
     #[cfg_attr(feature = "poser-bytes", serde(skip))]
     laplacian: OnceLock<Laplacian>,
     /// Likewise.
     #[cfg_attr(feature = "poser-bytes", serde(skip))]
     relaxation: OnceLock<Relaxation>,
-    /// Likewise, if some of the picture is stiff.
+    /// Likewise, if parts of the picture are stiff.
     #[cfg_attr(feature = "poser-bytes", serde(skip))]
     stiff_links: OnceLock<Vec<(u32, u32, f64)>>,
 }
@@ -109,7 +110,7 @@ impl Rigid {
         Self::new(freedom, links, Some(Quadrature::from_nodes(&parts.nodes)), parts.stiffness.clone())
     }
 
-    /// Whether data that were read from bytes are consistent for this number of sites.
+    /// Whether data read from bytes is consistent for this number of sites.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
         let known = |&(i, j, weight): &(u32, u32, f64)| i < j && (j as usize) < sites && (0.0..=1.0).contains(&weight);
         self.freedom.len() == sites
@@ -118,7 +119,7 @@ impl Rigid {
             && self.stiffness.is_whole()
     }
 
-    /// Makes the picture stiff elsewhere. What the first pose made is made anew.
+    /// Changes the stiffness of the picture. Results of the first pose are recomputed.
     pub(super) fn set_stiffness(&mut self, stiffness: StiffnessField) {
         self.stiffness = stiffness;
         self.stiff_links = OnceLock::new();
@@ -130,8 +131,8 @@ impl Rigid {
         self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
-    /// Replaces harmonic motions by rigid ones. `is_free` says for each site whether its rotation is free, `scales`
-    /// are those requested at the sites.
+    /// Replaces harmonic motions by rigid ones. `is_free` states for each site whether its rotation is free. `scales`
+    /// are the requested scales at the sites.
     pub(super) fn minimize(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
         if rest.is_empty() {
             return;
@@ -145,7 +146,7 @@ impl Rigid {
         }
     }
 
-    /// Lowers the distortion of motions to the nearest minimum. They are those of a pose of handles nearby.
+    /// Lowers the distortion of motions, taken from a pose with nearby handles, to the nearest minimum.
     ///
     /// The graph does not bend again: its minima differ from those of the picture, and jump where these do not.
     pub(super) fn minimize_nearby(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
@@ -171,8 +172,8 @@ impl Rigid {
         Some(self.relaxation.get_or_init(|| Relaxation::new(quadrature, &self.stiffness, rest, &self.freedom)))
     }
 
-    /// The links of the graph. Where the picture is stiff they count more: by the geometric mean of two factors, each
-    /// the mean of the picture that a site moves.
+    /// The links of the graph. Stiff parts of the picture increase their weight: by the geometric mean of two factors,
+    /// each the mean over the picture that a site moves.
     fn stiff_links(&self) -> &[(u32, u32, f64)] {
         let Some(quadrature) = self.quadrature.as_ref().filter(|_| !self.stiffness.is_soft()) else {
             return &self.links;

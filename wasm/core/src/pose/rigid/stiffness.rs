@@ -1,11 +1,11 @@
-//! How much distortion counts at each place of the picture at rest, in the energy of the rigid mode.
+//! The weight of distortion at each point of the picture at rest, in the energy of the rigid mode.
 //!
-//! A place of stiffness s, from 0 to 1, counts with the factor Mˢ, where M is [`MOST`]. It grows evenly with s: a half
-//! counts as the geometric mean of soft and stiff. Of the mask, which is bilinear between the centres of its cells,
-//! and of all polygons the greatest stiffness counts. A polygon has its stiffness inside by the even-odd rule, and
-//! loses it within a [`RIM`] around.
+//! A point of stiffness s, from 0 to 1, has the factor Mˢ, where M is [`MOST`]. It grows exponentially with s: a half
+//! has the geometric mean of soft and stiff. The stiffness is the maximum of the mask, which is bilinear between the
+//! centres of its cells, and of all polygons. A polygon has its stiffness inside, by the even-odd rule, and loses it
+//! within a [`RIM`] around it.
 //!
-//! Cost: for a place, the corners of all stiff polygons.
+//! Cost: for each point, the corners of all stiff polygons.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -18,13 +18,13 @@ use crate::{
     segment::segment_distance,
 };
 
-/// The factor of a place that is stiff. A stiff disc in a bend then has less than a hundredth of its energy. With five
-/// times as much it has less again, but the picture around it bends and folds more.
+/// The factor of a stiff point. A stiff disc in a bend then has less than a hundredth of its energy. With five times as
+/// much, it has even less, but the picture around it bends and folds more.
 const MOST: f64 = 200.0;
-/// A part is as stiff as its centroid, or as the stiffest place at this distance from it, as a fraction of its width.
-/// With 0, a disc of a twentieth of the picture keeps up to 6 % of its energy: it is hardly wider than a part.
+/// A part has the greatest stiffness of its centroid and of points at this distance from it, as a fraction of its
+/// width. With 0, a disc of a twentieth of the picture keeps up to 6 % of its energy: it is hardly wider than a part.
 const REACH: f64 = 0.5;
-/// Eight directions, of which mirrored ones are mirrored exactly.
+/// The eight directions are exactly symmetric.
 const DIRECTIONS: [DVec2; 8] = [
     DVec2::X,
     DVec2::Y,
@@ -46,7 +46,7 @@ pub(crate) struct StiffnessField {
     polygons: Vec<StiffPolygon>,
 }
 
-/// A mask over a picture of a size in pixels.
+/// A mask over a picture of a given size in pixels.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct StiffnessMask {
@@ -89,12 +89,12 @@ impl StiffnessField {
         Self { mask, polygons: polygons.collect() }
     }
 
-    /// The mask; `None` if all of it is soft.
+    /// The mask; `None` if it is soft everywhere.
     pub(crate) fn mask(&self) -> Option<&StiffnessMask> {
         self.mask.as_ref()
     }
 
-    /// Whether data that were read from bytes are consistent.
+    /// Whether data read from bytes is consistent.
     pub(super) fn is_whole(&self) -> bool {
         let is_stiffness = |value: f64| (0.0..=1.0).contains(&value);
         self.mask.as_ref().is_none_or(|mask| {
@@ -107,18 +107,18 @@ impl StiffnessField {
         })
     }
 
-    /// The stiffness at a place, from 0 to 1.
+    /// The stiffness at a point, from 0 to 1.
     pub(crate) fn at(&self, at: DVec2) -> f64 {
         let mask = self.mask.as_ref().map_or(0.0, |mask| mask.at(at));
         self.polygons.iter().map(|polygon| polygon.at(at)).fold(mask, f64::max)
     }
 
-    /// Whether no place is stiff.
+    /// Whether nothing is stiff.
     pub(crate) fn is_soft(&self) -> bool {
         self.mask.is_none() && self.polygons.is_empty()
     }
 
-    /// The factors at nodes, divided by their harmonic mean. So they are 1 if the picture is as stiff everywhere.
+    /// The factors at nodes, divided by their harmonic mean. So they are 1 if the picture is equally stiff everywhere.
     pub(super) fn factors(&self, nodes: &[Node]) -> Vec<f64> {
         if self.is_soft() {
             return vec![1.0; nodes.len()];
@@ -129,7 +129,7 @@ impl StiffnessField {
         factors.into_iter().map(|factor| factor / mean).collect()
     }
 
-    /// The factor of a part of the picture about a place: that of the stiffest place in it. 1 where none is stiff.
+    /// The factor of a part of the picture around a point: that of its stiffest point. 1 if nothing is stiff.
     fn factor(&self, at: DVec2, width: f64) -> f64 {
         let around = DIRECTIONS.map(|direction| self.at(at + REACH * width * direction));
         let stiffness = around.into_iter().fold(self.at(at), f64::max);

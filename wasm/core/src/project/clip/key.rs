@@ -11,7 +11,7 @@ use super::super::validate;
 use super::Ease;
 use crate::display_number::DisplayNumber;
 
-/// The pose of a handle at one time. Values that are left out do not stop there.
+/// The pose of a handle at one time. Values that are left out are interpolated past this key.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -36,11 +36,11 @@ pub struct Key {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "schema", schemars(default, with = "f64", extend("exclusiveMinimum" = 0)))]
     pub scale: Option<f64>,
-    /// The depth.
+    /// The depth. A whole number holds until another key.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "schema", schemars(default, with = "f64"))]
     pub depth: Option<f64>,
-    /// How values go on to the next key.
+    /// How values change to the next key.
     #[cfg_attr(feature = "schema", schemars(default))]
     pub ease: Ease,
 }

@@ -1,6 +1,6 @@
-//! What follows the end of a clip.
+//! What happens after the end of a clip.
 
-/// What follows the end of a clip.
+/// What happens after the end of a clip.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -8,17 +8,17 @@
 #[cfg_attr(feature = "schema", schemars(rename = "Loop"))]
 #[non_exhaustive]
 pub enum Looping {
-    /// The clip begins again. Values go on from the last keys to the first ones.
+    /// The clip repeats. Values continue from the last keys to the first ones.
     #[default]
     Repeat,
     /// The clip runs backwards, then forwards again.
     Alternate,
-    /// The last pose stays.
+    /// The clip stops at the last pose.
     None,
 }
 
 impl Looping {
-    /// Whether the clip begins again after its end.
+    /// Whether the clip repeats.
     pub(crate) fn repeats(self) -> bool {
         self == Self::Repeat
     }

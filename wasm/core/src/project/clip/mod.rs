@@ -17,6 +17,8 @@ use super::handle::Handle;
 use super::path::Path;
 use super::validate;
 use crate::display_number::DisplayNumber;
+#[cfg(feature = "schema")]
+use crate::limits::MAX_NAME;
 
 /// An hour. No exporter writes longer films.
 const MOST_SECONDS: f64 = 3600.0;
@@ -28,22 +30,22 @@ const MOST_SECONDS: f64 = 3600.0;
 #[cfg_attr(feature = "schema", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Clip {
-    /// A name, unique in the project and not empty.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+    /// A name of 1 to 200 characters, unique in the project.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = MAX_NAME)))]
     pub name: String,
     /// Length in seconds, above 0 and up to 3,600.
     #[cfg_attr(feature = "schema", schemars(range(max = MOST_SECONDS), extend("exclusiveMinimum" = 0)))]
     pub duration: f64,
-    /// What follows the end.
+    /// What happens after the end.
     #[cfg_attr(feature = "serde", serde(rename = "loop"))]
     #[cfg_attr(feature = "schema", schemars(default))]
     pub looping: Looping,
-    /// Moving handles, each at most once. The others keep their pose.
+    /// The moving handles, each at most once. Other handles keep their pose.
     pub tracks: Vec<Track>,
 }
 
 impl Clip {
-    /// A clip of a length in seconds, without tracks.
+    /// A clip with a length in seconds, without tracks.
     pub fn new(name: impl Into<String>, duration: f64, looping: Looping) -> Self {
         Self { name: name.into(), duration, looping, tracks: Vec::new() }
     }
@@ -56,9 +58,7 @@ impl Clip {
     }
 
     pub(super) fn check(&self, handles: &[Handle], at: &Path<'_>) -> Result<(), ProjectError> {
-        if self.name.is_empty() {
-            return at.key("name").refuse("expected a name, found an empty string");
-        }
+        validate::name(&at.key("name"), &self.name)?;
         if !(self.duration > 0.0 && self.duration <= MOST_SECONDS) {
             return at.key("duration").refuse(format_args!(
                 "expected seconds above 0 and up to {MOST_SECONDS}, found {}",
@@ -69,6 +69,7 @@ impl Clip {
         let mut moved = BTreeSet::new();
         self.tracks.iter().enumerate().try_for_each(|(index, track)| {
             let at = tracks.index(index);
+            validate::name(&at.key("handle"), &track.handle)?;
             let Some(handle) = handles.iter().find(|handle| handle.id == track.handle) else {
                 return at.key("handle").refuse(format_args!("there is no handle {:?}", track.handle));
             };

@@ -4,6 +4,8 @@ use super::super::error::ProjectError;
 use super::super::handle::Handle;
 use super::super::path::Path;
 use super::{Key, check_time};
+#[cfg(feature = "schema")]
+use crate::limits::MAX_NAME;
 
 /// The keys of one handle in a clip.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,6 +15,7 @@ use super::{Key, check_time};
 #[non_exhaustive]
 pub struct Track {
     /// The id of the handle.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = MAX_NAME)))]
     pub handle: String,
     /// One or more keys, in ascending order of time.
     #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
@@ -38,7 +41,7 @@ impl Track {
                 let time = key.time;
                 return at
                     .key("time")
-                    .refuse(format_args!("expected more than {earlier}, the key before, found {time}"));
+                    .refuse(format_args!("expected a time after {earlier}, that of the previous key, found {time}"));
             }
             earlier = key.time;
             key.check(handle, &at)

@@ -26,7 +26,7 @@ impl<'a> Cursor<'a> {
         self.path.refuse(message)
     }
 
-    /// Returns an error about a value of another type.
+    /// Returns an error about a value of a wrong type.
     pub(super) fn expected<T>(&self, expected: impl Display) -> Result<T, ProjectError> {
         self.refuse(format_args!("expected {expected}, found {}", self.value))
     }
@@ -81,7 +81,8 @@ impl<'a> Cursor<'a> {
             return self.expected("a point [x, y]");
         };
         if pair.len() != 2 {
-            return self.refuse(format_args!("expected a point [x, y], found {} values", pair.len()));
+            let plural = if pair.len() == 1 { "" } else { "s" };
+            return self.refuse(format_args!("expected a point [x, y], found {} value{plural}", pair.len()));
         }
         Ok(DVec2::new(self.item(0, &pair[0]).number()?, self.item(1, &pair[1]).number()?))
     }
@@ -128,7 +129,7 @@ pub(super) struct Object<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// Refuses keys that are not in `known`.
+    /// Rejects keys that are not in `known`.
     pub(super) fn allow_only(&self, known: &[&str]) -> Result<(), ProjectError> {
         match self.entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
             None => Ok(()),
@@ -147,7 +148,7 @@ impl<'a> Object<'a> {
             .ok_or_else(|| ProjectError { path: Path::Key(self.path, key).to_string(), message: "missing".to_owned() })
     }
 
-    /// The value of a key by `read`, or `default` if the key is missing.
+    /// Reads the value of a key with `read`, or returns `default` if the key is missing.
     pub(super) fn value_or<T>(
         &self,
         key: &'a str,

@@ -1,4 +1,4 @@
-//! The values of a grid over the picture: its sides, and bytes for each entry in base64.
+//! The values of a grid over the picture: its size, and the bytes of all entries in base64.
 
 use std::ops::RangeInclusive;
 

@@ -33,7 +33,7 @@ pub(in crate::project) fn bytes_as_base64<S: Serializer>(values: &[u8], serializ
     serializer.serialize_str(&STANDARD.encode(values))
 }
 
-/// Writes numbers of 16 bits, the lower byte first.
+/// Writes 16-bit numbers, little-endian.
 pub(in crate::project) fn numbers_as_base64<S: Serializer>(values: &[i16], serializer: S) -> Result<S::Ok, S::Error> {
     let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
     serializer.serialize_str(&STANDARD.encode(bytes))

@@ -1,12 +1,12 @@
 //! The layout of a project as text: one line for each key of the project, for each handle, and for each key of a clip.
 //!
-//! A change of one handle is then a change of one line.
+//! A change of one handle then changes one line.
 
 use std::io::{self, Write};
 
 use serde_json::ser::Formatter;
 
-/// Nested lists and objects down to the items of a list that has a line for each: the handles, and the keys of clips.
+/// Depth of lists whose items have their own lines: the handles, and the keys of clips.
 const LISTED: usize = 2;
 const LISTED_IN_CLIPS: usize = 6;
 
@@ -28,7 +28,7 @@ impl Layout {
         writer.write_all(bracket)
     }
 
-    /// Whether each item of a list at this depth has a line of its own.
+    /// Whether each item of a list at this depth has its own line.
     fn lists_lines(&self, depth: usize) -> bool {
         depth <= if self.in_clips { LISTED_IN_CLIPS } else { LISTED }
     }
@@ -40,8 +40,8 @@ impl Layout {
 }
 
 impl Formatter for Layout {
-    /// Writes whole numbers without a decimal point, as browsers do. Messages need the formatting of the standard
-    /// library anyway: that of serde_json would add twelve kilobytes to a download.
+    /// Writes whole numbers without a decimal point, as browsers do. Messages need the standard library's number
+    /// formatting anyway, and that of serde_json would add twelve kilobytes to a download.
     fn write_f64<W: Write + ?Sized>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
         const LARGEST_EXACT: f64 = 9_007_199_254_740_992.0;
         if value.fract() == 0.0 && value.abs() <= LARGEST_EXACT {

@@ -93,7 +93,7 @@ impl Format {
     fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
         match value.string()? {
             "c2warp/1" => Ok(Self::V1),
-            other => value.refuse(format_args!("expected \"c2warp/1\", found {other:?}")),
+            _ => value.expected("\"c2warp/1\""),
         }
     }
 }
@@ -113,7 +113,7 @@ impl ImageRef {
 /// Reads a list of handles, as under the key `handles` of a project.
 ///
 /// # Errors
-/// The errors of [`Project::from_json`], with paths that begin at the list: `[2].rest[0]`.
+/// The errors of [`Project::from_json`], with paths relative to the list: `[2].rest[0]`.
 pub fn handles_from_json(text: &str) -> Result<Vec<Handle>, ProjectError> {
     let handles = read_handles(Cursor::top(&Value::parse(text)?))?;
     handles::check(&handles, &Path::Top)?;
@@ -123,7 +123,7 @@ pub fn handles_from_json(text: &str) -> Result<Vec<Handle>, ProjectError> {
 /// Reads one clip of these handles, as in the list under the key `clips` of a project.
 ///
 /// # Errors
-/// The errors of [`Project::from_json`], with paths that begin at the clip: `tracks[0].keys[1].time`.
+/// The errors of [`Project::from_json`], with paths relative to the clip: `tracks[0].keys[1].time`.
 pub fn clip_from_json(text: &str, handles: &[Handle]) -> Result<Clip, ProjectError> {
     let clip = Clip::read(Cursor::top(&Value::parse(text)?))?;
     clip.check(handles, &Path::Top)?;

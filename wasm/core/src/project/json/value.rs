@@ -1,7 +1,7 @@
 //! A JSON document as a tree.
 //!
-//! It keeps the order of keys and refuses duplicate keys. Of duplicates, `serde_json::Value` silently keeps the last
-//! value.
+//! It keeps the order of keys and rejects duplicate keys, whereas `serde_json::Value` silently keeps the last
+//! duplicate.
 
 use std::{collections::HashSet, fmt};
 
@@ -27,10 +27,10 @@ impl Value {
     /// Parses a whole document.
     ///
     /// # Errors
-    /// For text that is not JSON, a number outside the range of f64, and a duplicate key. The path leads as far as
-    /// the text was read.
+    /// For text that is not JSON, a number outside the range of f64, and a duplicate key. The path ends where reading
+    /// stopped.
     pub(super) fn parse(text: &str) -> Result<Self, ProjectError> {
-        // Editors on Windows write a byte order mark first. JSON has none.
+        // Editors on Windows write a byte order mark first. JSON has no such value.
         let mut json = serde_json::Deserializer::from_str(text.trim_start_matches('\u{feff}'));
         let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
             let path = path_text(Path::Top, error.path().iter());
@@ -41,7 +41,7 @@ impl Value {
     }
 }
 
-/// Writes the rest of a path, as far as it is known.
+/// Writes the known rest of a path.
 fn path_text(at: Path<'_>, mut rest: Segments<'_>) -> String {
     match rest.next() {
         Some(Segment::Seq { index }) => path_text(at.index(*index), rest),
@@ -118,7 +118,7 @@ impl<'de> Visitor<'de> for ValueVisitor {
         let (mut entries, mut known) = (Vec::new(), HashSet::new());
         while let Some(key) = object.next_key::<String>()? {
             if !known.insert(key.clone()) {
-                return Err(A::Error::custom(format_args!("duplicate key {key:?}")));
+                return Err(A::Error::custom(format_args!("duplicate key {}", Value::String(key))));
             }
             let value = object.next_value()?;
             entries.push((key, value));

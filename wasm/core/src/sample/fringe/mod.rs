@@ -1,13 +1,13 @@
-//! A mesh around a [skirt](super::skirt), for pictures with something visible that the skirt does not draw: glows,
-//! smoke, thin hair, specks, and the ends of notches.
+//! A mesh around a [skirt](super::skirt), for visible content that the skirt does not draw: glows, smoke, thin hair,
+//! specks, and the ends of notches.
 //!
-//! Pieces of the skirt that overlap others are left out. Mesh, skirt and fringe then tile the picture at rest, so
-//! nothing visible is missing or drawn twice. Each vertex moves with the nearest sample of the outline, its owner.
+//! Overlapping pieces of the skirt are left out. Mesh, skirt and fringe then tile the picture at rest, so nothing
+//! visible is missing or drawn twice. Each vertex moves with the nearest sample of the outline, its owner.
 //!
-//! A gap between two parts of the outline must open when these come apart. So triangles that reach across a gap are cut
-//! along the middle of it, where both parts are equally far. The pieces have vertices of their own there.
+//! A gap between two parts of the outline must open when the parts separate. So triangles that extend across a gap are
+//! cut along its middle, equally far from both parts. The pieces have separate vertices there.
 //!
-//! Cost: O(n log n) for n samples on the outline and nodes between them, and a look at the pixels in the bounding box
+//! Cost: O(n log n) for n samples on the outline and nodes between them, and a visit of the pixels in the bounding box
 //! of each triangle.
 
 mod nodes;
@@ -25,13 +25,13 @@ use crate::{
     triangulation::{NONE, Triangulation},
 };
 
-/// Least distance of nodes from the outline and the border of the picture, as a multiple of the spacing. Closer ones
+/// Minimum distance of nodes from the outline and the border of the picture, as a multiple of the spacing. Closer ones
 /// make slivers.
 const CLEARANCE: f64 = 0.4;
-/// The way along one part of the outline may be longer by this, over the spacing of nodes. Without it, chance decides
-/// along the whole of some gaps.
+/// Tolerance for a longer way along one part of the outline, relative to the spacing of nodes. Without it, the choice
+/// would be arbitrary along some gaps.
 pub(super) const DETOUR_SLACK: f64 = 4.0;
-/// Pieces of triangles are no narrower than this, in pixels. They would turn over when corners are rounded.
+/// Minimum width of pieces of triangles, in pixels. Narrower pieces would flip when corners are rounded.
 const NARROW: f64 = 1.0 / 32.0;
 /// The rasteriser rounds corners to a multiple of this, in pixels.
 const CORNER_STEP: f64 = 1.0 / 256.0;
@@ -46,7 +46,7 @@ impl Skirt {
         spacing: f64,
     ) -> Self {
         let parts = Parts::new(mesh, outline);
-        // All of them as they are drawn.
+        // All of them, in the order of drawing.
         let corners = |triangle: &[u32; 3]| triangle.map(|v| rounded(self.place(&mesh.vertices, v)));
         let all = mesh.triangles.iter().chain(&self.triangles).map(corners).collect();
         let (tiles, first) = (Tiles::new(all, opacity.size()), mesh.triangles.len());
@@ -118,7 +118,7 @@ impl Skirt {
     }
 }
 
-/// The place that the rasteriser draws a corner at.
+/// The position at which the rasteriser draws a corner.
 fn rounded(p: DVec2) -> DVec2 {
     (p / CORNER_STEP).round() * CORNER_STEP
 }

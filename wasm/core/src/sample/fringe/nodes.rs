@@ -5,9 +5,9 @@ use glam::DVec2;
 use super::{super::lattice::ROW_HEIGHT, CLEARANCE};
 use crate::opacity::Opacity;
 
-/// Greatest number of nodes of the lattice, about.
+/// Approximate maximum number of nodes of the lattice.
 const MAX_NODES: f64 = 8000.0;
-/// Least distance of nodes from each other, in pixels.
+/// Minimum distance of nodes from each other, in pixels.
 const MIN_SPACING: f64 = 4.0;
 
 /// Distance between nodes over an area in square pixels.
@@ -15,7 +15,7 @@ pub(in crate::sample) fn spacing(area: f64) -> f64 {
     (area / (ROW_HEIGHT * MAX_NODES)).sqrt().max(MIN_SPACING)
 }
 
-/// A triangular lattice over a picture, as far as something is visible. One node is at its centre.
+/// A triangular lattice over the visible parts of a picture. One node is at its centre.
 pub(super) struct Lattice<'a> {
     opacity: &'a Opacity,
     centre: DVec2,
@@ -23,7 +23,7 @@ pub(super) struct Lattice<'a> {
 }
 
 impl<'a> Lattice<'a> {
-    /// A lattice that mirrors itself if the picture does about the centre.
+    /// A lattice that is symmetric if the picture is symmetric about the centre.
     pub(super) fn new(opacity: &'a Opacity, centre: DVec2, spacing: f64) -> Self {
         Self { opacity, centre, spacing }
     }
@@ -55,7 +55,7 @@ impl<'a> Lattice<'a> {
         (first..=last).map(move |k| (k, centre + (k as f64 + shift) * step))
     }
 
-    /// Whether something is visible around a node.
+    /// Whether any pixel is visible around a node.
     fn is_near(&self, p: DVec2) -> bool {
         self.opacity.any_in(p - self.spacing, p + self.spacing)
     }

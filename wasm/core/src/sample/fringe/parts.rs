@@ -1,10 +1,10 @@
-//! The parts of an outline that move alike.
+//! The parts of an outline that move in the same way.
 
 use glam::DVec2;
 
 use crate::triangulation::Triangulation;
 
-/// Two samples lie on one part of the outline if the way along it is at most this long, over their distance.
+/// Two samples lie on one part of the outline if the ratio of the way along it to their distance is at most this.
 const DETOUR: f64 = 3.0;
 
 /// The outline, in the order of its samples.
@@ -47,8 +47,8 @@ impl Parts {
         self.rings.iter().zip(ends).flat_map(ring).collect()
     }
 
-    /// Whether two samples move alike: the way between them along the outline is hardly longer than their distance, but
-    /// for some pixels of slack, or they lie back to back, as on both sides of a hair.
+    /// Whether two samples move in the same way: the way between them along the outline is hardly longer than their
+    /// distance, up to a few pixels, or they lie back to back, like both sides of a hair.
     pub(in crate::sample) fn are_one(&self, a: u32, b: u32, slack: f64) -> bool {
         let [a, b] = [a, b].map(|sample| sample as usize);
         let ((ring, from), (other, to)) = (self.at[a], self.at[b]);

@@ -1,4 +1,4 @@
-//! The triangles of a fringe, cut where they reach across a gap.
+//! The triangles of a fringe, cut where they extend across a gap.
 
 use std::collections::{HashMap, HashSet};
 
@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::{super::skirt::Skirt, NARROW, parts::Parts, rounded};
 
-/// A corner of the fringe: a place, and the sample that it moves with.
+/// A corner of the fringe: a position, and the sample that it moves with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) struct Corner {
     place: u32,
@@ -15,26 +15,27 @@ pub(super) struct Corner {
 
 #[derive(Default)]
 pub(super) struct Pieces {
-    /// The vertices of the samples on the outline. Their places come first, then those of the skirt in the same order.
+    /// The vertices of the samples on the outline. Their positions come first, then those of the skirt in the same
+    /// order.
     pub(super) samples: Vec<u32>,
     /// Number of vertices of the mesh.
     pub(super) base: u32,
-    /// Pixels by which a detour may be longer.
+    /// Tolerance for a detour, in pixels.
     pub(super) slack: f64,
     pub(super) parts: Parts,
     pub(super) places: Vec<DVec2>,
-    /// The nearest sample of each place.
+    /// The nearest sample of each position.
     pub(super) owners: Vec<u32>,
-    /// The place of the cut between two places.
+    /// The position of the cut between two positions.
     pub(super) cuts: HashMap<[u32; 2], u32>,
-    /// Edges that have no room for a corner: mesh or skirt lie beside them, or another corner is close.
+    /// Edges without room for a corner: they are next to the mesh or skirt, or another corner is close.
     pub(super) uncut: HashSet<[u32; 2]>,
     pub(super) known: HashMap<Corner, u32>,
     pub(super) skirt: Skirt,
 }
 
 impl Pieces {
-    /// Notes the edges of a triangle that have no room for a corner.
+    /// Records the edges of a triangle that have no room for a corner.
     pub(super) fn note_uncut(&mut self, triangle: [u32; 3], is_border: [bool; 3]) {
         let is_narrow = self.narrow_edges(triangle);
         for k in (0..3).filter(|&k| is_border[k] || is_narrow[k]) {
@@ -49,7 +50,7 @@ impl Pieces {
         [a.distance(b), b.distance(c), c.distance(a)].map(|length| area < NARROW * length)
     }
 
-    /// Adds a triangle between places, cut where it reaches across a gap.
+    /// Adds a triangle between positions, cut where it extends across a gap.
     pub(super) fn add(&mut self, triangle: [u32; 3]) {
         let is_torn = [0, 1, 2].map(|k| self.is_torn(triangle[k], triangle[(k + 1) % 3]));
         let from = |first: Option<usize>| [0, 1, 2].map(|k| self.own(triangle[(first.unwrap_or(0) + k) % 3]));
@@ -86,8 +87,8 @@ impl Pieces {
         }
     }
 
-    /// Adds a triangle of one part. Between samples alone it gets a corner in its middle: it would count as a part of
-    /// the mesh.
+    /// Adds a triangle of one part. If all its corners are samples, it gets a corner in its middle, because it would
+    /// count as a part of the mesh otherwise.
     fn add_whole(&mut self, corners @ [u, v, w]: [Corner; 3]) {
         if corners.iter().any(|corner| corner.place as usize >= self.samples.len()) {
             return self.push(corners);
@@ -118,7 +119,7 @@ impl Pieces {
         Corner { place, owner: from.owner }
     }
 
-    /// The place between two others that is equally far from their owners.
+    /// The position between two others that is equally far from their owners.
     fn new_cut(&mut self, ends: [u32; 2]) -> u32 {
         let [a, b] = ends.map(|place| self.places[place as usize]);
         let [own, other] = ends.map(|place| self.parts.points[self.owners[place as usize] as usize]);
@@ -135,7 +136,7 @@ impl Pieces {
         self.new_place(a + fraction * (b - a))
     }
 
-    /// A new place in the middle of a triangle, or one of its corners if it is narrow.
+    /// A new position in the middle of a triangle, or one of its corners if it is narrow.
     fn middle(&mut self, corners: [Corner; 3]) -> u32 {
         if self.narrow_edges(corners.map(|corner| corner.place)).contains(&true) {
             return corners[0].place;
@@ -159,7 +160,7 @@ impl Pieces {
         }
     }
 
-    /// The vertex of a corner. Samples and their vertices of the skirt have one already.
+    /// The vertex of a corner. Samples and their vertices of the skirt already have one.
     fn vertex(&mut self, corner: Corner) -> u32 {
         let Self { samples, base, places, known, skirt, .. } = self;
         let count = samples.len() as u32;
@@ -177,7 +178,7 @@ impl Pieces {
     }
 }
 
-/// The key of an edge between two places.
+/// The key of an edge between two positions.
 fn edge(a: u32, b: u32) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }

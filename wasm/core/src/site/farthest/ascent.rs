@@ -15,7 +15,7 @@ use glam::DVec2;
 use super::linear_program::{Constraint, Fork, farthest_step};
 use crate::min_max::fast_max;
 
-/// A cone `offset + |p − apex|`: the length of the paths that bend last at one pseudo-source.
+/// A cone `offset + |p − apex|`: the length of the paths whose last bend is at one pseudo-source.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cone {
     pub(super) apex: DVec2,
@@ -23,7 +23,7 @@ pub(super) struct Cone {
 }
 
 impl Cone {
-    /// The tangent plane at a point.
+    /// The tangent plane of the cone at a point.
     fn tangent(&self, p: DVec2) -> Tangent {
         Tangent { value: self.offset + p.distance(self.apex), gradient: (p - self.apex).normalize_or_zero() }
     }
@@ -46,25 +46,25 @@ pub(super) struct Cones {
 
 /// Initial capacity for cones; usually only a few meet.
 const CAPACITY: usize = 16;
-/// Greatest number of steps. Three intersecting cones take five; only cones that touch take more.
+/// Maximum number of steps. Three intersecting cones take five; only cones that touch take more.
 const MAX_STEPS: usize = 16;
 /// A step shorter than this, relative to the longest edge, ends the ascent.
 const CONVERGED: f64 = 1e-12;
-/// If cones intersect at a small angle, rounding keeps the steps longer than that. An ascent fails if its last step is
-/// longer than this, relative to the longest edge.
+/// If cones intersect at a small angle, rounding errors keep the steps longer than that. An ascent fails if its last
+/// step is longer than this, relative to the longest edge.
 const ACCEPTED: f64 = 1e-6;
 
 /// Ascends a cell's own cones, where they are the minimum of all, in a triangle of positive orientation.
 ///
-/// `cones_at` lists the cones at a point. If two ascents lead equally far, as from an axis of symmetry, it follows
-/// both. Empty if none converges.
+/// `cones_at` lists the cones at a point. If two ascents lead equally far, for example from an axis of symmetry, both
+/// are followed. Empty if no ascent converges.
 pub(super) fn ascend(corners: &[DVec2; 3], from: DVec2, mut cones_at: impl FnMut(DVec2, &mut Cones)) -> Vec<DVec2> {
     let first = ascend_once(corners, from, &mut cones_at, Fork::First);
     let other = first.filter(|&(_, forked)| forked).and_then(|_| ascend_once(corners, from, &mut cones_at, Fork::Last));
     first.into_iter().chain(other).map(|(maximum, _)| maximum).collect()
 }
 
-/// One ascent. Returns its maximum, and whether some step had an equally good alternative.
+/// One ascent. Returns its maximum, and whether any step had an equally good alternative.
 fn ascend_once(
     corners: &[DVec2; 3],
     from: DVec2,

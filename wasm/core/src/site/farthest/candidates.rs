@@ -32,7 +32,7 @@ pub(super) struct Candidate {
 
 /// Finds candidate triangles.
 pub(super) struct CandidateTriangles {
-    /// Sites: the triangle of the coarse mesh that contains each.
+    /// For each site, the triangle of the coarse mesh that contains it.
     home: Vec<u32>,
     /// The triangles that the current search has visited.
     visited: VisitStamps,
@@ -52,8 +52,8 @@ impl CandidateTriangles {
     /// `sample`. Sorted by descending upper bound.
     ///
     /// The path from a site to a point of its cell stays in the cell, so the triangles that a cell enters are
-    /// connected. Of those with samples of the cell, some are skipped: those that are not far enough and do not
-    /// lead to triangles without such samples.
+    /// connected. Triangles with samples of the cell are skipped if they are not far enough and do not lead to
+    /// triangles without such samples.
     pub(super) fn find(&mut self, voronoi: &Voronoi, pieces: &Pieces, site: usize, sample: f64) -> Vec<Candidate> {
         let least = sample * (1.0 - TIE);
         let (coarse, cells) = (voronoi.coarse, &voronoi.cells);

@@ -33,8 +33,8 @@ impl CornerPaths {
         self.0[corner].map_or(f64::INFINITY, |path| path.distance)
     }
 
-    /// The common pseudo-source of all paths; `None` if they differ. With one, distances in the piece are those of one
-    /// cone.
+    /// The common pseudo-source of all paths; `None` if they differ. With a common pseudo-source, distances in the
+    /// piece form one cone.
     pub(super) fn pseudo_source(&self) -> Option<DVec2> {
         let [a, b, c] = self.0.map(|path| path.map(|path| path.pseudo_source));
         if a == b && b == c { a } else { None }
@@ -55,13 +55,13 @@ impl CornerPaths {
 /// For each two corners, the length of the longest way from one to the other by a point of the piece, in two straight
 /// lines.
 ///
-/// In a sliver the way from end to end is hardly longer than its edge. So a site behind one end is compared with the
-/// sites at the other.
+/// In a sliver, the way from end to end is hardly longer than its edge. So a site behind one end is compared with the
+/// sites at the other end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Detours([[f64; 3]; 3]);
 
 impl Detours {
-    /// `lengths` are those of the edges from each corner to the next.
+    /// `lengths` are the lengths of the edges from each corner to the next.
     pub(super) fn new(lengths: [f64; 3]) -> Self {
         // The sum of two distances is convex, so it is greatest at a corner: at the third one.
         let perimeter: f64 = lengths.iter().sum();
@@ -93,7 +93,7 @@ impl Leaders {
         leaders
     }
 
-    /// The one with the pseudo-sources of some paths, which may be its own.
+    /// The site with the pseudo-sources of the given paths, which may be its own.
     pub(super) fn of_same_sources(&self, paths: &CornerPaths) -> Option<&CornerPaths> {
         if self.0.is_empty() { None } else { key(paths).and_then(|key| self.0.get(&key)) }
     }

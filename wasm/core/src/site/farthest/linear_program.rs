@@ -153,7 +153,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn best_vertex_of_the_active_constraints_is_that_of_all() {
+    fn active_constraints_have_the_same_best_vertex() {
         let mut seed = 1_u32;
         let mut random = move || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

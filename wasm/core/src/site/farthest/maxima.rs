@@ -14,7 +14,7 @@ use super::{
 use crate::distance::NavTriangle;
 
 /// Local maxima in a flat piece: the greatest, and others if they may be as far as `known`. Empty if no ascent
-/// converges. Adds the looks at cones to `steps`.
+/// converges. Adds the number of visited cones to `steps`.
 pub(super) fn maxima(voronoi: &Voronoi, piece: &Piece, site: usize, known: f64, steps: &mut u64) -> Vec<FarPoint> {
     let mut ascend_from = |from: DVec2| {
         let limit = piece.upper_bound + piece.longest;

@@ -4,8 +4,8 @@
 //! searched, in three steps:
 //!
 //! - `candidates`: the triangles of the coarse mesh that may contain them.
-//! - `search`: the best of these first, by branch and bound. It subdivides triangles into [`pieces`]; each [`piece`]
-//!   has an upper bound from the paths to its corners (`corner_paths`, `bounds`).
+//! - `search`: branch and bound, starting with the best of these. It subdivides triangles into [`pieces`]; each
+//!   [`piece`] has an upper bound from the paths to its corners (`corner_paths`, `bounds`).
 //! - `maxima`: in a piece that is small enough, an ascent of the distance (`ascent`, `linear_program`).
 //!
 //! Cost: about a third of an insertion, for the cells that it changes.
@@ -30,7 +30,7 @@ use self::{
 use super::voronoi::Voronoi;
 use crate::{distance::NavTriangle, min_max::fast_max};
 
-/// Two farthest points no farther apart than this, relative to their distance, are one point found twice.
+/// Farthest points closer than this, relative to their distance, are the same point found twice.
 pub(super) const SAME_POINT: f64 = 1e-8;
 
 /// A point of the domain with its distance to the nearest site.
@@ -48,7 +48,7 @@ enum SearchState {
     /// No point of the cell is farther than this.
     Within(f64),
     /// Every point farther than `sample` lies in one of `triangles`, sorted by descending upper bound. `sample` was the
-    /// greatest distance of a coarse sample of the cell.
+    /// maximum distance of a coarse sample of the cell.
     InTriangles { sample: f64, triangles: Vec<Candidate> },
     /// At least one point; all are equally far from the site.
     Known(Vec<FarPoint>),
@@ -99,7 +99,7 @@ impl FarthestPoints {
         self.pieces.steps()
     }
 
-    /// Whether the search takes as much memory as it may, or as many steps. Later points may be too near.
+    /// Whether the search has reached its limit of memory or steps. Later points may be too near.
     pub(super) fn is_full(&self) -> bool {
         self.pieces.are_full()
     }
@@ -135,7 +135,7 @@ impl FarthestPoints {
 
     /// Drops the farthest points that the last site has taken over.
     ///
-    /// Cells only shrink. A farthest point that stays in its cell stays the farthest, and no later one is farther.
+    /// Cells only shrink. A farthest point that remains in its cell remains the farthest, and no later one is farther.
     fn drop_points_of_last_site(&mut self, voronoi: &Voronoi) {
         let (Some(site), Some(field)) = (voronoi.sites.last(), voronoi.fields.last()) else { return };
         let stays = |point: &FarPoint| {

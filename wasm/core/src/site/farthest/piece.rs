@@ -16,13 +16,13 @@ use crate::{
     triangulation::NONE,
 };
 
-/// Maxima are searched by ascent in pieces whose edges are no longer than this share of the distance. There cones are
-/// nearly planes, and a second maximum is rare.
+/// Maxima are searched by ascent in pieces whose edges are no longer than this share of the distance. In such pieces,
+/// cones are nearly planes, and a second maximum is rare.
 const FLAT: f64 = 0.5;
 /// With more sites than this in a piece, subdividing it costs less than an ascent in it.
 const MAX_SITES_TO_ASCEND: usize = 16;
-/// Pieces with edges below this share of the distance are not subdivided. A maximum missed in one is farther by no more
-/// than this share.
+/// Pieces with edges below this share of the distance are not subdivided. A missed maximum is farther by at most this
+/// share.
 const MIN_EDGE_SHARE: f64 = 1.0 / 64.0;
 /// The parts of a piece, by the indices of its corners (0 to 2) and of the midpoints of its edges (3 to 5). The last
 /// part has all midpoints.
@@ -50,16 +50,16 @@ pub(super) struct Piece {
     pub(super) upper_bound: f64,
     /// Index of the first of its four parts; the others follow it.
     pub(super) parts: Option<u32>,
-    /// The looks at paths that it took to find its sites.
+    /// The number of path queries that found its sites.
     pub(super) steps: u64,
 }
 
-/// The looks at paths that it takes to find those of a number of sites that may be the nearest.
+/// The number of path queries to find which of a number of sites may be the nearest.
 pub(super) fn steps_of_update(sites: usize) -> u64 {
     2 * sites as u64
 }
 
-/// The looks at paths that it takes to compute those of a number of sites, by three queries of a field each.
+/// The cost of computing the paths of a number of sites, by three queries of a field each.
 fn steps_of_queries(sites: usize) -> u64 {
     60 * sites as u64
 }
@@ -210,7 +210,7 @@ impl Piece {
     /// Upper bound for the distance of a site to the points of its cell in the piece; `None` if the cell does not enter
     /// it.
     ///
-    /// Between the corners a cone lies slightly below the plane through its values there. So the cell lies where that
+    /// Between the corners, a cone lies slightly below the plane through its values there. So the cell lies where that
     /// plane, less the sag, is no higher than the planes of other sites.
     pub(super) fn upper_bound_of(&self, site: usize) -> Option<f64> {
         let own = self.sites.iter().zip(&self.paths).find_map(|(&at, paths)| (at == site as u32).then_some(paths))?;

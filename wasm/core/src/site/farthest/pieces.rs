@@ -1,10 +1,10 @@
-//! Opened triangles of the coarse mesh, subdivided into four parts and again into four as far as searches need.
+//! Opened triangles of the coarse mesh, recursively subdivided into four parts as far as searches need.
 //!
 //! Each piece lists every site that may be the nearest somewhere in it, for all cells. Inserting a site updates the
-//! pieces. So a subdivision made for one cell serves its neighbours and later rounds. With thousands of sites among a
-//! thousand coarse samples, each site costs hardly more than with few.
+//! pieces. So a subdivision for one cell is reused for its neighbours and in later rounds. With thousands of sites
+//! among a thousand coarse samples, the cost per site hardly increases.
 //!
-//! Cost of an insertion: a look at every opened triangle, and the update of the pieces that the new cell may enter.
+//! Cost of an insertion: a visit of every opened triangle, and the update of the pieces that the new cell may enter.
 
 use super::{
     super::voronoi::Voronoi,
@@ -21,13 +21,13 @@ use crate::{
 #[derive(Default)]
 pub(super) struct Pieces {
     pieces: Vec<Piece>,
-    /// Triangles: the index of each one's piece; [`NONE`] if it is not opened.
+    /// For each triangle, the index of its piece; [`NONE`] if it is not opened.
     roots: Vec<u32>,
     /// The opened triangles.
     opened: Vec<u32>,
     /// Number of paths in all pieces.
     paths: usize,
-    /// Number of looks at a path so far.
+    /// Number of path queries so far.
     steps: u64,
 }
 
@@ -36,17 +36,17 @@ impl Pieces {
         Self { roots: vec![NONE; triangles], ..Self::default() }
     }
 
-    /// Whether the pieces take as much memory as they may, or as many steps. They are not subdivided any more.
+    /// Whether the pieces have reached the limit of memory or steps. They are then not subdivided further.
     pub(super) fn are_full(&self) -> bool {
         self.paths > MAX_PIECE_BYTES / size_of::<CornerPaths>() || self.steps > MAX_STEPS
     }
 
-    /// Number of looks at a path so far.
+    /// Number of path queries so far.
     pub(super) fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Counts more looks at paths.
+    /// Counts further path queries.
     pub(super) fn count(&mut self, steps: u64) {
         self.steps += steps;
     }

@@ -1,6 +1,6 @@
 //! A best-first search for the farthest points of a cell, over the pieces of the triangles that may contain them.
 //!
-//! It opens only a few triangles, and finds the exact farthest point however few coarse samples there are.
+//! It opens only a few triangles, and finds the exact farthest point for any number of coarse samples.
 //!
 //! Cost: the pieces that it opens, and a heap of them.
 

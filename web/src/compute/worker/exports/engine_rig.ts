@@ -16,10 +16,10 @@ export function engineRig(
   { project, width, height }: ExportRequest,
   { format, bones, influences, vertices, stem, zip }: EngineRigOrder,
   rgba: Uint8Array,
-  tell: (part: number) => void,
+  onProgress: (part: number) => void,
 ): EngineRig {
   const options = new EngineOptions(FORMATS[format], bones, influences, vertices);
-  const rig = engine_rig(project, width, height, rgba, stem, options, tell);
+  const rig = engine_rig(project, width, height, rgba, stem, options, onProgress);
   const files = rig.names.map((name, file) => ({
     name,
     bytes: rig.bytes(file) as Uint8Array<ArrayBuffer>,

@@ -18,9 +18,9 @@ export function mapFile(
   { project, width, height }: ExportRequest,
   { file, picture, pixelated, clip, time }: MapOrder,
   rgba: Uint8Array,
-  tell: (part: number) => void,
+  onProgress: (part: number) => void,
 ): Bytes {
-  const solved = new SolvedProject(project, width, height, rgba, tell);
+  const solved = new SolvedProject(project, width, height, rgba, onProgress);
   if (file.what === 'heat') return solved.heatMap(file.handle) as Bytes;
   if (file.what === 'weights') {
     const { handle, every, format } = file;

@@ -7,6 +7,6 @@ export const webRig = (
   { project, width, height }: ExportRequest,
   { file, posable }: WebRigOrder,
   rgba: Uint8Array,
-  tell: (part: number) => void,
+  onProgress: (part: number) => void,
 ): Uint8Array<ArrayBuffer> =>
-  bake(project, width, height, rgba, file, posable, tell) as Uint8Array<ArrayBuffer>;
+  bake(project, width, height, rgba, file, posable, onProgress) as Uint8Array<ArrayBuffer>;

@@ -1,17 +1,17 @@
 //! The nodes all over the picture at which the rigid mode measures distortion, with their weights.
 //!
 //! There are two levels. A cell is divided by its next two dominant sites. On the coarse level every part has a node at
-//! its centroid. In a triangle of neighbouring sites these are three nodes, each nearer to another corner, like Gauss's
+//! its centroid. In a triangle of neighbouring sites, these are three nodes, each near a different corner, like Gauss's
 //! rule of degree 2. A part that is long compared with its supports has two nodes with its second moment along it. On
-//! the fine level, a part that is large beside its supports has four nodes with its second moments; other parts keep
-//! theirs.
+//! the fine level, a part that is large compared with its supports has four nodes with its second moments; other parts
+//! keep their nodes.
 //!
-//! Nodes are dense where many sites meet in a narrow space. A site whose cell has no node is one. A symmetric scene has
-//! symmetric nodes.
+//! Nodes are dense where many sites meet in a narrow space. A site whose cell has no node becomes a node. A symmetric
+//! scene has symmetric nodes.
 //!
-//! A held outline counts as one site, as all of its sites stay.
+//! A held outline counts as one site, because none of its sites move.
 //!
-//! Numbers are stored as f32, some 200 kB for 200 sites. Sums that must be 1 and 0 are corrected for rounding.
+//! Numbers are stored as f32, about 200 kB for 200 sites. Sums that must be 1 and 0 are corrected for rounding.
 
 mod moments;
 mod parts;
@@ -30,17 +30,17 @@ use crate::{
 };
 
 /// A part has two nodes if its standard deviations differ by more than this fraction of the smallest support that
-/// reaches it. With one node for each part, a small support between two bars goes unnoticed, and folds. With 0.15 a
-/// twisted cross distorts by 2 % more; with 0.1 poses take 10 % longer.
+/// reaches it. With one node for each part, a small support between two bars would be missed, and fold. With 0.15, a
+/// twisted cross distorts by 2 % more; with 0.1, poses take 10 % longer.
 const LONG: f64 = 0.12;
 /// A part has four nodes on the fine level if the root of its area is above this fraction of the smallest support that
-/// reaches it. With 0.2 as many folds go unnoticed.
+/// reaches it. With 0.2, the same number of folds is missed.
 const LARGE: f64 = 0.3;
-/// A node is dropped if weights change by more than this within the width of its part: it is next to a joint of
-/// bones, where gradients have no bound.
+/// A node is dropped if weights change by more than this within the width of its part: such a node is next to a joint
+/// of bones, where gradients are unbounded.
 const STEEP: f64 = 10.0;
-/// Least weight of a site at a node. Smaller weights cost a sixth of the time of a pose, and change its energy by
-/// some thousandths.
+/// Least weight of a site at a node. Smaller weights would take a sixth of the time of a pose, and change its energy by
+/// thousandths.
 const TAIL: f64 = 0.004;
 
 /// For a node between triangles of the outline, each of which sees the paths on its own side, gradients are
@@ -61,7 +61,7 @@ pub(crate) struct Node {
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Quadrature {
     nodes: Vec<PackedNode>,
-    /// Number of nodes that the fine level does not have.
+    /// Number of nodes that only the coarse level has.
     coarse_alone: u32,
     /// Number of nodes of the coarse level.
     coarse: u32,
@@ -139,7 +139,7 @@ impl Quadrature {
         [coarse, both, fine].map(|nodes| nodes.iter().map(PackedNode::unpacked).collect())
     }
 
-    /// Whether data that were read from bytes are consistent for this number of sites.
+    /// Whether data read from bytes is consistent for this number of sites.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
         self.coarse_alone <= self.coarse
             && self.coarse as usize <= self.nodes.len()
@@ -194,7 +194,7 @@ impl PackedNode {
     }
 }
 
-/// Places nodes, with the weights there.
+/// Places nodes, and evaluates the weights there.
 struct Placing<'a> {
     navigation: &'a Navigation,
     sites: &'a [Site],
@@ -233,7 +233,7 @@ impl Placing<'_> {
         self.node(at, self.navigation.triangle_at(at)?, area)
     }
 
-    /// The node at a place that represents an area; `None` if weights change too much within it.
+    /// The node at a position that represents an area; `None` if weights change too much within the area.
     fn node(&self, at: DVec2, triangle: NavTriangle, area: f64) -> Option<PackedNode> {
         let Self { navigation, sites, functions, held } = *self;
         let here = match navigation.is_on_edge(triangle, at) {
@@ -258,7 +258,7 @@ impl HeldOutline {
         Self(sites.iter().position(|site| site.kind == SiteKind::Boundary))
     }
 
-    /// Adds to the influence of the same site, if there is one.
+    /// Adds to an existing influence of the same site.
     fn add(self, influences: &mut Vec<Influence>, sites: &[Site], more: Influence) {
         let stays = sites[more.site].kind == SiteKind::Boundary;
         let site = self.0.filter(|_| stays).unwrap_or(more.site);

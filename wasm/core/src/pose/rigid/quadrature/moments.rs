@@ -6,12 +6,12 @@ use glam::{DMat2, DVec2};
 
 use crate::pose::motion::turn;
 
-/// A part is one of too few samples if the root of its covariance's determinant is below this fraction of its area. For
-/// a rectangle of any length, of many samples, the fraction is a twelfth.
+/// A part has too few samples if the root of its covariance's determinant is below this fraction of its area. For a
+/// densely sampled rectangle, the fraction is a twelfth.
 const FEW: f64 = 0.02;
 
-/// Area of a part, and its first and second moments about a place near it. About the picture's corner, moments of a
-/// distant part would lose digits.
+/// Area of a part, and its first and second moments about a nearby point. Moments of a distant part about the picture's
+/// corner would lose digits.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Moments {
     about: DVec2,
@@ -21,7 +21,7 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    /// Of an area at one place.
+    /// The moments of an area at one point.
     pub(super) fn of(at: DVec2, area: f64, about: DVec2) -> Self {
         let from = at - about;
         let first = area * from;
@@ -38,7 +38,7 @@ impl Moments {
         1.0 / self.area * self.second - DMat2::from_cols(mean.x * mean, mean.y * mean)
     }
 
-    /// Two places that, with half the area each, have the second moment along the longer axis. `None` if the standard
+    /// Two points that, with half the area each, have the second moment along the longer axis. `None` if the standard
     /// deviations along both axes differ by less than `least`: equal ones define no axis.
     pub(super) fn halves(&self, least: f64) -> Option<[DVec2; 2]> {
         let at = self.centroid();
@@ -51,9 +51,9 @@ impl Moments {
         })
     }
 
-    /// Four places that, with a quarter of the area each, have all second moments: the corners of a square by the root
-    /// of the covariance. Along the axes they would lie anywhere if these are as long. `None` for a single sample, or
-    /// samples on one line: rounding would decide where the places lie.
+    /// Four points that, with a quarter of the area each, have all second moments: the corners of a square, mapped by
+    /// the root of the covariance. Points along the axes would be undefined for axes of equal length. `None` for a
+    /// single sample, or samples on one line: rounding would determine the points.
     pub(super) fn quarters(&self) -> Option<[DVec2; 4]> {
         let covariance = self.covariance();
         let trace = covariance.x_axis.x + covariance.y_axis.y;
@@ -68,7 +68,7 @@ impl Moments {
     }
 }
 
-/// Of the same part.
+/// Adds moments of the same part.
 impl AddAssign for Moments {
     fn add_assign(&mut self, more: Self) {
         self.area += more.area;

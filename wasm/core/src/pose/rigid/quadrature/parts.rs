@@ -10,13 +10,13 @@ use crate::{
     weight::{Influence, SparseWeights},
 };
 
-/// Weights that differ by no more are equal: a sample on an axis of symmetry counts for both sides. A weight that is
-/// no greater counts as 0, as rounding decides where a support ends.
+/// Weights that differ by at most this are equal: a sample on an axis of symmetry counts for both sides. Weights up to
+/// this count as 0, because rounding determines where a support ends.
 const TIE: f64 = 1e-9;
-/// Number of dominant sites that identify a part. With two, folds between the nodes go unnoticed. With four, or with
-/// the order of the weights, poses are hardly better.
+/// Number of dominant sites that identify a part. With two, folds between the nodes are missed. With four, or with the
+/// order of the weights, poses are hardly better.
 const DOMINANT_COUNT: usize = 3;
-/// Greatest number of tied sites that divide a sample. In the hub of a star, hundreds are tied, and have millions of
+/// Maximum number of tied sites that divide a sample. In the hub of a star, hundreds are tied, with millions of
 /// triples. Symmetric scenes seldom tie more than eight.
 const MAX_TIED: usize = 12;
 
@@ -34,7 +34,7 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// The site with the largest weight, if any reaches, and if not many are tied.
+    /// The site with the largest weight, if a support reaches the part and few sites are tied.
     pub(super) fn site(&self) -> Option<usize> {
         (self.dominant[0] < MANY_SITES).then_some(self.dominant[0] as usize)
     }
@@ -101,7 +101,7 @@ fn divide(
         let mut next = dominant;
         next[known..].fill(MANY_SITES);
         if known == 0 {
-            // One of them tells two hubs apart.
+            // One of them distinguishes two hubs.
             next[1] = tied().next().map_or(NO_SITE, |one| one.site as u32);
         }
         take(next, area);

@@ -1,17 +1,18 @@
-//! Relaxation: motions that distort the picture itself as little as they can.
+//! Relaxation: finds motions that distort the picture itself as little as possible.
 //!
-//! The sites alone do not show how a blend deforms the picture between them. But the blended map is linear in the
-//! places and linear parts of the sites (eq. 1), and so is its Jacobian J at a node of the
+//! The sites do not fully determine how a blend deforms the picture between them. But the blended map is linear in the
+//! positions and linear parts of the sites (eq. 1), and so is its Jacobian J at a node of the
 //! [quadrature](super::Quadrature), as in fast automatic skinning (Jacobson, Baran, Kavan, Popović and Sorkine 2012).
 //! Minimised is Σ area · [`distortion`](super::distortion)(J / s), where s is the scale requested at the node, over
 //! everything that the handles leave free: see [`Freedom`].
 //!
-//! A [descent](descend) minimises it, preconditioned by the factorised matrix of Σ area |J|². Along a line J is
-//! linear in the length, so det J and |J|² are polynomials in it, and a line search does not visit the sites: see
-//! `relaxing`. The initial motions are those of the cell graph alone: see [`bending`](super::bending).
+//! A [descent](descend) minimises it, preconditioned by the factorised matrix of Σ area |J|². Along a line, J is linear
+//! in the length, so det J and |J|² are polynomials in it, and a line search does not visit the sites: see `relaxing`.
+//! The initial motions are those of the bent cell graph: see [`bending`](super::bending).
 //!
-//! The coarse nodes lead to the right minimum, with a large regularisation that undoes folds. The fine ones refine it,
-//! with a small one: more coarse nodes fold, more fine ones take longer. Cost: some 0.1 ms an iteration for 200 sites.
+//! The coarse nodes lead to the right minimum, with a large regularisation that undoes folds. The fine nodes refine it,
+//! with a small regularisation. With more coarse nodes the result folds; with more fine nodes it takes longer. Cost:
+//! about 0.1 ms per iteration for 200 sites.
 
 mod nodes;
 mod relaxing;
@@ -41,48 +42,48 @@ pub(crate) use self::unknowns::Freedom;
 
 /// Regularisation ε of the first iterations: large, so that inverted parts recover in them.
 const FIRST_REGULARISATION: f64 = 0.5;
-/// Number of these iterations. Without them a twisted cross of 200 sites keeps twice as many folds, and bars beside a
+/// Number of these iterations. Without them, a twisted cross of 200 sites keeps twice as many folds, and bars beside a
 /// held outline keep some.
 const FIRST_ITERATIONS: usize = 2;
-/// Regularisation ε of the iterations that follow. With half of it descents get stuck; with twice as much folds cost
+/// Regularisation ε of the iterations that follow. With half of it, descents get stuck; with twice as much, folds cost
 /// too little.
 const REGULARISATION: f64 = 0.2;
-/// Regularisation ε at the fine nodes: smaller, as no coarse node is turned over then. With a third of it rounding
-/// grows to pixels in twenty iterations.
+/// Regularisation ε at the fine nodes: smaller, because no coarse node is inverted by then. With a third of it,
+/// rounding grows to pixels in twenty iterations.
 const FINE_REGULARISATION: f64 = 0.15;
 /// Stiffness of the springs that anchor motions at their initial values, as a fraction of the area around the site.
-/// They decide where the quadrature does not. A fifth of it distorts more of the picture between bars that turn against
-/// each other. Five times as much bends everything stiffly.
+/// They determine the modes that the quadrature does not. A fifth of this stiffness distorts more of the picture
+/// between bars that turn against each other. Five times this stiffness bends everything stiffly.
 const ANCHOR_STIFFNESS: f64 = 0.1;
-/// The same for the fine nodes, which decide more. With three times as much poses distort by 1 % more.
+/// The same for the fine nodes, which determine more. With three times as much, poses distort by 1 % more.
 const FINE_ANCHOR_STIFFNESS: f64 = 0.03;
-/// Least area for [`ANCHOR_STIFFNESS`], as a fraction of the mean cell: a site of little influence stays with its
-/// surroundings. With a hundredth of it, a site between two bars may go anywhere, and folds the picture between the
+/// Least area for [`ANCHOR_STIFFNESS`], as a fraction of the mean cell: a site of little influence moves with its
+/// surroundings. With a hundredth of it, a site between two bars may move anywhere, and fold the picture between the
 /// nodes of the quadrature.
 const LEAST: f64 = 0.2;
-/// The descent ends with an iteration that lowers the energy by no more than this fraction: most poses take about
-/// five. With ten times as much, drags jump by some pixels.
+/// The descent ends with an iteration that lowers the energy by at most this fraction: most poses take about five
+/// iterations. With ten times as much, drags jump by several pixels.
 const GAIN: f64 = 2e-3;
-/// Line searches end where the slope is this fraction of the initial one: the first low point of a line is far from
+/// Line searches end where the slope is this fraction of the initial slope: the first low point of a line is far from
 /// its minimum. With twice as much, a twisted cross jumps by five times as much as its handles move; the samples of a
 /// line hardly cost more, as each is much closer than the last.
 const CURVATURE_CONDITION: f64 = 0.015;
-/// Iterations at the coarse nodes at most. With six, a twisted cross of 200 sites stays folded in places. With 40,
-/// folds between handles that were moved past one another at random drop to a half or a fifth. That takes twice as
-/// long, and drags jump half as often again.
+/// Maximum number of iterations at the coarse nodes. With six, a twisted cross of 200 sites remains folded in places.
+/// With 40, folds between handles that were moved past one another at random drop to a half or a fifth. But poses take
+/// twice as long, and drags jump half as often again.
 const COARSE_ITERATIONS: usize = 8;
-/// The same if some of the picture is stiffer than the rest: its turns converge slowly. With eight, the picture around
-/// it folds.
+/// The same for pictures with stiffer parts, whose turns converge slowly. With eight, the picture around them folds.
 const STIFF_ITERATIONS: usize = 30;
-/// A picture is as stiff everywhere if no factor is farther from 1: above rounding.
+/// A picture is equally stiff everywhere if no factor differs more from 1. This is above rounding errors.
 const EVEN: f64 = 1e-9;
-/// Iterations at the fine nodes: always as many, or drags would jump. With twelve rounding grows to pixels.
+/// Fixed number of iterations at the fine nodes: a varying number would make drags jump. With twelve, rounding grows to
+/// pixels.
 const FINE_ITERATIONS: usize = 5;
-/// A pose is refined in full if det J is at least this at every coarse node, and not at all if the picture is turned
-/// over at one.
+/// A pose is fully refined if det J is at least this at every coarse node, and not refined if the picture is inverted
+/// at one.
 const REFINED: f64 = 0.2;
-/// Iterations at most from the minimum of a pose nearby, and the fraction as [`GAIN`]. Where that minimum vanishes, the
-/// picture then takes some frames to the next one, instead of a jump.
+/// Maximum number of iterations from the minimum of a nearby pose, and the corresponding [`GAIN`]. If that minimum
+/// vanishes, the picture moves to the next one over several frames instead of jumping.
 const NEARBY_ITERATIONS: usize = 12;
 const NEARBY_GAIN: f64 = 1e-3;
 
@@ -96,13 +97,13 @@ pub(super) struct Relaxation {
     fine: Level,
     /// Unit of length, in pixels: the square root of the mean cell's area.
     unit: f64,
-    /// Of the coarse level. The fine one's would take as many iterations.
+    /// The factorisation for the coarse level. That of the fine level would take as many iterations.
     inverse: Cholesky,
-    /// Whether some of the picture is stiffer than the rest.
+    /// Whether parts of the picture are stiffer than the rest.
     is_uneven: bool,
 }
 
-/// What is minimised: the distortion at nodes, and the energy of springs.
+/// The minimised energy: the distortion at nodes, and the energy of springs.
 #[derive(Debug, Clone)]
 struct Level {
     nodes: Nodes,
@@ -134,9 +135,9 @@ impl Relaxation {
         Self { unknowns, rest, coarse, fine, unit, inverse, is_uneven }
     }
 
-    /// Lowers the distortion of motions at the coarse nodes. `is_free` says for each site whether its rotation is free,
-    /// `scales` are those requested at the sites; a descent ends with an iteration that moves no site by more than
-    /// `tolerance` pixels.
+    /// Lowers the distortion of motions at the coarse nodes. `is_free` states for each site whether its rotation is
+    /// free. `scales` are the requested scales at the sites. A descent ends with an iteration that moves no site by
+    /// more than `tolerance` pixels.
     pub(super) fn minimize(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
         let iterations = if self.is_uneven { STIFF_ITERATIONS } else { COARSE_ITERATIONS };
         self.relax(motions, is_free, scales, FIRST_REGULARISATION, |relaxing, descend| {
@@ -153,8 +154,7 @@ impl Relaxation {
         });
     }
 
-    /// Lowers the distortion of a coarse minimum at the fine nodes: the less, the closer the picture is to being turned
-    /// over.
+    /// Lowers the distortion of a coarse minimum at the fine nodes, by less if the picture is close to inverted.
     pub(super) fn refine(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
         let coarse = self.parts(motions);
         let least = Relaxing::new(self, &self.coarse, &coarse, is_free, scales, REGULARISATION).least_determinant();
@@ -178,7 +178,7 @@ impl Relaxation {
         Limits { max_iterations, tolerance, gain, curvature_condition: CURVATURE_CONDITION }
     }
 
-    /// Relaxes motions at the coarse nodes by `run`, which gets the pose and the descent.
+    /// Relaxes motions at the coarse nodes with `run`, which receives the pose and the descent.
     fn relax(
         &self,
         motions: &mut [Motion],
@@ -192,8 +192,8 @@ impl Relaxation {
         }
     }
 
-    /// The parts of motions, relaxed on a level by `run`. `None` if nothing is free, or if handles are posed so far out
-    /// that numbers overflow.
+    /// The parts of motions, relaxed on a level with `run`. `None` if nothing is free, or if handles are posed so far
+    /// away that numbers overflow.
     fn relaxed(
         &self,
         level: &Level,
@@ -251,7 +251,7 @@ impl Relaxation {
     }
 }
 
-/// 0 up to 0, 1 from 1, and smooth between.
+/// A smooth step: 0 below 0, 1 above 1.
 fn smooth_step(at: f64) -> f64 {
     let at = at.clamp(0.0, 1.0);
     at * at * (3.0 - 2.0 * at)
@@ -303,8 +303,8 @@ fn preconditioner(level: &Level, unknowns: &Unknowns, rest: &[DVec2]) -> BTreeMa
     lower
 }
 
-/// Gives the motion of a bone another linear map with the same effect along the bone, unless that map is too close to
-/// inversion to be a motion.
+/// Changes the linear map of a bone's motion without changing its effect along the bone, unless the new map is too
+/// close to inversion.
 fn bend_bone(motion: &mut Motion, map: DMat2) {
     let (angle, strain) = polar(map);
     let turns = libm::round((motion.angle - angle) / TAU);
@@ -314,5 +314,5 @@ fn bend_bone(motion: &mut Motion, map: DMat2) {
     }
 }
 
-/// Greatest relative change of a map that is written as a motion: above rounding, and too little to see on a bar.
+/// Greatest relative change of a map by its conversion to a motion: above rounding, and invisible on a bar.
 const MAP_ROUNDING: f64 = 1e-12;

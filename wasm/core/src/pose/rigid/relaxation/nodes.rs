@@ -1,11 +1,11 @@
-//! The nodes of the quadrature as the relaxation visits them: one after another, with the terms of each in a row.
+//! The nodes of the quadrature in the layout of the relaxation: one after another, each with its terms in a row.
 
 use glam::DVec2;
 
 use super::{super::quadrature, Freedom};
 use crate::rank::sort_by_rank;
 
-/// A node. Lengths are in [units](super::Relaxation::unit), but that of the area.
+/// A node. Lengths are in [units](super::Relaxation::unit), except for areas.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     pub(super) at: DVec2,

@@ -24,18 +24,18 @@ pub(super) struct Relaxing<'a> {
     /// The unknowns, relative to their initial values.
     unknown: Vec<DVec2>,
     direction: Vec<DVec2>,
-    /// Scratch: the direction, or the gradient, in terms of the parts of each site, whose places are relative to the
+    /// Scratch: the direction, or the gradient, in terms of the parts of each site, with positions relative to the
     /// origin.
     parts: Vec<Parts>,
     maps: Vec<Maps>,
     lines: Vec<Lines>,
-    /// Length along the line at which the factors of `lines` are.
+    /// Length along the line at which the factors of `lines` are evaluated.
     sampled: f64,
     /// Energy of the springs that anchor the unknowns, along the direction: coefficients of a polynomial in the length.
     anchored: [f64; 3],
 }
 
-/// The map at some nodes.
+/// The map at several nodes.
 #[derive(Debug, Clone, Copy)]
 struct Maps {
     /// Reciprocal of the scale requested there.
@@ -46,7 +46,7 @@ struct Maps {
     along: Jacobians,
 }
 
-/// det J and |J|² of some nodes along the direction: coefficients of polynomials in the length, whose constant terms
+/// det J and |J|² of several nodes along the direction: coefficients of polynomials in the length, whose constant terms
 /// belong to the current pose.
 #[derive(Debug, Clone, Copy, Default)]
 struct Lines {
@@ -61,8 +61,8 @@ struct Lines {
 const LANES: usize = Jacobians::LANES;
 
 impl<'a> Relaxing<'a> {
-    /// Begins at the given parts of all sites, whose places are the sites' posed places; `scales` are those requested
-    /// at the sites, `regularisation` is ε of the distortion.
+    /// Begins at the given parts of all sites, whose positions are the sites' posed positions. `scales` are the
+    /// requested scales at the sites, and `regularisation` is ε of the distortion.
     pub(super) fn new(
         relaxation: &'a Relaxation,
         level: &'a Level,
@@ -122,7 +122,7 @@ impl<'a> Relaxing<'a> {
         self.evaluate(0.0);
     }
 
-    /// Sets the factors of all lines to those at a point of them.
+    /// Sets the factors of all lines to those at a point.
     fn evaluate(&mut self, length: f64) {
         self.lines.iter_mut().for_each(|lines| lines.evaluate(&self.distortion, length));
         self.sampled = length;
@@ -255,7 +255,7 @@ impl Lines {
     }
 }
 
-/// Parts with the image of the origin as place, from those with the image of the site.
+/// Converts parts that store the image of the site to parts that store the image of the origin.
 fn at_origin([place, x, y]: Parts, rest: DVec2) -> Parts {
     [place - rest.x * x - rest.y * y, x, y]
 }

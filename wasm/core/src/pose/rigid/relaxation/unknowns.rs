@@ -6,18 +6,17 @@ use glam::DVec2;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Freedom {
-    /// All of it: a virtual site.
+    /// The whole motion: a virtual site.
     Whole,
     /// The linear part: a point, unless its rotation is set.
     Linear,
-    /// The image of the normal of this direction under the linear part: a bar. It makes no difference on the bar
-    /// itself.
+    /// The image of the normal of this direction under the linear part: a bar. It has no effect on the bar itself.
     Across(DVec2),
-    /// Nothing: a polygon keeps its inside, and a held outline stays in place.
+    /// Nothing: a polygon keeps its inside, and a held outline does not move.
     None,
 }
 
-/// Posed place of a site, and the columns of its linear part; lengths in [units](super::Relaxation::unit).
+/// Posed position of a site, and the columns of its linear part; lengths in [units](super::Relaxation::unit).
 pub(super) type Parts = [DVec2; 3];
 
 /// The unknowns of all sites, one after another.
@@ -70,7 +69,7 @@ impl Unknowns {
         (self.freedom[site as usize], self.first[site as usize])
     }
 
-    /// The unknowns of each site that has some.
+    /// The unknowns of each site that has any.
     pub(super) fn groups(&self) -> Vec<Vec<u32>> {
         let ends = self.first.iter().skip(1).copied().chain([self.count as u32]);
         let groups = self.first.iter().zip(ends).filter(|(from, to)| *from < to);
@@ -86,7 +85,7 @@ impl Unknowns {
         }
     }
 
-    /// Calls `visit` with the parts of each free site that the unknowns stand for.
+    /// Calls `visit` with the parts of each free site that the unknowns represent.
     pub(super) fn expand(&self, unknown: &[DVec2], mut visit: impl FnMut(usize, Parts)) {
         for (site, (freedom, first)) in self.iter().enumerate() {
             let by = &unknown[first..];

@@ -1,7 +1,7 @@
 /**
- * `npm run test:start`: runs `npm start`, waits for the editor's page at its address, and ends it.
+ * `npm run test:start`: runs `npm start`, waits until the editor's page is served, and stops the server.
  *
- * Fails if the program ends first, or after 30 minutes. The first start compiles the solver.
+ * Fails if the server exits first, or after 30 minutes. The first start compiles the solver.
  */
 import { spawn } from 'node:child_process';
 import { ROOT } from './steps.mjs';
@@ -12,8 +12,8 @@ const child = spawn(process.execPath, ['web/scripts/start.mjs'], {
   cwd: ROOT,
   stdio: ['ignore', 'pipe', 'inherit'],
 });
-child.on('exit', (code) => end(`It ended with status ${code} before it answered.`));
-setTimeout(() => end('It did not answer in time.'), PATIENCE_MS).unref();
+child.on('exit', (code) => end(`\`npm start\` exited with status ${code} before it served the editor.`));
+setTimeout(() => end('`npm start` did not serve the editor in time.'), PATIENCE_MS).unref();
 
 let output = '';
 let asked = false;
@@ -33,7 +33,7 @@ async function ask(address) {
   end(
     response.ok && page.includes('<c2-warp')
       ? ''
-      : `${address} answered with ${response.status}: ${page.slice(0, 200)}`,
+      : `${address} answered with status ${response.status}: ${page.slice(0, 200)}`,
   );
 }
 

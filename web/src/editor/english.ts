@@ -1,4 +1,4 @@
-/** For tests: what people are told, in English. */
+/** For tests: the messages to people, in English. */
 import { en } from '../texts/en';
 import { type Words, worded } from '../texts/wording';
 import type { EditorState } from './state';
@@ -11,7 +11,7 @@ const answered = <A extends { readonly label: Words }>(action: A | undefined) =>
   action && { ...action, label: inEnglish(action.label) };
 
 /** The notice on screen. */
-export function toldNotice(state: EditorState) {
+export function englishNotice(state: EditorState) {
   const notice = shownNotice(state);
   if (!notice) return null;
   const { action, other, ...rest } = notice;
@@ -24,7 +24,7 @@ export function toldNotice(state: EditorState) {
 }
 
 /** The task under way. */
-export function toldTask(state: EditorState) {
+export function englishTask(state: EditorState) {
   const task = currentTask(state);
   if (!task) return null;
   return { ...task, label: inEnglish(task.label), ...(task.left && { left: inEnglish(task.left) }) };

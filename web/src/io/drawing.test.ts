@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { sizedDrawing } from './sized_drawing';
+import { sizedDrawing } from './drawing';
 
 const size = (attributes: string) => {
   const { width, height } = sizedDrawing(`<svg ${attributes}><path/></svg>`);
@@ -28,13 +28,13 @@ describe('sizedDrawing', () => {
     );
   });
 
-  it('reads entities before the drawing, and is quick with brackets that never end', () => {
+  it('reads entities before the drawing, and is quick with unclosed brackets', () => {
     const text = '<!DOCTYPE svg [<!ENTITY a "[]">]><svg viewBox="0 0 9 9"/>';
     expect(sizedDrawing(text).width).toBe(1024);
     expect(() => sizedDrawing(`<!DOCTYPE svg ${'[]'.repeat(50_000)}`)).toThrow(/damaged/);
   });
 
-  it('refuses drawings without a size, and texts that are none', () => {
+  it('rejects drawings without a size, and texts that are not drawings', () => {
     expect(() => size('')).toThrow(/no size/);
     expect(() => size('viewBox="0 0 0 5"')).toThrow(/no size/);
     expect(() => sizedDrawing('<?xml version="1.0"?><html/>')).toThrow(/damaged/);

@@ -1,47 +1,51 @@
-/** Opens a page with `<c2-warp>` in a browser, bends it as its readers do, and compares the picture. */
+/** Opens a page with `<c2-warp>` in a browser, bends the picture as a reader would, and compares it. */
 
 /** @typedef {import('@playwright/test').Page} Page */
 
 /**
- * A handle is dragged by the mouse, the page is scrolled to its end, or the first slider is set to its end.
- * @typedef {'drag' | 'scroll' | 'slide'} Deed
+ * Drags a handle with the mouse, scrolls the page to its end, or sets the first slider to its end.
+ * @typedef {'drag' | 'scroll' | 'slide'} Interaction
  */
 
 const OPENS_MS = 60_000;
-/** Of the window, towards the middle of the picture and up. */
+/** Pixels of the window, towards the middle of the picture and up. */
 const BY_PX = { x: 25, y: -60 };
-/** A channel that differs by more is another colour. */
+/** Colours differ if a channel differs by more than this. */
 const CHANNEL = 16;
-/** At least this part of the picture must look different after the drag. */
+/** At least this fraction of the picture must look different afterwards. */
 const LEAST_CHANGE = 0.002;
-/** Browsers ask for it by themselves. */
+/** Browsers request it on their own. */
 const ICON = '/favicon.ico';
 
 /**
  * @param {Page} page
  * @param {string} address
- * @param {{ deed?: Deed, handle?: string }} example
+ * @param {{ interaction?: Interaction, handle?: string }} example
  * @returns {Promise<number>} Seconds from the navigation until the picture could be bent.
- * @throws Error that says what failed.
+ * @throws Error that states the failure.
  */
-export async function secondsToFirstDeed(page, address, { deed = 'drag', handle = 'left hand' }) {
+export async function secondsToFirstInteraction(
+  page,
+  address,
+  { interaction = 'drag', handle = 'left hand' },
+) {
   const problems = problemsOf(page);
   try {
     const start = performance.now();
     await page.goto(address);
     await page.waitForFunction(isLoaded, undefined, { timeout: OPENS_MS });
     const dragged = page.getByRole('button', { name: new RegExp(`^handle ${handle}, `, 'i') });
-    if (deed === 'drag') await dragged.waitFor({ timeout: OPENS_MS });
+    if (interaction === 'drag') await dragged.waitFor({ timeout: OPENS_MS });
     const seconds = (performance.now() - start) / 1000;
 
     const before = await pixels(page);
-    if (deed === 'drag') await drag(page, dragged);
-    else if (deed === 'slide') await page.getByRole('slider').first().press('End');
+    if (interaction === 'drag') await drag(page, dragged);
+    else if (interaction === 'slide') await page.getByRole('slider').first().press('End');
     else await page.keyboard.press('End');
-    const after = deed === 'scroll' ? await scrolled(page) : await pixels(page);
+    const after = interaction === 'scroll' ? await scrolled(page) : await pixels(page);
     const change = changedPart(before, after);
     if (change < LEAST_CHANGE)
-      throw new Error(`the deed changed ${(change * 100).toFixed(2)} % of the picture`);
+      throw new Error(`the interaction changed ${(change * 100).toFixed(2)} % of the picture`);
     if (problems.length > 0) throw new Error('the page has errors');
     return seconds;
   } catch (error) {
@@ -76,7 +80,7 @@ async function scrolled(page) {
 }
 
 /**
- * Reports of the page by itself, as they come.
+ * Collects errors, failed requests and warnings of the page as they occur.
  * @param {Page} page
  */
 function problemsOf(page) {
@@ -125,7 +129,7 @@ const pixels = (page) =>
  * @param {readonly number[]} after
  */
 function changedPart(before, after) {
-  if (before.length !== after.length) throw new Error('the picture has another size afterwards');
+  if (before.length !== after.length) throw new Error('the size of the picture has changed');
   let changed = 0;
   for (let pixel = 0; pixel < before.length; pixel += 4) {
     const differs = [0, 1, 2, 3].some(
