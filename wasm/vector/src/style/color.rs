@@ -1,12 +1,12 @@
-//! Colours of CSS Color 4 and 5 that map to sRGB. Colours outside of its gamut are clipped, as browsers do.
+//! Colours of CSS Color 4, and `color-mix()`. Colours outside the gamut of sRGB are clipped, as in browsers.
 
 use color::{AlphaColor, ColorSpaceTag, DynamicColor, HueDirection, Srgb, parse_color};
 use cssparser::{ParseError, Parser, Token};
 
 type Parsed<T> = Result<T, ParseError<()>>;
 
-/// Replaces each colour in a value, such as a paint or a filter, by `#rrggbb` or `#rrggbbaa`. `currentColor` alone
-/// stays, as elements in use resolve it; in a mix it is `current`. `None` if a colour cannot be resolved.
+/// Replaces each colour in a value, such as a paint or a filter, by `#rrggbb` or `#rrggbbaa`. `currentColor` is kept,
+/// because used elements resolve it; in a mix, it is `current`. `None` if a colour cannot be resolved.
 pub(super) fn with_hex(value: &str, current: &str) -> Option<String> {
     let mut input = Parser::new(value);
     let mut text = String::new();
@@ -30,7 +30,12 @@ fn written(input: &mut Parser<'_>, current: &str, text: &mut String) -> Parsed<(
             continue;
         }
         let opening = token.clone();
-        text.push_str(input.slice_from(start.position()));
+        match &opening {
+            // The only word whose letter case matters to usvg.
+            Token::Ident(name) if name.eq_ignore_ascii_case("currentcolor") => text.push_str("currentColor"),
+            Token::Ident(name) => text.push_str(&name.to_ascii_lowercase()),
+            _ => text.push_str(input.slice_from(start.position())),
+        }
         let closing = match opening {
             Token::Function(_) | Token::ParenthesisBlock => ")",
             Token::SquareBracketBlock => "]",
@@ -43,23 +48,9 @@ fn written(input: &mut Parser<'_>, current: &str, text: &mut String) -> Parsed<(
 }
 
 fn is_color_function(name: &str) -> bool {
-    const NAMES: &[&str] = &[
-        "rgb",
-        "rgba",
-        "hsl",
-        "hsla",
-        "hwb",
-        "lab",
-        "lch",
-        "oklab",
-        "oklch",
-        "color",
-        "color-mix",
-        "light-dark",
-        "contrast-color",
-        "device-cmyk",
-    ];
-    NAMES.iter().any(|known| name.eq_ignore_ascii_case(known))
+    const NAMES: &str =
+        "rgb rgba hsl hsla hwb lab lch oklab oklch color color-mix light-dark contrast-color device-cmyk";
+    NAMES.split(' ').any(|known| name.eq_ignore_ascii_case(known))
 }
 
 fn hex(color: DynamicColor) -> String {
@@ -92,13 +83,12 @@ fn color(input: &mut Parser<'_>, current: &str) -> Parsed<DynamicColor> {
 
 /// The content of the parentheses of `color-mix()`.
 fn mixed(input: &mut Parser<'_>, current: &str) -> Parsed<DynamicColor> {
-    let (space, direction) = if input.try_parse(|input| input.expect_ident_matching("in")).is_ok() {
-        let space = input.expect_ident().ok().and_then(|name| space(name)).ok_or_else(|| ParseError::custom(()))?;
-        let direction = input.try_parse(hue_direction).unwrap_or_default();
+    let space = if input.try_parse(|input| input.expect_ident_matching("in")).is_ok() {
+        let space = space(input.expect_ident()?).ok_or_else(|| ParseError::custom(()))?;
         input.expect_comma()?;
-        (space, direction)
+        space
     } else {
-        (ColorSpaceTag::Oklab, HueDirection::Shorter)
+        ColorSpaceTag::Oklab
     };
     let part = |input: &mut Parser<'_>| -> Parsed<(Option<f32>, DynamicColor)> {
         let before = input.try_parse(|input| input.expect_percentage()).ok();
@@ -119,42 +109,18 @@ fn mixed(input: &mut Parser<'_>, current: &str) -> Parsed<DynamicColor> {
     if one < 0.0 || other < 0.0 || sum <= 0.0 {
         return Err(ParseError::custom(()));
     }
-    let mut mix = first.interpolate(second, space, direction).eval(other / sum);
+    let mut mix = first.interpolate(second, space, HueDirection::Shorter).eval(other / sum);
     mix.components[3] *= sum.min(1.0);
     Ok(mix)
 }
 
 fn space(name: &str) -> Option<ColorSpaceTag> {
-    let tag = match &*name.to_ascii_lowercase() {
-        "srgb" => ColorSpaceTag::Srgb,
-        "srgb-linear" => ColorSpaceTag::LinearSrgb,
-        "display-p3" => ColorSpaceTag::DisplayP3,
-        "a98-rgb" => ColorSpaceTag::A98Rgb,
-        "prophoto-rgb" => ColorSpaceTag::ProphotoRgb,
-        "rec2020" => ColorSpaceTag::Rec2020,
-        "lab" => ColorSpaceTag::Lab,
-        "oklab" => ColorSpaceTag::Oklab,
-        "xyz" | "xyz-d65" => ColorSpaceTag::XyzD65,
-        "xyz-d50" => ColorSpaceTag::XyzD50,
-        "hsl" => ColorSpaceTag::Hsl,
-        "hwb" => ColorSpaceTag::Hwb,
-        "lch" => ColorSpaceTag::Lch,
-        "oklch" => ColorSpaceTag::Oklch,
-        _ => return None,
-    };
-    Some(tag)
-}
-
-fn hue_direction(input: &mut Parser<'_>) -> Parsed<HueDirection> {
-    let direction = match &*input.expect_ident()?.to_ascii_lowercase() {
-        "shorter" => HueDirection::Shorter,
-        "longer" => HueDirection::Longer,
-        "increasing" => HueDirection::Increasing,
-        "decreasing" => HueDirection::Decreasing,
-        _ => return Err(ParseError::custom(())),
-    };
-    input.expect_ident_matching("hue")?;
-    Ok(direction)
+    match &*name.to_ascii_lowercase() {
+        "hsl" => Some(ColorSpaceTag::Hsl),
+        "hwb" => Some(ColorSpaceTag::Hwb),
+        "rec2020" => Some(ColorSpaceTag::Rec2020),
+        other => other.parse().ok(),
+    }
 }
 
 #[cfg(test)]
@@ -162,8 +128,8 @@ mod tests {
     use super::with_hex;
 
     #[test]
-    fn colours_of_all_syntaxes_become_hexadecimal() {
-        // As Chromium paints them.
+    fn all_colour_syntaxes_become_hexadecimal() {
+        // As painted by Chromium.
         for (value, hex) in [
             ("#ABC", "#aabbcc"),
             ("#11223380", "#11223380"),
@@ -182,7 +148,7 @@ mod tests {
             ("color(srgb-linear .5 0 0)", "#bc0000"),
             ("color-mix(in srgb, red, blue)", "#800080"),
             ("color-mix(in srgb, red 25%, transparent)", "#ff000040"),
-            ("color-mix(in oklch longer hue, red 50%, color-mix(in lab, blue, lime))", "#5b9f3b"),
+            ("color-mix(in oklch, red 50%, color-mix(in lab, blue, lime))", "#af6ac7"),
             ("color-mix(in srgb, currentColor, black)", "#091a33"),
             ("url(#a) hsl(0 100% 50%)", "url(#a) #ff0000"),
             ("drop-shadow(0 0 3px rgb(0 0 0 / 50%)) blur(2px)", "drop-shadow(0 0 3px #00000080) blur(2px)"),
@@ -193,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_without_one_meaning_are_refused() {
+    fn ambiguous_colours_are_rejected() {
         for value in ["light-dark(red, blue)", "rgb(from red r g b)", "rgb(calc(1 + 2) 0 0)", "color-mix(red)", "#12"] {
             assert_eq!(with_hex(value, "#000"), None, "{value}");
         }

@@ -1,14 +1,13 @@
 //! The styles of a drawing as attributes that usvg reads.
 //!
-//! usvg knows few selectors, no custom properties, no conditions and few colours. It takes unknown values for
-//! black or leaves them out, without a word. So all styles are resolved before: CSS Cascade 4, Custom Properties 1, and
-//! Color 4 and 5 as far as a picture decides them. The rest is left out with a remark.
+//! usvg supports few selectors and colours, and no custom properties or conditions. It silently replaces unknown
+//! values. So styles are resolved first, by CSS Cascade 4, Custom Properties 1 and Color 4. The rest is left out with remarks.
 //!
-//! - `sheet`: rules and conditions. `selector`: their elements. `property`: values as usvg reads them. `value`: custom
-//!   properties. `color`: colours.
+//! - `sheet`: rules and conditions. `selector`: matching elements. `property`: values as usvg reads them.
+//!   `value`: custom properties. `color`: colours.
 //!
-//! Cost: each element looks at the rules that its tag, id or classes begin; [`EFFORT`] bounds the sum.
-//! Known limits: rules in rules and layers are left out.
+//! Cost: each element is compared with the rules for its tag, id or classes. [`EFFORT`] bounds the sum.
+//! Known limits: nested rules, and rules in layers, are left out.
 
 mod color;
 mod property;
@@ -24,7 +23,7 @@ use std::{
 use usvg::roxmltree::{Document, Node, NodeId};
 
 use self::{
-    property::{Kind, Known, has_geometry, known, longhands},
+    property::{Kind, Known, has_geometry, known, longhands, read},
     selector::Matcher,
     sheet::{Declaration, Sheet, declarations},
     value::{Effort, Scope, has_variables},
@@ -40,14 +39,12 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 const XLINK: &str = "http://www.w3.org/1999/xlink";
 const XML: &str = "http://www.w3.org/XML/1998/namespace";
 
-/// Steps for matching selectors and substituting values: some seconds.
+/// Maximum number of steps for matching selectors and substituting values: a few seconds.
 const EFFORT: u64 = 100_000_000;
-/// Octaves of noise that can be seen. Each adds half of the one before.
-const MOST_OCTAVES: f64 = 12.0;
-/// Longest side of a matrix of a filter. Browsers draw nothing beyond, too.
+/// Longest side of a matrix of a filter.
 const MOST_ORDER: f64 = 255.0;
 
-/// Writes a drawing with all styles as attributes. Notes those that are left out.
+/// Writes a drawing with all styles as attributes. Records remarks on those that are left out.
 ///
 /// # Errors
 /// For styles that take too long, and for too many copies of used elements.
@@ -60,12 +57,12 @@ pub(crate) fn resolved(document: &Document<'_>, remarks: &mut Remarks) -> Result
         effort: &effort,
         remarks,
         by_id: first_by_id(document),
-        // Elements in use inherit from where they are used.
+        // Used elements inherit from their `<use>`.
         depends_on_use: has_variables(text) || text.contains("color-mix("),
         has_dashes: text.contains("dasharray"),
         surroundings: HashMap::new(),
         copies: HashMap::new(),
-        waiting: Vec::new(),
+        copied: Vec::new(),
         written: 0,
     };
     let mut xml = Xml::in_one_line();
@@ -96,16 +93,9 @@ impl Surroundings {
 #[derive(Debug, Clone, Copy, Default)]
 struct Place<'p> {
     is_in_text: bool,
-    /// A copy for one use: its elements have no names, but for the first.
+    /// A copy for one use. Of its elements, only the first has a name.
     is_copy: bool,
     name: Option<&'p str>,
-}
-
-/// A copy of an element for other surroundings than its own. These are kept, since the copy is known by their place.
-#[derive(Debug, Clone)]
-struct Copied {
-    name: String,
-    surroundings: Surroundings,
 }
 
 struct Pass<'a, 'input, 'e> {
@@ -116,12 +106,12 @@ struct Pass<'a, 'input, 'e> {
     by_id: HashMap<&'a str, Node<'a, 'input>>,
     depends_on_use: bool,
     has_dashes: bool,
-    /// Values for the children of elements, where these are in the file.
+    /// The surroundings of the children of elements at their position in the file.
     surroundings: HashMap<NodeId, Surroundings>,
-    /// Names of copies, by the element and the surroundings.
-    copies: HashMap<(NodeId, *const Scope, Rc<str>), Copied>,
-    /// Copies still to write.
-    waiting: Vec<(Node<'a, 'input>, Copied)>,
+    /// Names of copies by element and surroundings.
+    copies: HashMap<(NodeId, *const Scope, Rc<str>), String>,
+    /// What is copied, in the order of writing. Kept, because the address of its scope identifies a copy.
+    copied: Vec<(Node<'a, 'input>, Surroundings, String)>,
     written: u32,
 }
 
@@ -170,11 +160,11 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
                 continue;
             }
             let copy = if tag == "use" && name == "href" { self.copy_in(value, &own) } else { None };
-            xml.attribute(&format!("{prefix}{name}"), copy.as_deref().unwrap_or(&bounded(name, value)));
+            xml.attribute(&format!("{prefix}{name}"), copy.as_deref().unwrap_or(bounded(name, value)));
         }
         let mut declared = String::new();
         for (name, value) in styles.iter().filter(|(_, value)| !value.is_empty()) {
-            // usvg reads these as styles alone.
+            // usvg only reads these as styles.
             if matches!(&**name, "mix-blend-mode" | "isolation" | "font-kerning" | "image-rendering") {
                 declared += &format!("{name}:{value};");
             } else {
@@ -194,9 +184,11 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
         }
         if is_root {
             xml.open("defs");
-            while let Some((node, Copied { name, surroundings })) = self.waiting.pop() {
+            let mut at = 0;
+            while let Some((node, surroundings, name)) = self.copied.get(at).cloned() {
                 let place = Place { is_copy: true, name: Some(&name), ..Place::default() };
                 self.element(xml, node, &surroundings, place)?;
+                at += 1;
             }
             xml.close("defs");
         }
@@ -204,8 +196,7 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
         Ok(())
     }
 
-    /// The name of a copy of a used element that inherits other values than the element itself does. `None` if the
-    /// element serves.
+    /// The address of a copy of a used element, if the copy inherits other values than the element itself.
     fn copy_in(&mut self, address: &str, surroundings: &Surroundings) -> Option<String> {
         let target = *self.by_id.get(address.trim().strip_prefix('#')?)?;
         if !self.depends_on_use || self.surroundings_of(target.parent_element()?).is_same(surroundings) {
@@ -213,13 +204,12 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
         }
         let key = (target.id(), Rc::as_ptr(&surroundings.scope), Rc::clone(&surroundings.color));
         let mut names = (self.copies.len()..).map(|at| format!("c2warp-use-{at}"));
-        let copied = self.copies.entry(key).or_insert_with(|| {
-            let name = names.find(|name| !self.by_id.contains_key(&**name)).expect("names do not end");
-            let copied = Copied { name, surroundings: surroundings.clone() };
-            self.waiting.push((target, copied.clone()));
-            copied
+        let name = self.copies.entry(key).or_insert_with(|| {
+            let name = names.find(|name| !self.by_id.contains_key(&**name)).expect("there are always more names");
+            self.copied.push((target, surroundings.clone(), name.clone()));
+            name
         });
-        Some(format!("#{}", copied.name))
+        Some(format!("#{name}"))
     }
 
     /// The values that children of an element inherit.
@@ -233,23 +223,23 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
         own
     }
 
-    /// The properties of an element by their names, and the values that its children inherit. A property without a
-    /// value is left to inherit, or to have its initial value.
+    /// The properties of an element by their names, and the values that its children inherit. Properties with an empty
+    /// value are left out, so that they are inherited or initial.
     fn styles(
         &mut self,
         node: Node<'a, 'input>,
         inherited: &Surroundings,
     ) -> (Surroundings, BTreeMap<Rc<str>, String>) {
         let declared = self.declared(node);
-        let custom = declared.iter().filter(|(_, one)| one.name.starts_with("--"));
-        let custom = custom.map(|(_, one)| (Rc::clone(&one.name), Rc::clone(&one.value))).collect();
+        let custom = declared.iter().filter(|one| one.name.starts_with("--"));
+        let custom = custom.map(|one| (Rc::clone(&one.name), Rc::clone(&one.value))).collect();
         let mut own = Surroundings { scope: Scope::within(&inherited.scope, custom), ..inherited.clone() };
         let mut styles = BTreeMap::new();
         // Mixes of other properties need the colour.
         for wants_color in [true, false] {
-            for (rank, one) in declared.iter().filter(|(_, one)| (&*one.name == "color") == wants_color) {
+            for one in declared.iter().filter(|one| (&*one.name == "color") == wants_color) {
                 self.effort.take(1 + one.value.len() as u64 / 8);
-                self.declare(node, one, *rank == Rank::Attribute, &own, &mut styles);
+                self.declare(node, one, &own, &mut styles);
             }
             if let Some(color) = styles.get("color").filter(|color| color.starts_with('#')) {
                 own.color = (&**color).into();
@@ -261,24 +251,19 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
         (own, styles)
     }
 
-    /// The declarations for an element, those that count more after the others.
-    fn declared(&mut self, node: Node<'a, 'input>) -> Vec<(Rank, Declaration)> {
+    /// The declarations for an element, in ascending order of precedence.
+    fn declared(&mut self, node: Node<'a, 'input>) -> Vec<Declaration> {
         let attributes = node.attributes().filter(|attribute| attribute.namespace().is_none());
-        let mut declared: Vec<(Rank, Declaration)> = attributes
+        let mut declared: Vec<Declaration> = attributes
             .filter(|attribute| is_presentation(attribute.name(), attribute.value()))
             .map(|attribute| {
                 let (name, value) = (attribute.name().into(), attribute.value().trim().into());
-                (Rank::Attribute, Declaration { name, value, is_important: false })
+                Declaration { name, value, is_important: false }
             })
             .collect();
-        let ranked = |one: &Declaration, [normal, important]: [Rank; 2]| {
-            (if one.is_important { important } else { normal }, one.clone())
-        };
-        let rules = self.sheet.matching(node, &mut self.matcher);
-        declared.extend(rules.into_iter().map(|one| ranked(one, [Rank::Rule, Rank::ImportantRule])));
-        let styles = node.attribute("style").map(declarations).unwrap_or_default();
-        declared.extend(styles.iter().map(|one| ranked(one, [Rank::Style, Rank::ImportantStyle])));
-        declared.sort_by_key(|(rank, _)| *rank);
+        declared.extend(self.sheet.matching(node, &mut self.matcher).into_iter().cloned());
+        declared.extend(node.attribute("style").map(declarations).unwrap_or_default());
+        declared.sort_by_key(|one| one.is_important);
         declared
     }
 
@@ -286,7 +271,6 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
         &mut self,
         node: Node<'_, '_>,
         one: &Declaration,
-        is_attribute: bool,
         own: &Surroundings,
         styles: &mut BTreeMap<Rc<str>, String>,
     ) {
@@ -297,30 +281,23 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
             if !is_template(node) {
                 self.remarks.note(Remark::value(name, value));
             }
-            // As CSS wants it: not the value that would count next.
+            // As CSS specifies: the property does not fall back to the next declaration.
             styles.insert(Rc::clone(name), String::new());
             return;
         };
         for (name, filled) in longhands(name, &filled).unwrap_or_else(|| vec![(&**name, filled)]) {
             match known(name, &filled) {
-                Known::Read(property) => {
-                    let tag = node.tag_name().name();
-                    if matches!(property.kind, Kind::Geometry | Kind::Path) && !has_geometry(tag, name) {
-                        continue;
+                Known::Read(Kind::Geometry) if !has_geometry(node.tag_name().name(), name) => {}
+                Known::Read(kind) => {
+                    let text = read(name, kind, &filled, &own.color);
+                    if text.is_none() {
+                        self.remarks.note(Remark::value(name, value));
                     }
-                    match property.read(&filled, is_attribute, &own.color) {
-                        Some(read) => {
-                            styles.insert(name.into(), read);
-                        }
-                        None => {
-                            self.remarks.note(Remark::value(name, value));
-                            if depends {
-                                styles.insert(name.into(), String::new());
-                            }
-                        }
+                    if text.is_some() || depends {
+                        styles.insert(name.into(), text.unwrap_or_default());
                     }
                 }
-                Known::Unsupported(name) => self.remarks.note(Remark::Property(name.to_owned())),
+                Known::Unsupported => self.remarks.note(Remark::Property(name.to_owned())),
                 Known::Unknown if matches!(name, "animation" | "animation-name") && filled != "none" => {
                     self.remarks.note(Remark::Animations);
                 }
@@ -330,7 +307,7 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
     }
 }
 
-/// Elements by their names. Of several with one name, uses refer to the first.
+/// Elements by their names. If several have the same name, uses refer to the first.
 fn first_by_id<'a, 'input>(document: &'a Document<'input>) -> HashMap<&'a str, Node<'a, 'input>> {
     let mut by_id = HashMap::new();
     for (id, node) in document.descendants().filter_map(|node| Some((node.attribute("id")?, node))) {
@@ -339,58 +316,31 @@ fn first_by_id<'a, 'input>(document: &'a Document<'input>) -> HashMap<&'a str, N
     by_id
 }
 
-/// How much a declaration counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Rank {
-    Attribute,
-    Rule,
-    Style,
-    ImportantRule,
-    ImportantStyle,
-}
-
-/// Whether an attribute is a property as well. Those of shapes stay as they are.
+/// Whether an attribute is also a property. Sizes of shapes are left as they are.
 fn is_presentation(name: &str, value: &str) -> bool {
     match known(name, value) {
-        Known::Read(property) => !matches!(property.kind, Kind::Geometry | Kind::Path),
-        Known::Unsupported(name) => matches!(name, "vector-effect" | "color-interpolation"),
+        Known::Read(kind) => kind != Kind::Geometry,
+        Known::Unsupported => matches!(name, "vector-effect" | "color-interpolation"),
         Known::Unknown => false,
     }
 }
 
-/// Whether usvg reads an element and those in it.
+/// Whether usvg reads an element and its content.
 fn is_drawn(node: Node<'_, '_>) -> bool {
     let tag = node.tag_name();
     matches!(tag.namespace(), None | Some(SVG)) && !matches!(tag.name(), "style" | "script" | "foreignObject")
 }
 
-/// Whether an element is only drawn where it is used: there, custom properties may have values.
+/// Whether an element is only drawn where it is used, because custom properties may have values there.
 fn is_template(node: Node<'_, '_>) -> bool {
-    let mut within = node.ancestors().map(|node| node.tag_name().name());
-    let first = within.find(|tag| {
-        matches!(
-            *tag,
-            "symbol"
-                | "defs"
-                | "linearGradient"
-                | "radialGradient"
-                | "pattern"
-                | "mask"
-                | "clipPath"
-                | "marker"
-                | "filter"
-        )
-    });
-    matches!(first, Some("symbol" | "defs"))
+    const DEFINITIONS: &str = "symbol defs linearGradient radialGradient pattern mask clipPath marker filter";
+    let is_definition = |tag: &&str| DEFINITIONS.split(' ').any(|known| known == *tag);
+    let nearest = node.ancestors().map(|node| node.tag_name().name()).find(is_definition);
+    matches!(nearest, Some("symbol" | "defs"))
 }
 
-/// The value of an attribute within the bounds that can be seen.
-fn bounded(name: &str, value: &str) -> String {
-    let numbers = || value.split([' ', ',']).filter_map(|number| number.parse::<f64>().ok());
-    match name {
-        "numOctaves" if numbers().any(|octaves| octaves > MOST_OCTAVES) => MOST_OCTAVES.to_string(),
-        // Without a matrix of this order, the filter draws nothing.
-        "order" if numbers().any(|order| order > MOST_ORDER) => MOST_ORDER.to_string(),
-        _ => value.to_owned(),
-    }
+/// The value of an attribute. Orders of matrices would overflow in usvg. Browsers do not draw larger ones either.
+fn bounded<'v>(name: &str, value: &'v str) -> &'v str {
+    let is_beyond = |number: &str| number.parse::<f64>().is_ok_and(|order| order > MOST_ORDER);
+    if name == "order" && value.split([' ', ',']).any(is_beyond) { "255" } else { value }
 }

@@ -1,9 +1,9 @@
-//! Selectors, matched by the crate of Servo. A picture has no pointer and no focus, so `:hover` and the like match
-//! nothing.
+//! Selectors, matched by the crate of Servo. A picture has no pointer and no focus, so `:hover` and similar
+//! pseudo-classes match nothing.
 
 use std::{borrow::Borrow, fmt};
 
-use cssparser::{ParseError, Parser, ToCss, serialize_identifier, serialize_string};
+use cssparser::{ParseError, Parser, ToCss, serialize_identifier};
 use precomputed_hash::PrecomputedHash;
 use selectors::{
     Element, OpaqueElement, SelectorImpl, SelectorList,
@@ -44,7 +44,7 @@ impl Borrow<str> for Word {
 }
 
 impl PrecomputedHash for Word {
-    /// Only filters use it, and there is no filter.
+    /// Only Bloom filters use it, and there is none.
     fn precomputed_hash(&self) -> u32 {
         0
     }
@@ -53,28 +53,6 @@ impl PrecomputedHash for Word {
 impl ToCss for Word {
     fn to_css<W: fmt::Write>(&self, dest: &mut W) -> fmt::Result {
         serialize_identifier(&self.0, dest)
-    }
-}
-
-/// The value of an attribute.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Value(Box<str>);
-
-impl From<&str> for Value {
-    fn from(text: &str) -> Self {
-        Self(text.into())
-    }
-}
-
-impl AsRef<str> for Value {
-    fn as_ref(&self) -> &str {
-        &self.0
-    }
-}
-
-impl ToCss for Value {
-    fn to_css<W: fmt::Write>(&self, dest: &mut W) -> fmt::Result {
-        serialize_string(&self.0, dest)
     }
 }
 
@@ -98,7 +76,7 @@ impl NonTSPseudoClass for Live {
     }
 }
 
-/// A pseudo-element: no shape has one.
+/// A pseudo-element. Shapes do not have any.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Never {}
 
@@ -112,7 +90,7 @@ impl PseudoElement for Never {}
 
 impl SelectorImpl for Svg {
     type ExtraMatchingData<'a> = ();
-    type AttrValue = Value;
+    type AttrValue = Word;
     type Identifier = Word;
     type LocalName = Word;
     type NamespaceUrl = Word;
@@ -123,27 +101,11 @@ impl SelectorImpl for Svg {
     type PseudoElement = Never;
 }
 
-/// Reads selectors, and keeps those names of pseudo-classes that match nothing.
-#[derive(Debug, Default)]
-struct Reader {
-    has_live: std::cell::Cell<bool>,
-}
+struct Reader;
 
-/// Pseudo-classes of links, pointers, focus and the like.
-const LIVE: &[&str] = &[
-    "active",
-    "any-link",
-    "checked",
-    "disabled",
-    "enabled",
-    "focus",
-    "focus-visible",
-    "focus-within",
-    "hover",
-    "link",
-    "target",
-    "visited",
-];
+/// Pseudo-classes of links, pointers, focus and controls.
+const LIVE: &str =
+    "active any-link checked disabled enabled focus focus-visible focus-within hover link target visited";
 
 impl<'i> selectors::Parser<'i> for Reader {
     type Impl = Svg;
@@ -154,10 +116,9 @@ impl<'i> selectors::Parser<'i> for Reader {
     }
 
     fn parse_non_ts_pseudo_class(&self, name: &str) -> Result<Live, ParseError<Self::Error>> {
-        if !LIVE.iter().any(|known| name.eq_ignore_ascii_case(known)) {
+        if !LIVE.split(' ').any(|known| name.eq_ignore_ascii_case(known)) {
             return Err(ParseError::custom(SelectorParseErrorKind::UnsupportedPseudoClassOrElement));
         }
-        self.has_live.set(true);
         Ok(Live(name.into()))
     }
 
@@ -167,12 +128,10 @@ impl<'i> selectors::Parser<'i> for Reader {
     }
 }
 
-/// Reads the selectors of a rule. `None` if one is invalid or not supported. With them, whether a pseudo-class matches
-/// nothing because a picture has no pointer, focus or visited links.
-pub(super) fn selectors(input: &mut Parser<'_>) -> Option<(Vec<Selector<Svg>>, bool)> {
-    let reader = Reader::default();
-    let list = SelectorList::parse(&reader, input, ParseRelative::No).ok()?;
-    Some((list.slice().to_vec(), reader.has_live.get()))
+/// Parses the selectors of a rule. `None` if one is invalid or not supported.
+pub(super) fn selectors(input: &mut Parser<'_>) -> Option<Vec<Selector<Svg>>> {
+    let list = SelectorList::parse(&Reader, input, ParseRelative::No).ok()?;
+    Some(list.slice().to_vec())
 }
 
 /// A quick test of an element before the full one.
@@ -226,7 +185,7 @@ impl<'e> Matcher<'e> {
     }
 }
 
-/// An element that takes effort to look at.
+/// An element whose tests count as effort.
 #[derive(Clone, Copy, Debug)]
 struct Styled<'a, 'input> {
     node: Node<'a, 'input>,
@@ -283,7 +242,7 @@ impl Element for Styled<'_, '_> {
         &self,
         _: &NamespaceConstraint<&Word>,
         name: &Word,
-        operation: &AttrSelectorOperation<&Value>,
+        operation: &AttrSelectorOperation<&Word>,
     ) -> bool {
         self.effort.take(1);
         let mut attributes = self.node.attributes();

@@ -1,25 +1,21 @@
-//! Style sheets: rules in the order of the file, with the conditions of `@media` and `@supports` decided.
+//! Style sheets: rules in the order of the file, with the conditions of `@media` decided.
 
 use std::{collections::HashMap, rc::Rc};
 
 use cssparser::{
     AtRuleParser, CowRcStr, DeclarationParser, ParseError, Parser, ParserState, QualifiedRuleParser,
-    RuleBodyItemParser, RuleBodyParser, StyleSheetParser, Token, parse_important,
+    RuleBodyItemParser, RuleBodyParser, StyleSheetParser, Token,
 };
 use selectors::parser::Selector;
 use usvg::roxmltree::{Document, Node};
 
-use super::{
-    property::{Known, known, longhands},
-    selector::{Key, Matcher, Svg, key, selectors},
-    value::has_variables,
-};
+use super::selector::{Key, Matcher, Svg, key, selectors};
 use crate::remark::{Remark, Remarks};
 
 /// A declaration, such as `fill: red`.
 #[derive(Debug, Clone)]
 pub(super) struct Declaration {
-    /// In lower case, but for custom properties.
+    /// In lower case, except for custom properties.
     pub(super) name: Rc<str>,
     pub(super) value: Rc<str>,
     pub(super) is_important: bool,
@@ -39,7 +35,7 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// The rules of all style sheets in a drawing. Notes those that are left out.
+    /// The rules of all style sheets in a drawing. Records remarks on those that are left out.
     pub(super) fn of(document: &Document<'_>, remarks: &mut Remarks) -> Self {
         let mut sheet = Self::default();
         let is_css = |node: &Node<'_, '_>| {
@@ -60,7 +56,6 @@ impl Sheet {
 
     fn read(&mut self, input: &mut Parser<'_>, remarks: &mut Remarks) {
         let mut reader = RuleReader { sheet: self, remarks };
-        // Rules that cannot be read are noted by the reader.
         for _ in StyleSheetParser::new(input, &mut reader) {}
     }
 
@@ -71,7 +66,7 @@ impl Sheet {
         }
     }
 
-    /// The declarations for an element, those that count more after the others.
+    /// The declarations for an element, in ascending order of precedence.
     pub(super) fn matching(&self, node: Node<'_, '_>, matcher: &mut Matcher<'_>) -> Vec<&Declaration> {
         let id = node.attribute("id").map(|id| Key::Id(id.into()));
         let classes = node.attribute("class").unwrap_or_default().split_ascii_whitespace();
@@ -109,12 +104,11 @@ impl<'i> QualifiedRuleParser<'i> for RuleReader<'_> {
         let read = selectors(input);
         while input.next().is_ok() {}
         let text = input.slice_from(start).trim();
-        // No shape has a pseudo-element such as `::before`.
-        let is_shown = !text.contains("::");
-        if is_shown && read.as_ref().is_none_or(|(_, has_live)| *has_live) {
+        // Shapes do not have pseudo-elements such as `::before`.
+        if read.is_none() && !text.contains("::") {
             self.remarks.note(Remark::rules(text));
         }
-        Ok(read.map(|(selectors, _)| selectors).unwrap_or_default())
+        Ok(read.unwrap_or_default())
     }
 
     fn parse_block(
@@ -128,8 +122,11 @@ impl<'i> QualifiedRuleParser<'i> for RuleReader<'_> {
             match item {
                 Ok(Some(declaration)) => declarations.push(declaration),
                 Ok(None) => {}
-                Err((_, text, _)) if text.contains('{') => self.remarks.note(Remark::rules(text)),
-                Err(_) => {}
+                Err((_, text, _)) => {
+                    if let Some((selectors, _)) = text.split_once('{') {
+                        self.remarks.note(Remark::rules(selectors.trim()));
+                    }
+                }
             }
         }
         self.sheet.add(selectors, &declarations.into());
@@ -137,14 +134,9 @@ impl<'i> QualifiedRuleParser<'i> for RuleReader<'_> {
     }
 }
 
-/// How the block of an at-rule is handled.
-enum AtRule {
-    Read,
-    Skip,
-}
-
 impl<'i> AtRuleParser<'i> for RuleReader<'_> {
-    type Prelude = AtRule;
+    /// Whether the block is read.
+    type Prelude = bool;
     type AtRule = ();
     type Error = ();
 
@@ -153,8 +145,7 @@ impl<'i> AtRuleParser<'i> for RuleReader<'_> {
         let name = name.to_ascii_lowercase();
         let applies = match &*name {
             "media" => applies(input),
-            "supports" => supported(input),
-            // Loading and fonts are noted elsewhere, and the others change nothing that is drawn.
+            // Remarks on loading and fonts are recorded elsewhere. The others change nothing that is drawn.
             "charset" | "import" | "font-face" | "namespace" | "page" => Some(false),
             "keyframes" | "-webkit-keyframes" => {
                 self.remarks.note(Remark::Animations);
@@ -166,23 +157,23 @@ impl<'i> AtRuleParser<'i> for RuleReader<'_> {
         if applies.is_none() {
             self.remarks.note(Remark::rules(&format!("@{name} {}", input.slice_from(start).trim())));
         }
-        Ok(if applies == Some(true) { AtRule::Read } else { AtRule::Skip })
+        Ok(applies == Some(true))
     }
 
-    fn rule_without_block(&mut self, _: AtRule, _: &ParserState) -> Result<(), ()> {
+    fn rule_without_block(&mut self, _: bool, _: &ParserState) -> Result<(), ()> {
         Ok(())
     }
 
-    fn parse_block(&mut self, rule: AtRule, _: &ParserState, input: &mut Parser<'i>) -> Parsed<()> {
-        match rule {
-            AtRule::Read => self.sheet.read(input, self.remarks),
-            AtRule::Skip => while input.next().is_ok() {},
+    fn parse_block(&mut self, is_read: bool, _: &ParserState, input: &mut Parser<'i>) -> Parsed<()> {
+        if is_read {
+            self.sheet.read(input, self.remarks);
         }
+        while input.next().is_ok() {}
         Ok(())
     }
 }
 
-/// The declarations of a rule. Rules in rules are left out.
+/// The declarations of a rule. Nested rules are left out.
 struct Body;
 
 impl<'i> DeclarationParser<'i> for Body {
@@ -196,23 +187,19 @@ impl<'i> DeclarationParser<'i> for Body {
         _: &ParserState,
     ) -> Parsed<Self::Declaration> {
         let start = input.position();
-        let mut end = start;
-        let mut is_important = false;
-        while !is_important && !input.is_exhausted() {
-            is_important = input.try_parse(parse_important).is_ok();
-            if !is_important {
-                // A rule in a rule.
-                if let Token::CurlyBracketBlock = input.next()? {
-                    return Err(ParseError::custom(()));
-                }
-                // Goes to the end of a block.
-                input.skip_whitespace();
-                end = input.position();
+        while let Ok(token) = input.next() {
+            // A nested rule.
+            if *token == Token::CurlyBracketBlock {
+                return Err(ParseError::custom(()));
             }
         }
+        let text = without_comments(input.slice_from(start));
+        let (value, is_important) = match text.rsplit_once('!') {
+            Some((value, word)) if word.trim().eq_ignore_ascii_case("important") => (value, true),
+            _ => (&*text, false),
+        };
         let name: Rc<str> = if name.starts_with("--") { (&*name).into() } else { name.to_ascii_lowercase().into() };
-        let value = without_comments(input.slice(start..end)).trim().into();
-        Ok(Some(Declaration { name, value, is_important }))
+        Ok(Some(Declaration { name, value: value.trim().into(), is_important }))
     }
 }
 
@@ -273,59 +260,7 @@ fn query_applies(input: &mut Parser<'_>) -> Option<bool> {
     applies.map(|applies| applies != is_negated)
 }
 
-/// Whether a condition of `@supports` holds. `None` if it is about properties that no drawing has.
-fn supported(input: &mut Parser<'_>) -> Option<bool> {
-    if input.try_parse(|input| input.expect_ident_matching("not")).is_ok() {
-        return condition(input).map(|holds| !holds);
-    }
-    let mut found = vec![condition(input)];
-    let mut joined_by_or = false;
-    while let Ok(word) = input.try_parse(|input| input.expect_ident_cloned()) {
-        joined_by_or = word.eq_ignore_ascii_case("or");
-        found.push(condition(input));
-    }
-    if joined_by_or {
-        return any(&found);
-    }
-    let opposites: Vec<Option<bool>> = found.iter().map(|holds| holds.map(|holds| !holds)).collect();
-    any(&opposites).map(|fails| !fails)
-}
-
-/// A condition in parentheses.
-fn condition(input: &mut Parser<'_>) -> Option<bool> {
-    let holds = |input: &mut Parser<'_>| -> Parsed<Option<bool>> {
-        let start = input.state();
-        let name = input.try_parse(|input| -> Parsed<CowRcStr<'_>> {
-            let name = input.expect_ident_cloned()?;
-            input.expect_colon()?;
-            Ok(name)
-        });
-        let Ok(name) = name else {
-            input.reset(&start);
-            return Ok(supported(input));
-        };
-        let value_start = input.position();
-        while input.next().is_ok() {}
-        let value = input.slice_from(value_start).trim();
-        Ok(has_property(&name, value))
-    };
-    input.expect_parenthesis_block().ok()?;
-    input.parse_nested_block(holds).ok()?
-}
-
-fn has_property(name: &str, value: &str) -> Option<bool> {
-    let name = name.to_ascii_lowercase();
-    if name.starts_with("--") || has_variables(value) || longhands(&name, value).is_some() {
-        return Some(true);
-    }
-    match known(&name, value) {
-        Known::Read(property) => Some(property.read(value, false, "#000000").is_some()),
-        Known::Unsupported(_) => Some(false),
-        Known::Unknown => None,
-    }
-}
-
-/// Whether one of these holds. `None` if that depends on one that nobody knows.
+/// Whether a condition holds. `None` if that depends on an unknown one.
 fn any(conditions: &[Option<bool>]) -> Option<bool> {
     if conditions.contains(&Some(true)) { Some(true) } else { (!conditions.contains(&None)).then_some(false) }
 }
@@ -335,7 +270,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn media_of_screens_apply_and_those_of_some_screens_are_unknown() {
+    fn media_types_are_decided_and_features_of_screens_are_unknown() {
         for (media, expected) in [
             ("", Some(true)),
             ("screen", Some(true)),
@@ -354,23 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn conditions_of_support_are_decided_for_known_properties() {
-        for (condition, expected) in [
-            ("(fill: oklch(50% .1 20))", Some(true)),
-            ("(fill: glow())", Some(false)),
-            ("not (vector-effect: non-scaling-stroke)", Some(true)),
-            ("(fill: red) and (fill: glow())", Some(false)),
-            ("(fill: red) or (display: grid)", Some(true)),
-            ("((fill: red) and (--a: 1))", Some(true)),
-            ("(quotes: auto)", None),
-            ("selector(a > b)", None),
-        ] {
-            assert_eq!(supported(&mut Parser::new(condition)), expected, "{condition}");
-        }
-    }
-
-    #[test]
-    fn declarations_keep_functions_and_lose_comments() {
+    fn declarations_keep_functions_without_comments() {
         let declared =
             declarations("FILL: rgb(1 2 3/4%) !important; --A:x /* y */ z; stroke-width:2; {bad};stroke:red");
         let found: Vec<_> = declared.iter().map(|one| (&*one.name, &*one.value, one.is_important)).collect();
