@@ -124,7 +124,7 @@ test('a drawing that is damaged or has no size is refused', async ({ page }) => 
   }
 });
 
-test('an export names the styles that a drawing loses', async ({ page }) => {
+test('an export reports left-out styles of a drawing', async ({ page }) => {
   const editor = await Editor.open(page);
   const path = '<path d="M0 0h60v60H0z" class="a" vector-effect="non-scaling-stroke"/>';
   const style =
@@ -139,7 +139,7 @@ test('an export names the styles that a drawing loses', async ({ page }) => {
   expect(svg).not.toMatch(/#000000|="black"/);
 });
 
-test('a drawing in another encoding or compressed keeps its names', async ({ page }) => {
+test('an encoded or compressed drawing keeps its names', async ({ page }) => {
   const editor = await Editor.open(page);
   const named = drawingOf('<g id="Größe"><path d="M0 0h60v60H0z"/></g>');
   const latin = Buffer.from(`<?xml version="1.0" encoding="ISO-8859-1"?>${named}`, 'latin1');
@@ -155,7 +155,7 @@ test('a drawing in another encoding or compressed keeps its names', async ({ pag
   }
   for (const [name, content, told] of [
     ['words.gz', gzipSync('once upon a time'), 'This is a compressed file.'],
-    ['bomb.svgz', gzipSync(`<svg${' '.repeat(65 << 20)}`), 'The drawing has more than 64 MB.'],
+    ['bomb.svgz', gzipSync(`<svg${' '.repeat(65 << 20)}`), 'The drawing is larger than 64 MB.'],
     ['wrong.svg', Buffer.from(named, 'latin1'), 'The drawing cannot be read as utf-8.'],
   ] as const) {
     await editor.chooseFile(svgFile(name, content));
@@ -163,7 +163,7 @@ test('a drawing in another encoding or compressed keeps its names', async ({ pag
   }
 });
 
-test('a browser is not asked to draw a drawing that would take it long', async ({ page }) => {
+test('the page does not draw drawings that would block it', async ({ page }) => {
   await page.addInitScript(() => {
     const { decode } = HTMLImageElement.prototype;
     const asked: string[] = [];
@@ -183,17 +183,18 @@ test('a browser is not asked to draw a drawing that would take it long', async (
   const many = `<text y="9">A</text><defs><rect id="a0" width="60" height="60" fill="#c33"/>${doubled.join('')}</defs>`;
   await editor.chooseFile(svgFile('many.svg', drawingOf(`${many}<use href="#a12"/>`)));
   await expect(editor.status).toContainText('1024 × 1024 px');
-  await expect(page.getByText('many.svg takes long to draw, so it is open without its texts.')).toBeVisible();
+  await expect(page.getByText('many.svg takes long to draw, so it was opened without its texts.')).toBeVisible();
   const filter = (part: string) =>
     drawingOf(`<filter id="f">${part}</filter><path d="M0 0h90v90H0z" filter="url(#f)"/>`);
-  await editor.chooseFile(
-    svgFile('octaves.svg', filter('<feTurbulence numOctaves="1000" baseFrequency=".9"/>')),
-  );
-  await expect(page).toHaveTitle('octaves.svg – c2warp');
-  await editor.chooseFile(svgFile('radius.svg', filter('<feMorphology radius="9"/>')));
-  await expect(editor.notice).toContainText(
-    'radius.svg: The drawing takes too long to draw, most of all its <feMorphology>.',
-  );
+  for (const [element, part] of [
+    ['feTurbulence', '<feTurbulence numOctaves="1000" baseFrequency=".9"/>'],
+    ['feMorphology', '<feMorphology radius="9"/>'],
+  ] as const) {
+    await editor.chooseFile(svgFile(`${element}.svg`, filter(part)));
+    await expect(editor.notice).toContainText(
+      `${element}.svg: This drawing takes too long to draw, mostly because of its <${element}>: simplify it.`,
+    );
+  }
   expect(await asked()).toBe(before);
   // A small drawing is drawn by the browser, with its texts.
   await editor.chooseFile(svgFile('small.svg', drawingOf('<text y="9">A</text>')));
