@@ -183,7 +183,9 @@ test('the page does not draw drawings that would block it', async ({ page }) => 
   const many = `<text y="9">A</text><defs><rect id="a0" width="60" height="60" fill="#c33"/>${doubled.join('')}</defs>`;
   await editor.chooseFile(svgFile('many.svg', drawingOf(`${many}<use href="#a12"/>`)));
   await expect(editor.status).toContainText('1024 × 1024 px');
-  await expect(page.getByText('many.svg takes long to draw, so it was opened without its texts.')).toBeVisible();
+  await expect(
+    page.getByText('many.svg takes long to draw, so it was opened without its texts.'),
+  ).toBeVisible();
   const filter = (part: string) =>
     drawingOf(`<filter id="f">${part}</filter><path d="M0 0h90v90H0z" filter="url(#f)"/>`);
   for (const [element, part] of [

@@ -1,8 +1,8 @@
 /**
  * SVG drawings as pixels. The page renders them as an image: there, no script runs and no other file is loaded.
  *
- * Small drawings are enlarged, so that handles find room. A page cannot interrupt the rendering, so a worker draws those
- * that take long, or rejects them.
+ * Small drawings are enlarged, so that handles find room. A page cannot interrupt the rendering, so a worker draws or
+ * rejects drawings that take long.
  */
 import { say } from '../texts/wording';
 import { type Signature, signatureOf } from './formats/signature';

@@ -18,12 +18,12 @@ const MOST_SIDE: f64 = 4096.0;
 
 /// Renders a drawing at the size of the project's picture, or between the least and the greatest side. A drawing with
 /// other proportions gets the project's width and its own height. Reports on standard error which parts are left out.
-pub(super) fn rendered(bytes: Vec<u8>, path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
+pub(super) fn rendered(bytes: &[u8], path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
     let refused = |reason| CliError::Drawing { path: path.to_owned(), reason };
     if bytes.len() > MAX_BYTES {
         return Err(refused(VectorError::TooLarge { most: MAX_BYTES }));
     }
-    let text = encoding::text_of(&bytes).map_err(|reason| match reason {
+    let text = encoding::text_of(bytes).map_err(|reason| match reason {
         NoText::Malformed(encoding) => CliError::DrawingText { path: path.to_owned(), encoding },
         NoText::Unknown(label) => CliError::DrawingEncoding { path: path.to_owned(), label },
     })?;

@@ -64,7 +64,7 @@ pub(crate) fn read(path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile,
 pub(crate) fn read_from(file: impl Read, path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
     let (format, mut bytes) = match read_bytes(file, path)? {
         Contents::Pixels(format, bytes) => (format, bytes),
-        Contents::Drawing(bytes) => return drawing::rendered(bytes, path, size),
+        Contents::Drawing(bytes) => return drawing::rendered(&bytes, path, size),
     };
     match format {
         ImageFormat::Jpeg => match jpeg::end(&bytes) {

@@ -59,11 +59,10 @@ impl Drawing {
             let most = tally.shares.iter().max_by(|one, other| of(&one.1).total_cmp(&of(&other.1)));
             most.map_or("svg", |(cause, _)| cause)
         };
-        // NaN is rejected too.
-        if !(tally.time <= MAX_TIME) {
+        if tally.time.is_nan() || tally.time > MAX_TIME {
             return Err(VectorError::TooSlow { cause: cause(|share| share.time) });
         }
-        if !(tally.most_bytes <= MAX_BYTES) {
+        if tally.most_bytes.is_nan() || tally.most_bytes > MAX_BYTES {
             return Err(VectorError::TooMuchMemory { cause: cause(|share| share.bytes) });
         }
         Ok(Cost { time: tally.time, bytes: tally.most_bytes, burden: self.burden })

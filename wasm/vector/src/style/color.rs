@@ -91,9 +91,9 @@ fn mixed(input: &mut Parser<'_>, current: &str) -> Parsed<DynamicColor> {
         ColorSpaceTag::Oklab
     };
     let part = |input: &mut Parser<'_>| -> Parsed<(Option<f32>, DynamicColor)> {
-        let before = input.try_parse(|input| input.expect_percentage()).ok();
+        let before = input.try_parse(Parser::expect_percentage).ok();
         let color = color(input, current)?;
-        let share = before.or_else(|| input.try_parse(|input| input.expect_percentage()).ok());
+        let share = before.or_else(|| input.try_parse(Parser::expect_percentage).ok());
         Ok((share, color))
     };
     let (first_share, first) = part(input)?;

@@ -1,7 +1,8 @@
 //! The styles of a drawing as attributes that usvg reads.
 //!
 //! usvg supports few selectors and colours, and no custom properties or conditions. It silently replaces unknown
-//! values. So styles are resolved first, by CSS Cascade 4, Custom Properties 1 and Color 4. The rest is left out with remarks.
+//! values. So styles are resolved first, by CSS Cascade 4, Custom Properties 1 and Color 4. Other styles are left out
+//! with remarks.
 //!
 //! - `sheet`: rules and conditions. `selector`: matching elements. `property`: values as usvg reads them.
 //!   `value`: custom properties. `color`: colours.

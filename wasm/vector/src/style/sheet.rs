@@ -247,7 +247,7 @@ fn applies(input: &mut Parser<'_>) -> Option<bool> {
 fn query_applies(input: &mut Parser<'_>) -> Option<bool> {
     let is_negated = input.try_parse(|input| input.expect_ident_matching("not")).is_ok();
     let _ = input.try_parse(|input| input.expect_ident_matching("only"));
-    let kind = input.try_parse(|input| input.expect_ident_cloned()).ok();
+    let kind = input.try_parse(Parser::expect_ident_cloned).ok();
     let has_features = !input.is_exhausted();
     while input.next().is_ok() {}
     let is_shown =

@@ -112,7 +112,7 @@ impl Scope {
         steps: u32,
     ) -> Result<(), ParseError<()>> {
         let name = input.expect_ident_cloned()?;
-        let has_fallback = input.try_parse(|input| input.expect_comma()).is_ok();
+        let has_fallback = input.try_parse(Parser::expect_comma).is_ok();
         // Spaces keep tokens apart.
         text.push(' ');
         if let Some(value) = self.custom(&name, effort, steps) {
