@@ -36,9 +36,10 @@ export type DrawApart = (
 
 /**
  * Parts of drawings that may take a browser long: filters, pictures and copies. Entities, references to characters, and
- * escapes of CSS can hide them.
+ * escapes of CSS can hide them. Illustrator declares entities for its namespaces.
  */
-const MAY_BE_SLOW = /filter|<!ENTITY|&#|\\|<(?:[\w.-]+:)?(?:image|marker|mask|pattern|use)\b/i;
+const MAY_BE_SLOW =
+  /filter|<!ENTITY\s+\S+\s+(?!["']https?:)|&#|\\|<(?:[\w.-]+:)?(?:image|marker|mask|pattern|use)\b/i;
 
 /**
  * The picture of a drawing; null for a compressed file that is not a drawing.

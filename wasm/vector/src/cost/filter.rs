@@ -64,7 +64,8 @@ fn primitive_time(kind: &Kind, region: Surface, scale: [f64; 2]) -> (&'static st
         Kind::Composite(_) => ("feComposite", 25.0),
         Kind::ConvolveMatrix(fe) => {
             let matrix = fe.matrix();
-            ("feConvolveMatrix", 25.0 + 8.0 * f64::from(matrix.columns()) * f64::from(matrix.rows()))
+            // Twice the time of resvg, as browsers take.
+            ("feConvolveMatrix", 25.0 + 16.0 * f64::from(matrix.columns()) * f64::from(matrix.rows()))
         }
         Kind::DiffuseLighting(_) => ("feDiffuseLighting", 50.0),
         Kind::DisplacementMap(_) => ("feDisplacementMap", 25.0),
