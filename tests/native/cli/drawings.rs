@@ -368,6 +368,8 @@ fn styles_that_are_left_out_are_reported() {
     // An unknown value does not replace the one before.
     let drawing = Drawing::read(&svg(r#"<path d="M0 0h9v9z" fill="red" style="fill:light-dark(lime, blue)"/>"#));
     assert_eq!(paints(&drawing.unwrap())[0][0], "#ff0000");
+    let drawing = Drawing::read(&svg(r#"<g fill="red"><path d="M0 0h9v9z" fill="light-dark(lime, blue)"/></g>"#));
+    assert_eq!(paints(&drawing.unwrap())[0][0], "#ff0000");
 }
 
 #[test]

@@ -157,7 +157,8 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
                 Some(_) => continue,
             };
             let is_left_out = matches!(name, "style" | "class") || (name == "id" && place.is_copy);
-            if is_left_out || styles.contains_key(name) || name.starts_with("on") {
+            let is_style = styles.contains_key(name) || is_presentation(name, value);
+            if is_left_out || is_style || name.starts_with("on") {
                 continue;
             }
             let copy = if tag == "use" && name == "href" { self.copy_in(value, &own) } else { None };
