@@ -14,7 +14,7 @@ import { ROOT } from './steps.mjs';
  * @property {string} version
  * @property {string} license by its SPDX expression
  * @property {string} folder
- * @property {string} [source] the address of its source
+ * @property {string | null} [source] the address of its source
  * @property {string[]} [authors]
  */
 /** @typedef {import('vite').Plugin} Plugin */
@@ -100,7 +100,7 @@ async function crates(linked) {
     cargo(['metadata', '--format-version', '1', '--filter-platform', TARGET]),
   ]);
   const reached = new Set(tree.split('\n').map((line) => line.split(' ', 2).join(' ')));
-  /** @type {{ packages: (Package & { manifest_path: string, repository?: string })[] }} */
+  /** @type {{ packages: (Package & { manifest_path: string, repository: string | null })[] }} */
   const { packages } = JSON.parse(metadata);
   return packages
     .filter(({ name, version, source }) => source !== null && reached.has(`${name} v${version}`))
