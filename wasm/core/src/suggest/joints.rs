@@ -174,7 +174,8 @@ impl<'a> MeasuredLimb<'a> {
         corners.sort_unstable();
         let radius = |at: usize| if at == to { 0 } else { self.clearance[self.limb.path[at]] };
         for piece in corners.windows(2) {
-            let (start, end) = (self.ways[piece[0]] + radius(piece[0]), self.ways[piece[1]] - radius(piece[1]));
+            let start = self.ways[piece[0]] + radius(piece[0]);
+            let end = self.ways[piece[1]].saturating_sub(radius(piece[1]));
             if f64::from(end.saturating_sub(start)) >= long * self.width(piece[0], piece[1]) {
                 joints.push((0.0, self.ways.partition_point(|&way| way < start.midpoint(end))));
             }

@@ -1,8 +1,8 @@
 //! Suggests handles for a shape, where an animator would begin.
 //!
 //! One handle lies in the middle of each part of the domain, and one at the end of each limb. Joints follow at necks
-//! and bends, and in the middle of straight limbs, at least a limb's width from other handles. A picture without an outline, such as a photograph, has
-//! handles in even rows.
+//! and bends, and in the middle of straight limbs, at least a limb's width from other handles. A picture without an
+//! outline, such as a photograph, has handles in even rows.
 //!
 //! - Limbs come from the medial axis, by TEASAR: see `skeleton`.
 //! - Names come from the shape and position of limbs: see `figure`.

@@ -253,6 +253,35 @@ fn symmetric_domains_have_handles_in_pairs() {
     }
 }
 
+/// A body with a limb that is bent at its elbow, on both sides.
+#[test]
+fn bent_limbs_have_joints_at_their_bends() {
+    let right = [(40, 60), (150, 60), (150, -60), (180, -60), (180, 90), (40, 90), (40, 240)];
+    let half: Vec<DVec2> = right.iter().map(|&(x, y)| DVec2::new(f64::from(x), f64::from(y))).collect();
+    let mirrored = half.iter().rev().map(|p| DVec2::new(-p.x, p.y));
+    let figure = domain(&[half.iter().copied().chain(mirrored).collect()]);
+    let handles = suggest(&figure, None);
+    assert_usable(&figure, &handles);
+    for elbow in [DVec2::new(165.0, 75.0), DVec2::new(-165.0, 75.0)] {
+        let joints = of_role(&handles, SuggestedRole::Joint);
+        assert!(joints.iter().any(|joint| joint.distance(elbow) < 12.0), "{elbow}: {handles:?}");
+    }
+}
+
+/// A long hair would be a limb by its length.
+#[test]
+fn whiskers_have_no_handles() {
+    let face = |k: u32| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(k) / 40.0);
+        DVec2::new(200.0 + 100.0 * sin, 200.0 - 100.0 * cos)
+    };
+    // The whisker lies between two corners of the face.
+    let whisker = [DVec2::new(420.0, 199.0), DVec2::new(420.0, 202.0)];
+    let ring: Ring = (0..=10).map(face).chain(whisker).chain((11..40).map(face)).collect();
+    let handles = suggest(&domain(&[ring]), None);
+    assert!(handles.iter().all(|handle| handle.rest.x < 310.0), "{handles:?}");
+}
+
 #[test]
 fn ears_belong_to_the_head() {
     // A square body with a neck, and a head with two ears.
