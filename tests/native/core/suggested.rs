@@ -17,9 +17,10 @@ const LEAST_WIDTHS: f64 = 0.95;
 
 fn suggested(sample: &str) -> (Domain, Vec<SuggestedHandle>) {
     let file = format!("../web/public/samples/{sample}.png");
-    let picture = image::open(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap().into_rgba8();
+    let picture = image::open(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).expect("a sample").into_rgba8();
     let (width, height) = picture.dimensions();
-    let domain = Domain::new(None, &Picture::new(width, height, picture.as_raw()).unwrap()).unwrap();
+    let pixels = Picture::new(width, height, picture.as_raw()).expect("pixels of this size");
+    let domain = Domain::new(None, &pixels).expect("a sample with an outline");
     let handles = suggest(&domain, None);
     (domain, handles)
 }
