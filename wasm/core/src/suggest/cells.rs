@@ -219,7 +219,13 @@ impl Cells {
 
     /// Reduces distances where a way from a source is shorter.
     pub(super) fn shorten(&self, distances: &mut [u32], sources: impl IntoIterator<Item = (usize, u32)>, bound: u32) {
-        let mut sources: Vec<(usize, u32)> = sources.into_iter().filter(|&(_, from)| from <= bound).collect();
+        self.shorten_from(distances, sources.into_iter().collect(), bound);
+    }
+
+    /// The same for all kinds of sources, so that they share machine code.
+    #[inline(never)]
+    fn shorten_from(&self, distances: &mut [u32], mut sources: Vec<(usize, u32)>, bound: u32) {
+        sources.retain(|&(_, from)| from <= bound);
         sort_by_rank(&mut sources, |&(_, from)| [-i64::from(from), 0]);
         let mut buckets: [Vec<usize>; BUCKETS as usize] = Default::default();
         let mut open = 0;

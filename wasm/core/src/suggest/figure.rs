@@ -112,17 +112,17 @@ impl Figure {
             (SuggestedRole::Middle, _) => if is_known { "body" } else { "middle" }.to_owned(),
             (SuggestedRole::End, Some(limb)) if self.parts[limb] == Part::Head => "head".to_owned(),
             // One limb of a pair may have the ends of both.
-            (SuggestedRole::End, Some(limb)) if self.parts[limb] == Part::Other => format!("{}-end", self.region(at)),
-            (SuggestedRole::End, Some(limb)) => format!("{}-end", self.names[limb]),
+            (SuggestedRole::End, Some(limb)) if self.parts[limb] == Part::Other => self.region(at) + "-end",
+            (SuggestedRole::End, Some(limb)) => self.names[limb].clone() + "-end",
             (SuggestedRole::Joint, Some(limb)) if !is_known || radius < BODY * self.half_width => {
                 match self.parts[limb] {
                     Part::Head => "neck".to_owned(),
-                    _ => format!("{}-joint", self.names[limb]),
+                    _ => self.names[limb].clone() + "-joint",
                 }
             }
             _ if is_known => {
                 let (way, least) = (at - self.trunk, BESIDE * self.half_width);
-                format!("{}{}body", height(way.y, least), side(way.x, least))
+                [height(way.y, least), side(way.x, least), "body"].concat()
             }
             _ => return None,
         };
@@ -132,33 +132,43 @@ impl Figure {
     /// The part that each limb is.
     fn parts(&self) -> Vec<Part> {
         let mut parts = vec![Part::Other; self.limbs.len()];
-        let slender: Vec<usize> = (0..parts.len()).filter(|&limb| self.limbs[limb].is_slender()).collect();
+        let is_slender = |limb: usize| self.limbs[limb].is_slender();
         let Some(head) = self.head() else {
             let is_leg = |limb: &LimbShape| limb.end.y > self.trunk.y && limb.end.y > limb.base().y;
             if parts.len() >= LEGS_ALONE && self.limbs.iter().all(is_leg) {
-                slender.iter().for_each(|&limb| parts[limb] = Part::Leg);
+                (0..parts.len()).filter(|&limb| is_slender(limb)).for_each(|limb| parts[limb] = Part::Leg);
             }
             return parts;
         };
         parts[head] = Part::Head;
         let from_head = |p: DVec2| p.distance(self.limbs[head].end);
-        let hanging = || slender.iter().filter(|&&limb| limb != head && self.limbs[limb].hangs());
-        let widest = hanging().map(|&limb| self.limbs[limb].width).fold(0.0, f64::max);
-        let legs: Vec<usize> = hanging().copied().filter(|&limb| self.limbs[limb].width >= LEG * widest).collect();
-        let legs = if legs.len() < 2 { Vec::new() } else { legs };
-        legs.iter().for_each(|&limb| parts[limb] = Part::Leg);
-        let mut others: Vec<usize> = slender.iter().copied().filter(|&limb| parts[limb] == Part::Other).collect();
+        let hangs = |limb: usize| limb != head && is_slender(limb) && self.limbs[limb].hangs();
+        let width = |limb: usize| if hangs(limb) { self.limbs[limb].width } else { 0.0 };
+        let widest = (0..parts.len()).map(width).fold(0.0, f64::max);
+        let is_leg = |limb: usize| hangs(limb) && width(limb) >= LEG * widest;
+        let mut legs = (0..parts.len()).filter(|&limb| is_leg(limb)).count();
+        if legs < 2 {
+            legs = 0;
+        }
+        let mut others: Vec<usize> = Vec::new();
+        for limb in 0..parts.len() {
+            if legs > 0 && is_leg(limb) {
+                parts[limb] = Part::Leg;
+            } else if limb != head && is_slender(limb) {
+                others.push(limb);
+            }
+        }
         sort_by_rank(&mut others, |&limb| [ascending(from_head(self.limbs[limb].base())), 0]);
         let is_tail = |limb: usize| {
             let has_head = self.limbs[limb].head >= HEAD * self.half_width;
             !has_head && from_head(self.limbs[limb].base()) > from_head(self.trunk)
         };
-        if let Some(&last) = others.last().filter(|&&last| (legs.len() + others.len()) % 2 == 1 && is_tail(last)) {
+        if let Some(&last) = others.last().filter(|&&last| (legs + others.len()) % 2 == 1 && is_tail(last)) {
             parts[last] = Part::Tail;
             others.pop();
         }
         let way = self.limbs[head].end - self.trunk;
-        let is_upright = -way.y >= ABOVE * way.x.abs() && legs.len() + others.len() <= ARMS_AND_LEGS;
+        let is_upright = -way.y >= ABOVE * way.x.abs() && legs + others.len() <= ARMS_AND_LEGS;
         let arms = match others.len() {
             _ if !is_upright => 0,
             ARMS_AND_LEGS => 2,
@@ -173,18 +183,19 @@ impl Figure {
     /// The limb with the head: by far the largest one that is not below the trunk.
     fn head(&self) -> Option<usize> {
         let is_up = |limb: &LimbShape| limb.end.y - self.trunk.y < ABOVE * (limb.end.x - self.trunk.x).abs();
-        let mut heads: Vec<usize> = (0..self.limbs.len()).filter(|&limb| is_up(&self.limbs[limb])).collect();
-        sort_by_rank(&mut heads, |&limb| [descending(self.limbs[limb].head), 0]);
-        let size = |at: usize| heads.get(at).map_or(0.0, |&limb| self.limbs[limb].head);
-        let is_head = size(0) >= HEAD * self.half_width && size(1) < ALONE * size(0);
-        heads.first().copied().filter(|_| is_head)
+        let is_head = |limb: usize| self.limbs[limb].head >= HEAD * self.half_width && is_up(&self.limbs[limb]);
+        let heads = || (0..self.limbs.len()).filter(|&limb| is_head(limb));
+        let largest = heads().map(|limb| self.limbs[limb].head).fold(0.0, f64::max);
+        let is_large = |&limb: &usize| self.limbs[limb].head >= ALONE * largest;
+        let mut large = heads().filter(is_large);
+        large.next().filter(|_| large.next().is_none())
     }
 
     /// The name of a limb at a point in the picture, if nothing tells what it is.
     fn region(&self, at: DVec2) -> String {
         let (low, high) = self.bounds;
         let way = (at - low.midpoint(high)) / (high - low).max(DVec2::splat(1e-9));
-        format!("{}{}part", height(way.y, OUTER), side(way.x, OUTER))
+        [height(way.y, OUTER), side(way.x, OUTER), "part"].concat()
     }
 
     /// The names of the limbs: part and side. Several limbs of a side have numbers from the outside in.
@@ -195,27 +206,24 @@ impl Figure {
         };
         let mut names: Vec<String> = (0..self.limbs.len()).map(name).collect();
         for (part, word) in [(Part::Arm, "arm"), (Part::Leg, "leg")] {
-            let of_part: Vec<usize> = (0..names.len()).filter(|&limb| self.parts[limb] == part).collect();
-            let xs = || of_part.iter().map(|&limb| self.limbs[limb].end.x);
+            let of_part = || (0..self.limbs.len()).filter(|&limb| self.parts[limb] == part);
+            let xs = || of_part().map(|limb| self.limbs[limb].end.x);
             let (left, right) = (xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max));
             // A single limb has a side of the trunk, and others have a side of each other.
-            let (middle, least) = match of_part.len() {
+            let (middle, least) = match of_part().count() {
                 1 => (self.trunk.x, self.half_width),
                 count => (left.midpoint(right), IN_LINE * (right - left) * (count % 2) as f64),
             };
             let way = |limb: usize| self.limbs[limb].end - DVec2::new(middle, self.trunk.y);
-            for of_side in ["left-", "", "right-"] {
-                let mut limbs = of_part.clone();
-                limbs.retain(|&limb| side(way(limb).x, least) == of_side);
-                sort_by_rank(&mut limbs, |&limb| [descending(way(limb).x.abs()), ascending(way(limb).y)]);
-                let heights: Vec<&str> = limbs.iter().map(|&limb| height(way(limb).y, 0.0)).collect();
-                let have_heights = heights.len() == 2 && heights[0] != heights[1];
-                for (at, limb) in limbs.into_iter().enumerate() {
-                    names[limb] = match at {
-                        _ if have_heights => format!("{}{of_side}{word}", heights[at]),
-                        0 => format!("{of_side}{word}"),
-                        _ => format!("{of_side}{word}-{}", at + 1),
-                    };
+            let rank = |limb: usize| [descending(way(limb).x.abs()), ascending(way(limb).y)];
+            for limb in of_part() {
+                let (of_side, own_height) = (side(way(limb).x, least), height(way(limb).y, 0.0));
+                let same = || of_part().filter(|&other| side(way(other).x, least) == of_side);
+                let is_pair = same().count() == 2 && same().any(|other| height(way(other).y, 0.0) != own_height);
+                names[limb] = [if is_pair { own_height } else { "" }, of_side, word].concat();
+                let before = same().filter(|&other| rank(other) < rank(limb)).count();
+                if before > 0 && !is_pair {
+                    names[limb] += &format!("-{}", before + 1);
                 }
             }
         }

@@ -171,7 +171,7 @@ impl<'a> MeasuredLimb<'a> {
         let mut joints = self.bends(from, to);
         let long = if joints.is_empty() { LONG_LIMB } else { LONG_PIECE };
         let mut corners: Vec<usize> = joints.iter().map(|joint| joint.1).chain([from, to]).collect();
-        corners.sort_unstable();
+        sort_by_rank(&mut corners, |&at| [at as i64, 0]);
         let radius = |at: usize| if at == to { 0 } else { self.clearance[self.limb.path[at]] };
         for piece in corners.windows(2) {
             let start = self.ways[piece[0]] + radius(piece[0]);

@@ -2,8 +2,6 @@
 //!
 //! The names of a mirrored picture are mirrored: only left and right are exchanged.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use glam::DVec2;
 
 use super::placing::Place;
@@ -34,8 +32,7 @@ pub(super) fn ids(places: &[Place], low: DVec2, high: DVec2, taken: &[&str]) -> 
             }
         }
     }
-    let mut known: BTreeSet<String> = BTreeSet::new();
-    known.extend(taken.iter().map(|id| read(id)));
+    let mut known: Vec<String> = taken.iter().map(|id| read(id)).collect();
     let mut ids = vec![String::new(); words.len()];
     for mut members in groups(&words) {
         // From top to bottom, and at about the same height from the outside in.
@@ -45,7 +42,7 @@ pub(super) fn ids(places: &[Place], low: DVec2, high: DVec2, taken: &[&str]) -> 
             let numbered =
                 |number: usize| if number == 1 { words[k].clone() } else { format!("{}-{number}", words[k]) };
             ids[k] = (1..).map(numbered).find(|id| !known.contains(id)).expect("numbers do not end");
-            known.insert(ids[k].clone());
+            known.push(ids[k].clone());
         }
     }
     ids
@@ -53,9 +50,9 @@ pub(super) fn ids(places: &[Place], low: DVec2, high: DVec2, taken: &[&str]) -> 
 
 /// The indices of equal names.
 fn groups(words: &[String]) -> Vec<Vec<usize>> {
-    let mut groups: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-    words.iter().enumerate().for_each(|(k, word)| groups.entry(word).or_default().push(k));
-    groups.into_values().collect()
+    let equal = |k: usize| (0..words.len()).filter(move |&other| words[other] == words[k]);
+    let first = (0..words.len()).filter(|&k| equal(k).next() == Some(k));
+    first.map(|k| equal(k).collect()).collect()
 }
 
 fn is_on_both_sides(members: &[usize], shares: &[DVec2]) -> bool {
@@ -65,7 +62,12 @@ fn is_on_both_sides(members: &[usize], shares: &[DVec2]) -> bool {
 
 /// An id as displayed: editors show hyphens as spaces. The words here contain only ASCII letters.
 fn read(id: &str) -> String {
-    id.trim().to_ascii_lowercase().replace(", ", "-").replace(['_', ' '], "-")
+    let letter = |letter| match letter {
+        ',' => None,
+        '_' | ' ' => Some('-'),
+        other => Some(other.to_ascii_lowercase()),
+    };
+    id.trim().chars().filter_map(letter).collect()
 }
 
 /// The side of a position in the outer thirds of the width.

@@ -62,6 +62,7 @@ impl Skeleton {
         }
     }
 
+    #[inline(never)]
     fn from_root(cells: &Cells, clearance: &[u32], part: &[usize], root: usize, diameter: u32) -> Self {
         let before = centred_ways(cells, clearance, part, root);
         let from_root = cells.distances([(root, 0)], FAR);
