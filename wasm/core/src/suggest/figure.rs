@@ -122,7 +122,7 @@ impl Figure {
             }
             _ if is_known => {
                 let (way, least) = (at - self.trunk, BESIDE * self.half_width);
-                [height(way.y, least), side(way.x, least), "body"].concat()
+                named(height(way.y, least), side(way.x, least), "body")
             }
             _ => return None,
         };
@@ -151,9 +151,9 @@ impl Figure {
             legs = 0;
         }
         let mut others: Vec<usize> = Vec::new();
-        for limb in 0..parts.len() {
+        for (limb, part) in parts.iter_mut().enumerate() {
             if legs > 0 && is_leg(limb) {
-                parts[limb] = Part::Leg;
+                *part = Part::Leg;
             } else if limb != head && is_slender(limb) {
                 others.push(limb);
             }
@@ -192,10 +192,11 @@ impl Figure {
     }
 
     /// The name of a limb at a point in the picture, if nothing tells what it is.
+    #[inline(never)]
     fn region(&self, at: DVec2) -> String {
         let (low, high) = self.bounds;
         let way = (at - low.midpoint(high)) / (high - low).max(DVec2::splat(1e-9));
-        [height(way.y, OUTER), side(way.x, OUTER), "part"].concat()
+        named(height(way.y, OUTER), side(way.x, OUTER), "part")
     }
 
     /// The names of the limbs: part and side. Several limbs of a side have numbers from the outside in.
@@ -220,7 +221,7 @@ impl Figure {
                 let (of_side, own_height) = (side(way(limb).x, least), height(way(limb).y, 0.0));
                 let same = || of_part().filter(|&other| side(way(other).x, least) == of_side);
                 let is_pair = same().count() == 2 && same().any(|other| height(way(other).y, 0.0) != own_height);
-                names[limb] = [if is_pair { own_height } else { "" }, of_side, word].concat();
+                names[limb] = named(if is_pair { own_height } else { "" }, of_side, word);
                 let before = same().filter(|&other| rank(other) < rank(limb)).count();
                 if before > 0 && !is_pair {
                     names[limb] += &format!("-{}", before + 1);
@@ -229,6 +230,11 @@ impl Figure {
         }
         names
     }
+}
+
+#[inline(never)]
+fn named(height: &str, side: &str, part: &str) -> String {
+    [height, side, part].concat()
 }
 
 /// The side of a middle, beyond a distance.

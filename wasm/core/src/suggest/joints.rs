@@ -202,6 +202,7 @@ impl<'a> MeasuredLimb<'a> {
     }
 
     /// The mean width between two cells of the path, in units.
+    #[inline(never)]
     fn width(&self, from: usize, to: usize) -> f64 {
         let line = &self.limb.path[from..=to];
         2.0 * line.iter().map(|&cell| f64::from(self.clearance[cell])).sum::<f64>() / line.len() as f64
