@@ -28,11 +28,11 @@ test('a press on the button places named handles, and undo removes all of them',
   await expect(editor.handles).toHaveCount(handles.length);
   await expect(over(editor)).toBeHidden();
   // The list names them, and so does the stage under the pointer.
-  const name = 'top end';
+  const name = 'left arm, end';
   await expect(page.locator('c2-warp .list').getByRole('button', { name })).toBeVisible();
   const at = await editor.position(name);
   await page.mouse.move(at.x, at.y);
-  await expect(page.locator('c2-warp .marks').getByText(/^top end$/i)).toBeVisible();
+  await expect(page.locator('c2-warp .marks').getByText(/^left arm, end$/i)).toBeVisible();
   // The next press drags one.
   await editor.dragHandle(name, { x: 30, y: 0 });
   await expect.poll(async () => (await editor.position(name)).x).toBeCloseTo(at.x + 30, 0);

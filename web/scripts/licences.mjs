@@ -14,7 +14,7 @@ import { ROOT } from './steps.mjs';
  * @property {string} version
  * @property {string} license by its SPDX expression
  * @property {string} folder
- * @property {string} [source] the address of its source
+ * @property {string | null} [source] the address of its source
  * @property {string[]} [authors]
  */
 /** @typedef {import('vite').Plugin} Plugin */
@@ -61,7 +61,7 @@ export function licences(crates = MODULES) {
 export async function licencesOf(folders, linked = MODULES) {
   const bundled = await Promise.all(folders.map(npmPackage));
   const packages = [...bundled, ...(await crates(linked))].sort((a, b) => (a.name < b.name ? -1 : 1));
-  const chapters = await Promise.all(packages.map(chapter));
+  const chapters = await Promise.all(packages.map((one) => chapter(one, packages)));
   const own = await readFile(join(ROOT, 'LICENSE-MIT'), 'utf8');
   return [
     `# c2warp\n\n${own.trim()}\n`,
@@ -100,12 +100,12 @@ async function crates(linked) {
     cargo(['metadata', '--format-version', '1', '--filter-platform', TARGET]),
   ]);
   const reached = new Set(tree.split('\n').map((line) => line.split(' ', 2).join(' ')));
-  /** @type {{ packages: (Package & { manifest_path: string })[] }} */
+  /** @type {{ packages: (Package & { manifest_path: string, repository: string | null })[] }} */
   const { packages } = JSON.parse(metadata);
   return packages
     .filter(({ name, version, source }) => source !== null && reached.has(`${name} v${version}`))
-    .map(({ name, version, license, authors = [], manifest_path }) => {
-      return { name, version, license, authors, folder: dirname(manifest_path) };
+    .map(({ name, version, license, authors = [], manifest_path, repository }) => {
+      return { name, version, license, authors, folder: dirname(manifest_path), source: repository };
     });
 }
 
@@ -119,24 +119,35 @@ async function cargo(args) {
   return stdout;
 }
 
-/** @param {Package} one */
-async function chapter(one) {
+/**
+ * @param {Package} one
+ * @param {readonly Package[]} all
+ */
+async function chapter(one, all) {
   const { name, version, license, source } = one;
-  const texts = await licenceTexts(one);
+  const texts = await licenceTexts(one, all);
   // This licence asks for the place of the source.
   const place = license.startsWith('MPL') && source ? [`Its source is at ${source}.\n`] : [];
   const title = `## ${name} ${version} (${license})\n`;
   return [title, ...place, ...texts.map((text) => `${text.trim()}\n`)].join('\n');
 }
 
-/** @param {Package} one */
-async function licenceTexts({ name, license, folder, authors }) {
-  const files = (await readdir(folder)).filter((file) => /^(licen[cs]e|copying|notice)/i.test(file)).sort();
+/**
+ * @param {Package} one
+ * @param {readonly Package[]} all
+ */
+async function licenceTexts({ name, license, folder, authors }, all) {
+  const files = await licenceFiles(folder);
   // One of several alternatives suffices.
   const mit = files.find((file) => /mit/i.test(file));
   const chosen = mit && /\bMIT\b/.test(license) ? [mit] : files;
   if (chosen.length > 0) {
     return Promise.all(chosen.map((file) => readFile(join(folder, file), 'utf8')));
+  }
+  // This text does not name holders, so the text of another package is the same.
+  for (const other of license === 'MPL-2.0' ? all.filter((other) => other.license === license) : []) {
+    const [file] = await licenceFiles(other.folder);
+    if (file) return [await readFile(join(other.folder, file), 'utf8')];
   }
   if (!/\bMIT\b/.test(license)) throw new Error(`${name} (${license}) comes without the text of its licence`);
   // Some crates give only the name of the licence. Its text is the same for all but the holders.
@@ -144,3 +155,6 @@ async function licenceTexts({ name, license, folder, authors }) {
   const own = await readFile(join(ROOT, 'LICENSE-MIT'), 'utf8');
   return [own.replace(/^Copyright .*$/m, () => `Copyright (c) ${holders}`)];
 }
+
+const licenceFiles = async (/** @type {string} */ folder) =>
+  (await readdir(folder)).filter((file) => /^(licen[cs]e|copying|notice)/i.test(file)).sort();

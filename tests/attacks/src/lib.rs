@@ -5,6 +5,7 @@
 //! and on mutations of these with a fixed seed.
 
 pub mod alpha;
+pub mod drawings;
 pub mod handles;
 pub mod pictures;
 pub mod project;
@@ -17,10 +18,11 @@ mod shapes;
 pub type Attack = fn(&[u8]);
 
 /// The attacks by the names of their corpora and fuzz targets.
-pub const ATTACKS: [(&str, Attack); 5] = [
+pub const ATTACKS: [(&str, Attack); 6] = [
     ("project", project::attack),
     ("rings", rings::attack),
     ("alpha", alpha::attack),
     ("handles", handles::attack),
     ("pictures", pictures::attack),
+    ("drawings", drawings::attack),
 ];

@@ -7,7 +7,7 @@ use image::ImageReader;
 
 use crate::promises::expect_sentence;
 
-/// Reads a picture file. Drawings are left out: they are programs of their own.
+/// Reads a picture file. Drawings have an attack of their own.
 ///
 /// A picture has the size that its header names, turned or not.
 ///

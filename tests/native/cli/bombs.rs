@@ -83,7 +83,7 @@ fn too_little_memory_is_one_line() {
     let ended = limited.output().unwrap();
     let told = String::from_utf8(ended.stderr).unwrap();
     assert_eq!(ended.status.code(), Some(1), "{told}");
-    assert!(told.starts_with("c2warp: there is no memory for ") && told.lines().count() == 1, "{told}");
+    assert!(told.starts_with("c2warp: not enough memory for ") && told.lines().count() == 1, "{told}");
     assert_eq!(folder.file_names(), [PROJECT, "strip.png"]);
 }
 

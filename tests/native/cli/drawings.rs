@@ -11,6 +11,7 @@ use usvg::roxmltree::Document;
 use crate::command::{command, fail, succeed};
 use crate::scene_folder::SceneFolder;
 
+const SVG: &str = "http://www.w3.org/2000/svg";
 const FEATURES: &str = include_str!("../../drawings/features.svg");
 const SIDE: u32 = 480;
 /// Icons of each set.
@@ -197,9 +198,9 @@ fn missing_parts_and_excessive_sizes_are_reported() {
     };
     let content = r#"<script>alert(1)</script><g onclick="a()"/><animate/><foreignObject/><text>Hello  there</text>
         <image href="file:///etc/passwd" width="1" height="1"/><use href="other.svg#a"/>"#;
-    let told = remarks(content).join("; ");
+    let reported = remarks(content).join("; ");
     for part in ["scripts", "animations", "not SVG", "“Hello there”", "file:///etc/passwd", "other.svg#a"] {
-        assert!(told.contains(part), "{part}: {told}");
+        assert!(reported.contains(part), "{part}: {reported}");
     }
     let plain = Drawing::read(&svg(content)).unwrap();
     assert!(!["alert", "passwd", "other"].iter().any(|part| plain.plain_svg().contains(part)));
@@ -264,10 +265,295 @@ fn command_bends_a_drawing_and_warps_it_as_a_picture() {
     );
     let of_pixels = SceneFolder::new("strip");
     assert!(fail(of_pixels.path(), "warp scene.c2warp.json -o out.svg").contains("only a drawing"));
-    // A font that no system has: the text is drawn in another one, or left out. Both are told.
+    // A font that no system has: the text is drawn in another one, or left out. Both are reported.
     let text = r#"<path d="M0 0h9v9H0z" fill="red"/><text y="8" font-family="No Such Font">Hi</text>"#;
     folder.write("text.svg", svg(text));
-    let told = command(folder.path(), "warp scene.c2warp.json --image text.svg -o bent.svg").output().unwrap();
-    let told = String::from_utf8(told.stderr).unwrap();
-    assert!(told.contains("No Such Font") || told.contains("“Hi”"), "{told}");
+    let reported = command(folder.path(), "warp scene.c2warp.json --image text.svg -o bent.svg").output().unwrap();
+    let reported = String::from_utf8(reported.stderr).unwrap();
+    assert!(reported.contains("No Such Font") || reported.contains("“Hi”"), "{reported}");
+}
+
+/// The fills and strokes of the paths of a drawing.
+fn paints(drawing: &Drawing) -> Vec<[String; 2]> {
+    let document = Document::parse(drawing.plain_svg()).unwrap();
+    let is_clip = |node: &usvg::roxmltree::Node<'_, '_>| node.parent_element().unwrap().has_tag_name((SVG, "clipPath"));
+    let paths = document.descendants().filter(|node| node.has_tag_name((SVG, "path")) && !is_clip(node));
+    let paint = |node: usvg::roxmltree::Node<'_, '_>, name| {
+        let opacity =
+            node.attribute(&*format!("{name}-opacity")).map_or(String::new(), |opacity| format!(" {opacity}"));
+        node.attribute(name).unwrap_or("black").to_owned() + &opacity
+    };
+    paths.map(|path| ["fill", "stroke"].map(|name| paint(path, name))).collect()
+}
+
+#[test]
+fn styles_are_resolved_as_in_browsers() {
+    let fills = |style: &str, content: &str| -> Vec<String> {
+        let drawing = Drawing::read(&svg(&format!("<style>{style}</style>{content}"))).unwrap();
+        assert_eq!(drawing.remarks(), [], "{style}");
+        paints(&drawing).into_iter().map(|[fill, _]| fill).collect()
+    };
+    let path = |attributes: &str| format!(r#"<path d="M0 0h9v9z" {attributes}/>"#);
+    let one = |style: &str, attributes: &str| fills(style, &path(attributes)).join(" ");
+    // Custom properties, from the root, an element, a rule and a fallback.
+    assert_eq!(one(":root{--skin:#e8b080} path{fill:var(--skin)}", ""), "#e8b080");
+    assert_eq!(one("", r##"style="--a:blue;fill:var(--a)""##), "#0000ff");
+    assert_eq!(one("", r#"fill="var(--none, rgb(1 2 3))""#), "#010203");
+    assert_eq!(one("svg{color:rgb(9 9 9)}", r#"fill="color-mix(in srgb, currentColor, white)""#), "#848484");
+    // Conditions.
+    assert_eq!(one("@media screen{path{fill:red}} @media print{path{fill:blue}}", ""), "#ff0000");
+    // Colours.
+    assert_eq!(one("path{fill:rgb(20 90 200 / 80%)}", ""), "#145ac8 0.8");
+    assert_eq!(one("path{fill:COLOR-MIX(in srgb, Red, Blue)}", ""), "#800080");
+    assert_eq!(one("path{fill:hsl(280deg 60% 50%)}", r#"fill="red""#), "#9933cc");
+    assert_eq!(one("svg{color:lime}", r#"fill="currentcolor""#), "#00ff00");
+    // The cascade: an attribute, rules by specificity, a style, and `!important`.
+    assert_eq!(one("#a{fill:red} .b{fill:lime} path{fill:blue}", r#"id="a" class="b" fill="white""#), "#ff0000");
+    assert_eq!(one(".b{fill:lime!important}", r#"class="b" style="fill:red""#), "#00ff00");
+    assert_eq!(one("path{fill:red;fill:unset}", r#"fill="blue""#), "#000000");
+    // Selectors.
+    let three = format!("<g>{}{}</g>{}", path(r#"class="x""#), path(""), path(r#"data-y="abc""#));
+    assert_eq!(fills("g>path:nth-child(2){fill:red}", &three), ["#000000", "#ff0000", "#000000"]);
+    assert_eq!(fills("path:hover, g path{fill:red}", &three), ["#ff0000", "#ff0000", "#000000"]);
+    assert_eq!(fills("path:not(.x):is(g *, [data-y^=a]){fill:red}", &three), ["#000000", "#ff0000", "#ff0000"]);
+    assert_eq!(fills(".x~path, svg>path:last-of-type{fill:red}", &three), ["#000000", "#ff0000", "#ff0000"]);
+    // Used elements inherit from their `<use>`.
+    let used = r##"<symbol id="s"><path d="M0 0h9v9z" fill="var(--c, lime)"/></symbol>
+        <use href="#s" style="--c:red"/><use href="#s"/><g style="--c:blue"><use href="#s"/><use href="#s"/></g>"##;
+    assert_eq!(fills("", used), ["#ff0000", "#00ff00", "#0000ff", "#0000ff"]);
+    // Transforms and sizes of CSS.
+    let moved = Drawing::read(&svg(r#"<circle style="r:2px;cx:4px;transform:translate(1px,2px) rotate(90deg)"/>"#));
+    assert!(moved.unwrap().plain_svg().contains(r#"transform="matrix(0 1 -1 0 1 2)""#));
+}
+
+#[test]
+fn styles_that_are_left_out_are_reported() {
+    let reported = |content: &str| {
+        let drawing = Drawing::read(&svg(content)).unwrap();
+        drawing.remarks().iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+    };
+    let path = |attributes: &str| reported(&format!(r#"<path d="M0 0h9v9z" {attributes}/>"#));
+    for (attributes, named) in [
+        (r#"vector-effect="non-scaling-stroke""#, "vector-effect"),
+        (r#"style="transform-box:fill-box""#, "transform-box"),
+        (r#"fill="light-dark(red, blue)""#, "fill: the value “light-dark(red, blue)”"),
+        (r#"fill="var(--none)""#, "fill: the value “var(--none)”"),
+        (r#"fill="rgb(from red r g b)""#, "rgb(from red r g b)"),
+        (r#"stroke-width="calc(1px + 2px)""#, "stroke-width"),
+        (r#"style="clip-path:circle(40%)""#, "clip-path"),
+        (r#"style="filter:glow(3px)""#, "filter"),
+        (r#"style="mask:linear-gradient(red,blue)""#, "mask"),
+        (r#"style="animation:spin 2s""#, "animations"),
+        (r#"pathLength="1" stroke-dasharray="1""#, "pathLength"),
+    ] {
+        let reported = path(attributes);
+        assert!(reported.contains(named), "{attributes}: {reported}");
+    }
+    for (style, named) in [
+        ("@media (prefers-color-scheme: dark){path{fill:red}}", "@media (prefers-color-scheme: dark)"),
+        ("@layer a{path{fill:red}}", "@layer a"),
+        ("@supports (fill: red){path{fill:red}}", "@supports (fill: red)"),
+        ("path:glow{fill:red}", "path:glow"),
+        ("g{path{fill:red}}", "“path”"),
+        ("@keyframes a{from{fill:red}}", "animations"),
+        ("@import 'a.css';", "@import"),
+    ] {
+        let reported = reported(&format!("<style>{style}</style>"));
+        assert!(reported.contains(named), "{style}: {reported}");
+    }
+    // Styles that change nothing in a still picture.
+    let plain = "<style>@media print{path{fill:red}} @page{margin:0} path::before{color:red} path{cursor:pointer;
+        -inkscape-stroke:none;vector-effect:none;font-variation-settings:normal}</style>";
+    assert_eq!(reported(plain), "");
+    // An unknown value does not replace the one before.
+    let drawing = Drawing::read(&svg(r#"<path d="M0 0h9v9z" fill="red" style="fill:light-dark(lime, blue)"/>"#));
+    assert_eq!(paints(&drawing.unwrap())[0][0], "#ff0000");
+    let drawing = Drawing::read(&svg(r#"<g fill="red"><path d="M0 0h9v9z" fill="light-dark(lime, blue)"/></g>"#));
+    assert_eq!(paints(&drawing.unwrap())[0][0], "#ff0000");
+}
+
+#[test]
+fn drawings_in_pictures_follow_the_same_rules() {
+    let inner = svg(r#"<style>path{fill:oklch(70% .2 60)}</style><path d="M0 0h9v9z" vector-effect="fixed"/>"#);
+    let address = |svg: &str| format!("data:image/svg+xml,{}", svg.replace('%', "%25").replace('#', "%23"));
+    let outer = |svg: &str| {
+        let address = address(svg).replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+        format!(r#"<image width="9" height="9" href="{address}"/>"#)
+    };
+    let drawing = Drawing::read(&svg(&outer(&inner))).unwrap();
+    let reported: Vec<String> = drawing.remarks().iter().map(ToString::to_string).collect();
+    assert!(reported.iter().any(|reported| reported.contains("vector-effect")), "{reported:?}");
+    let pixels = drawing.pixels(9, 9).unwrap();
+    assert_eq!(pixels[4 * 4..4 * 5], [0xf4, 0x77, 0, 255]);
+
+    let bomb = svg(&(0..40)
+        .map(|at| format!(r##"<g id="a{}"><use href="#a{at}"/><use href="#a{at}"/></g>"##, at + 1))
+        .collect::<String>());
+    assert!(matches!(Drawing::read(&svg(&outer(&bomb))), Err(VectorError::TooManyElements { .. })));
+    let broken = Drawing::read(&svg(&outer("<svg"))).unwrap();
+    assert!(broken.remarks()[0].to_string().contains("cannot be read"));
+}
+
+#[test]
+fn slow_drawings_are_rejected_before_drawing() {
+    const PX: u32 = 1024;
+    let filtered = |parts: &str, attributes: &str| {
+        let filter = format!(r##"<filter id="f" {attributes}>{parts}</filter><g filter="url(#f)">"##);
+        format!(r#"{filter}<rect width="9" height="9"/></g>"#)
+    };
+    let cause = |content: &str| match Drawing::read(&svg(content)).and_then(|drawing| drawing.cost(PX, PX)) {
+        Err(VectorError::TooSlow { cause } | VectorError::TooMuchMemory { cause }) => cause,
+        other => panic!("{other:?}: {}", &content[..content.len().min(200)]),
+    };
+    let groups = |count: usize, content: &str| {
+        format!("{}{content}{}", r#"<g opacity=".9">"#.repeat(count), "</g>".repeat(count))
+    };
+    let rectangle = r#"<rect width="9" height="9"/>"#;
+    let blurred = format!(
+        r##"<filter id="f"><feGaussianBlur stdDeviation="1"/></filter>{}"##,
+        r##"<path d="M0 0h9v9" filter="url(#f)"/>"##.repeat(5000)
+    );
+    let pattern = |at: usize, of: &str| {
+        format!(
+            r##"<pattern id="p{at}" width="9" height="9" patternUnits="userSpaceOnUse">{}</pattern>"##,
+            format!(r#"<rect width="9" height="9" fill="{of}"/>"#).repeat(30)
+        )
+    };
+    for (content, expected) in [
+        (filtered(r#"<feGaussianBlur stdDeviation="1e9"/>"#, ""), "feGaussianBlur"),
+        (filtered(r#"<feMorphology radius="3"/>"#, ""), "feMorphology"),
+        (
+            filtered(&format!(r#"<feConvolveMatrix order="99" kernelMatrix="{}"/>"#, "1 ".repeat(99 * 99)), ""),
+            "feConvolveMatrix",
+        ),
+        (filtered(&r#"<feGaussianBlur stdDeviation="1"/>"#.repeat(1000), ""), "feGaussianBlur"),
+        (filtered(&r#"<feFlood/>"#.repeat(100), r#"x="-9" y="-9" width="99" height="99""#), "feFlood"),
+        (filtered(r#"<feTurbulence numOctaves="1000" baseFrequency="1"/>"#, ""), "feTurbulence"),
+        (blurred, "feGaussianBlur"),
+        (groups(190, &rectangle.repeat(2)) + &groups(190, rectangle).repeat(30), "g"),
+        (
+            format!("{}{}{}", pattern(0, "red"), pattern(1, "url(#p0)"), pattern(2, "url(#p1)"))
+                + r##"<path d="M0 0h9v9" fill="url(#p2)"/>"##,
+            "path",
+        ),
+        (
+            format!(
+                r##"<pattern id="p" width="1e5" height="1e5" patternUnits="userSpaceOnUse">{rectangle}</pattern><path d="M0 0h9v9" fill="url(#p)"/>"##
+            ),
+            "pattern",
+        ),
+        (
+            format!(
+                r##"<mask id="m">{rectangle}</mask>{}"##,
+                format!(r##"<g mask="url(#m)">{rectangle}</g>"##).repeat(2000)
+            ),
+            "mask",
+        ),
+        (format!(r#"<path d="M0 0{}"/>"#, "h9v9h-9v-9".repeat(400_000)), "path"),
+        (rectangle.repeat(60_000), "path"),
+    ] {
+        assert_eq!(cause(&content), expected, "{}", &content[..content.len().min(200)]);
+    }
+
+    // These cost little, in spite of their numbers.
+    let table = format!(
+        r#"<feComponentTransfer><feFuncR type="table" tableValues="{}"/></feComponentTransfer>"#,
+        "0 1 ".repeat(100_000)
+    );
+    let region = filtered(r#"<feOffset dx="1"/>"#, r#"x="-1e9" y="-1e9" width="2e9" height="2e9""#);
+    let tiles = r##"<pattern id="p" width="1e-3" height="1e-3" patternUnits="userSpaceOnUse"><path d="M0 0h1v1"/></pattern>
+        <path d="M0 0h9v9" fill="url(#p)"/>"##;
+    let dashes = r#"<path d="M0 0h9v9" stroke="red" stroke-dasharray="1e-6"/>"#;
+    for content in [&filtered(&table, ""), &region, tiles, dashes] {
+        let cost = Drawing::read(&svg(content)).unwrap().cost(PX, PX).unwrap();
+        assert!(cost.time < 5e9, "{cost:?}: {}", &content[..content.len().min(200)]);
+    }
+}
+
+#[test]
+fn drawings_that_grow_when_read_are_rejected() {
+    let refused = |text: &str| Drawing::read(text).unwrap_err();
+    // The marker of a group is drawn at every node in it, and its pattern for each shape.
+    let markers = format!(
+        r##"<marker id="m">{}</marker><g marker-mid="url(#m)"><path d="M0 0{}"/></g>"##,
+        "<g/>".repeat(100),
+        "h1".repeat(5000)
+    );
+    assert!(matches!(refused(&svg(&markers)), VectorError::TooManyElements { .. }));
+    let by_style = markers.replace("<g marker-mid=\"url(#m)\">", "<style>g{marker:url(#m)}</style><g>");
+    assert!(matches!(refused(&svg(&by_style)), VectorError::TooManyElements { .. }));
+    let patterns = format!(
+        r##"<pattern id="p">{}</pattern><g fill="url(#p)">{}</g>"##,
+        "<g/>".repeat(1000),
+        "<path/>".repeat(1000)
+    );
+    assert!(matches!(refused(&svg(&patterns)), VectorError::TooManyElements { .. }));
+    let copies =
+        format!(r##"<path id="p" d="M0 0{}"/>{}"##, "h1".repeat(300_000), r##"<use href="#p"/>"##.repeat(1000));
+    assert!(matches!(refused(&svg(&copies)), VectorError::TooManyCopies));
+    let loops = (0..5000).map(|at| format!(r##"<pattern id="p{at}"><path fill="url(#p{at})"/></pattern>"##));
+    assert!(matches!(refused(&svg(&loops.collect::<String>())), VectorError::TooManyElements { .. }));
+    let attributes: String = (0..5000).map(|at| format!(" a{at}=''")).collect();
+    assert!(matches!(refused(&svg(&format!("<g{attributes}/>"))), VectorError::TooManyAttributes { .. }));
+    let siblings = format!("<style>{}</style>{}", "g~path{fill:red}".repeat(20), "<path/>".repeat(50_000));
+    assert!(matches!(refused(&svg(&siblings)), VectorError::TooManyStyles));
+}
+
+#[test]
+fn encoded_and_compressed_drawings_are_opened() {
+    let folder = SceneFolder::new("strip");
+    let named = |declaration: &str| {
+        format!(
+            r#"{declaration}<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><g id="Größe"><path d="M0 0h9v9z"/></g></svg>"#
+        )
+    };
+    let latin = |text: String| text.chars().map(|character| character as u8).collect::<Vec<u8>>();
+    let utf16 = |text: String| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    let packed = |text: &[u8]| {
+        let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        std::io::Write::write_all(&mut encoder, text).unwrap();
+        encoder.finish().unwrap()
+    };
+    let drawing = named("");
+    for (name, bytes) in [
+        ("latin1.svg", latin(named(r#"<?xml version="1.0" encoding="ISO-8859-1"?>"#))),
+        ("marked.svg", utf16(format!("\u{feff}{drawing}"))),
+        ("unmarked.svg", utf16(named(r#"<?xml version="1.0" encoding="UTF-16"?>"#))),
+        ("packed.svgz", packed(drawing.as_bytes())),
+        ("packed-latin1.svg", packed(&latin(named(r#"<?xml version="1.0" encoding="latin1"?>"#)))),
+    ] {
+        folder.write(name, bytes);
+        succeed(folder.path(), &format!("new {name} --handles 700,300 -o {name}.json --force"));
+        succeed(folder.path(), &format!("warp {name}.json --image {name} -o bent.svg"));
+        assert!(std::fs::read_to_string(folder.file("bent.svg")).unwrap().contains("Größe"), "{name}");
+    }
+    for (name, bytes, reported) in [
+        ("wrong.svg", latin(drawing.clone()), "not UTF-8 text"),
+        ("klingon.svg", named(r#"<?xml version="1.0" encoding="Klingon"?>"#).into(), "unknown encoding \"Klingon\""),
+        ("text.gz", packed(b"once upon a time"), "this is a compressed file"),
+        ("cut.svgz", packed(&[drawing.as_bytes(), &b" ".repeat(1000)].concat())[..60].into(), "unpacked"),
+        ("bomb.svgz", packed(&[b"<svg".to_vec(), vec![b' '; 65 << 20]].concat()), "more than 64 MB"),
+    ] {
+        folder.write(name, bytes);
+        let words = fail(folder.path(), &format!("new {name} --handles 700,300 -o x.json"));
+        assert!(words.contains(reported), "{name}: {words}");
+    }
+}
+
+#[test]
+fn commands_report_left_out_styles_and_reject_slow_drawings() {
+    let folder = SceneFolder::new("strip");
+    folder.write("lossy.svg", svg(r#"<path d="M0 0h9v9" fill="light-dark(red, blue)" vector-effect="fixed"/>"#));
+    for line in [
+        "new lossy.svg --handles 700,300 -o lossy.json",
+        "check lossy.json --image lossy.svg",
+        "warp lossy.json --image lossy.svg -o bent.svg",
+    ] {
+        let reported = command(folder.path(), line).output().unwrap();
+        let reported = String::from_utf8(reported.stderr).unwrap();
+        assert!(reported.contains("vector-effect") && reported.contains("light-dark(red, blue)"), "{line}: {reported}");
+    }
+    let slow = r##"<filter id="f"><feMorphology radius="4"/></filter><path d="M0 0h9v9" filter="url(#f)"/>"##;
+    folder.write("slow.svg", svg(slow));
+    assert!(fail(folder.path(), "new slow.svg --handles 700,300 -o slow.json").contains("<feMorphology>"));
 }

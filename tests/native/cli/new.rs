@@ -39,8 +39,8 @@ fn suggested_handles_can_be_solved() {
     let folder = SceneFolder::new("gingerbread");
     succeed(folder.path(), "new gingerbread.png --suggest");
     let suggested = project(&folder, "gingerbread.c2warp.json").handles;
-    assert!((5..=12).contains(&suggested.len()), "{suggested:?}");
-    assert!(suggested.iter().any(|handle| handle.id == "middle"));
+    assert!((5..=14).contains(&suggested.len()), "{suggested:?}");
+    assert!(suggested.iter().any(|handle| handle.id == "body"));
     succeed(folder.path(), "check gingerbread.c2warp.json");
     let printed = succeed(folder.path(), "new gingerbread.png --suggest 3 -o -");
     assert_eq!(Project::from_json(&String::from_utf8(printed).unwrap()).unwrap().handles.len(), 3);

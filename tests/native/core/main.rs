@@ -29,5 +29,6 @@ mod rigid;
 mod scenes;
 mod static_background;
 mod stiffness;
+mod suggested;
 mod symmetry;
 mod unfolding;

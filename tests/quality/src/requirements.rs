@@ -43,15 +43,17 @@ pub fn distance_requirements(all: &[Distances]) -> Vec<Requirement> {
     all.chunk_by(|a, b| a.domain == b.domain).map(of).collect()
 }
 
-/// Returns the requirement on suggested handles: 5 to 12 of them on each picture.
+/// Returns the requirement on suggested handles: 5 to 14 of them on each picture, a limb's width apart.
 #[must_use]
 pub fn suggestion_requirements(all: &[Suggested]) -> Vec<Requirement> {
     let of = |suggested: &Suggested| {
         let count = suggested.handles.len();
-        let value = (count.saturating_sub(12) + 5_usize.saturating_sub(count)) as f64;
-        Requirement { subject: suggested.name.clone(), name: "handles fewer than 5 or more than 12", value, limit: 0.0 }
+        let value = (count.saturating_sub(14) + 5_usize.saturating_sub(count)) as f64;
+        let of = |name, value, limit| Requirement { subject: suggested.name.clone(), name, value, limit };
+        let width = 1.0 / suggested.least_widths();
+        [of("handles fewer than 5 or more than 14", value, 0.0), of("limb's width ÷ least distance", width, 1.05)]
     };
-    all.iter().map(of).collect()
+    all.iter().flat_map(of).collect()
 }
 
 /// Returns the requirements on weights: no secondary maxima with the paper's supports.

@@ -81,6 +81,24 @@ impl Suggested {
         self.handles.iter().filter(|handle| handle.role == role).count()
     }
 
+    /// The smallest distance between handles of limbs and trunks, in widths of limbs. The width is that of the largest
+    /// circles in the outline around two handles. Infinite for fewer than two handles.
+    #[must_use]
+    pub fn least_widths(&self) -> f64 {
+        let edges = || self.domain.rings().iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+        let radius = |p: DVec2| {
+            let distance = |(a, b): (&DVec2, &DVec2)| {
+                p.distance(a.lerp(*b, ((p - a).dot(b - a) / a.distance_squared(*b)).clamp(0.0, 1.0)))
+            };
+            edges().map(distance).fold(f64::INFINITY, f64::min)
+        };
+        let on_limbs = self.handles.iter().filter(|handle| handle.role != SuggestedRole::Spread);
+        let circles: Vec<(DVec2, f64)> = on_limbs.map(|handle| (handle.rest, radius(handle.rest))).collect();
+        let pairs =
+            circles.iter().enumerate().flat_map(|(at, one)| circles[..at].iter().map(move |other| (one, other)));
+        pairs.map(|(one, other)| one.0.distance(other.0) / (one.1 + other.1)).fold(f64::INFINITY, f64::min)
+    }
+
     /// The picture with its outline and numbered handles, beside their names.
     #[must_use]
     pub fn sheet(&self) -> RgbaImage {

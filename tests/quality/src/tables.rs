@@ -311,9 +311,13 @@ fn suggestion_table(all: &[Suggested]) -> String {
     let row = |suggested: &Suggested| {
         let counts = roles.map(|role| suggested.count(role).to_string());
         let start = [suggested.name.clone(), suggested.handles.len().to_string()];
-        start.into_iter().chain(counts).chain([digits(suggested.ms)]).collect()
+        start.into_iter().chain(counts).chain([suggested.least_widths(), suggested.ms].map(digits)).collect()
     };
-    aligned(&["picture", "handles", "middle", "end", "joint", "spread", "ms"], all.iter().map(row), 1)
+    aligned(
+        &["picture", "handles", "middle", "end", "joint", "spread", "least distance, widths", "ms"],
+        all.iter().map(row),
+        1,
+    )
 }
 
 fn requirement_table(requirements: impl Iterator<Item = Requirement>) -> String {

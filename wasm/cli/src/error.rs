@@ -104,8 +104,12 @@ pub(crate) enum CliError {
     PictureDamaged { path: PathBuf, reason: ImageError },
     #[error("{}: {reason}", path.display())]
     Drawing { path: PathBuf, reason: VectorError },
-    #[error("{}: this is not a drawing: the file is not UTF-8 text", path.display())]
-    DrawingText { path: PathBuf },
+    #[error("{}: this is not a drawing: the file is not {encoding} text", path.display())]
+    DrawingText { path: PathBuf, encoding: &'static str },
+    #[error("{}: this drawing declares the unknown encoding {label:?}: save it as UTF-8", path.display())]
+    DrawingEncoding { path: PathBuf, label: String },
+    #[error("{}: the compressed file cannot be unpacked: {reason}", path.display())]
+    DrawingPacked { path: PathBuf, reason: io::Error },
     #[error("{}: only a drawing can be written as SVG, but the picture consists of pixels: use .png", path.display())]
     NoDrawing { path: PathBuf },
     #[error("{option}: an SVG drawing has no pixels: use .png")]

@@ -50,7 +50,7 @@ fn refused(bytes: usize) -> ! {
     let megabytes = bytes.div_ceil(1_000_000);
     let _ = writeln!(
         io::stderr(),
-        "c2warp: there is no memory for {megabytes} MB more: use a smaller picture, a lower --scale or fewer --jobs"
+        "c2warp: not enough memory for {megabytes} MB more: use a smaller picture, a lower --scale or fewer --jobs"
     );
     process::exit(1)
 }

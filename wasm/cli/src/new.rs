@@ -42,7 +42,7 @@ struct Handles {
     /// Points for handles, in pixels from the upper left corner
     #[arg(long, value_name = "X,Y", num_args = 1.., value_parser = points::parse)]
     handles: Option<Vec<DVec2>>,
-    /// Suggest handles: at the ends of limbs, at necks and bends, and in the middle. Suggests 5 to 12 handles, or N if
+    /// Suggest handles: at the ends of limbs, at necks and bends, and in the middle. Suggests 5 to 14 handles, or N if
     /// there is room. A picture without transparency gets even rows
     #[arg(long, value_name = "N", num_args = 0..=1, value_parser = clap::value_parser!(u16).range(1..=i64::from(MOST)))]
     suggest: Option<Option<u16>>,

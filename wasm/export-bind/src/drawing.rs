@@ -1,6 +1,7 @@
-//! A drawing with bent paths: the file of `c2warp warp -o bent.svg`.
+//! A drawing with bent paths, the file of `c2warp warp -o bent.svg`, and a drawing as pixels.
 
-use c2warp_vector::{BentOptions, Drawing};
+use c2warp_vector::{BentOptions, Drawing, Remark};
+use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use js_sys::Error as JsError;
 use wasm_bindgen::prelude::*;
 
@@ -45,4 +46,46 @@ impl SolvedProject {
         let bent = drawing.bent(&self.solution.continued(&pose), self.size.into(), options).map_err(refused)?;
         Ok(BentDrawing { svg: bent.svg, remarks: drawing.remarks().iter().map(ToString::to_string).collect() })
     }
+}
+
+/// A drawing as pixels.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct DrawnPicture {
+    png: Option<Vec<u8>>,
+    lacks_texts: bool,
+}
+
+#[wasm_bindgen]
+impl DrawnPicture {
+    /// The PNG file. `None` if a browser draws the drawing quickly.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn png(&self) -> Option<Vec<u8>> {
+        self.png.clone()
+    }
+
+    /// Whether texts of the drawing are missing in the PNG file.
+    #[wasm_bindgen(getter, js_name = lacksTexts)]
+    #[must_use]
+    pub fn lacks_texts(&self) -> bool {
+        self.lacks_texts
+    }
+}
+
+/// Draws a drawing at a size in pixels, unless a browser draws it quickly.
+///
+/// # Errors
+/// For a drawing that cannot be read, or takes too long to draw.
+#[wasm_bindgen(js_name = drawnPicture)]
+pub fn drawn_picture(svg: &str, width: u32, height: u32) -> Result<DrawnPicture, JsError> {
+    let drawing = Drawing::read(svg).map_err(refused)?;
+    if drawing.cost(width, height).map_err(refused)?.is_light() {
+        return Ok(DrawnPicture { png: None, lacks_texts: false });
+    }
+    let rgba = drawing.pixels(width, height).map_err(refused)?;
+    let mut png = Vec::new();
+    PngEncoder::new(&mut png).write_image(&rgba, width, height, ExtendedColorType::Rgba8).map_err(refused)?;
+    let lacks_texts = drawing.remarks().iter().any(|remark| matches!(remark, Remark::Text(_) | Remark::More));
+    Ok(DrawnPicture { png: Some(png), lacks_texts })
 }

@@ -2,23 +2,31 @@
 //!
 //! Sizes are bounded before usvg makes copies of used elements: see [`Burden`].
 
-use std::collections::HashMap;
 #[cfg(feature = "text")]
 use std::collections::HashSet;
-#[cfg(feature = "text")]
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use c2warp::limits::MAX_PIXELS;
-use usvg::roxmltree::{Document, Error as XmlError, Node, NodeId, ParsingOptions};
+use usvg::{
+    ImageKind,
+    roxmltree::{Document, Error as XmlError, Node, ParsingOptions},
+};
 
-use crate::{error::VectorError, remark::Remark};
+use crate::{
+    burden::{Burden, MAX_DEPTH, MAX_ELEMENTS},
+    error::VectorError,
+    remark::{Remark, Remarks},
+    style,
+};
 
 /// Largest file, in bytes.
 pub const MAX_BYTES: usize = 64 << 20;
-/// Maximum number of elements and texts, counting a copy for each use.
-const MAX_ELEMENTS: u32 = 250_000;
-/// Greatest nesting depth, including uses, because usvg recurses.
-const MAX_DEPTH: usize = 200;
+/// Maximum number of attributes of an element, because parsing them takes quadratic time.
+const MAX_ATTRIBUTES: usize = 256;
+/// Greatest nesting depth of drawings in pictures of drawings.
+const MAX_PICTURE_DEPTH: u32 = 5;
+/// Maximum size of the pictures in a drawing in bytes, counting a copy for each use.
+const MAX_PICTURE_BYTES: usize = 256 << 20;
 /// Maximum number of characters of a text in a remark.
 const TEXT_CHARACTERS: usize = 40;
 
@@ -28,6 +36,8 @@ pub struct Drawing {
     /// SVG as usvg writes it.
     pub(crate) text: String,
     size: [f64; 2],
+    pub(crate) tree: usvg::Tree,
+    pub(crate) burden: Burden,
     remarks: Vec<Remark>,
 }
 
@@ -37,11 +47,7 @@ impl Drawing {
     /// # Errors
     /// For files that are not drawings, and for drawings that are too large.
     pub fn read(text: &str) -> Result<Self, VectorError> {
-        let mut remarks = Vec::new();
-        let source = parse(text, &mut remarks)?;
-        remarks.extend(texts(&source).map(Remark::Text));
-        let tree = usvg::Tree::from_xmltree(&source, &options()).map_err(refused)?;
-        Self::new(&tree, remarks)
+        Self::read_by(text, &Reader::default())
     }
 
     /// Reads an SVG file. Texts become paths, using these fonts.
@@ -50,28 +56,19 @@ impl Drawing {
     /// The errors of [`read`](Self::read).
     #[cfg(feature = "text")]
     pub fn read_with_fonts(text: &str, fonts: Arc<usvg::fontdb::Database>) -> Result<Self, VectorError> {
-        let mut remarks = Vec::new();
-        let source = parse(text, &mut remarks)?;
-        let replaced = Arc::new(Mutex::new(Vec::new()));
-        let mut options = options();
-        options.fontdb = fonts;
-        options.font_resolver.select_font = font_selector(Arc::clone(&replaced));
-        let tree = usvg::Tree::from_xmltree(&source, &options).map_err(refused)?;
-        let mut drawn = HashSet::new();
-        note_texts(tree.root(), &mut drawn);
-        remarks.extend(texts(&source).filter(|text| !drawn.contains(&compact(text))).map(Remark::Text));
-        remarks.extend(replaced.lock().into_iter().flat_map(|mut all| std::mem::take(&mut *all)));
-        Self::new(&tree, remarks)
+        Self::read_by(text, &Reader { fonts: Some(fonts), ..Reader::default() })
     }
 
-    fn new(tree: &usvg::Tree, mut remarks: Vec<Remark>) -> Result<Self, VectorError> {
+    fn read_by(text: &str, reader: &Reader) -> Result<Self, VectorError> {
+        let (tree, burden) = reader.read(text, MAX_PICTURE_DEPTH)?;
         check_pictures(tree.root())?;
         let size = [tree.size().width(), tree.size().height()].map(f64::from);
         let text = tree.to_string(&usvg::WriteOptions { indent: usvg::Indent::None, ..Default::default() });
         if text.contains("<image ") {
-            remarks.push(Remark::Pictures);
+            reader.note(Remark::Pictures);
         }
-        Ok(Self { text, size, remarks })
+        let remarks = reader.with(|notes| notes.remarks.all().to_vec());
+        Ok(Self { text, size, tree, burden, remarks })
     }
 
     /// Width and height in its own units.
@@ -93,11 +90,119 @@ impl Drawing {
     }
 }
 
-/// Options that prevent loading: only data in the file is used.
-fn options() -> usvg::Options<'static> {
-    let mut options = usvg::Options::default();
-    options.image_href_resolver.resolve_string = Box::new(|_, _| None);
-    options
+/// Reads a drawing and the drawings in its pictures.
+#[derive(Debug, Clone, Default)]
+struct Reader {
+    notes: Arc<Mutex<Notes>>,
+    #[cfg(feature = "text")]
+    fonts: Option<Arc<usvg::fontdb::Database>>,
+}
+
+/// Remarks and counts for the whole file.
+#[derive(Debug, Default)]
+struct Notes {
+    remarks: Remarks,
+    picture_bytes: usize,
+    elements: u64,
+    /// The reason for rejecting a picture in the drawing, and therefore the drawing.
+    refusal: Option<VectorError>,
+}
+
+impl Reader {
+    fn with<T>(&self, act: impl FnOnce(&mut Notes) -> T) -> T {
+        act(&mut self.notes.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn note(&self, remark: Remark) {
+        self.with(|notes| notes.remarks.note(remark));
+    }
+
+    /// Reads a drawing, or a picture in one. `depth`: the number of levels of pictures that may be nested in it.
+    fn read(&self, text: &str, depth: u32) -> Result<(usvg::Tree, Burden), VectorError> {
+        let source = parsed(text)?;
+        // Pictures are in elements that are nested already.
+        let most_depth = MAX_DEPTH >> (MAX_PICTURE_DEPTH - depth);
+        // Resolving styles recurses. It also adds references, so the result is counted again.
+        Burden::of(&source, most_depth)?;
+        let text = self.with(|notes| {
+            note_left_out(&source, &mut notes.remarks);
+            style::resolved(&source, &mut notes.remarks)
+        })?;
+        let document = parsed(&text)?;
+        let burden = Burden::of(&document, most_depth)?;
+        let elements = self.with(|notes| {
+            notes.elements += burden.elements;
+            notes.elements
+        });
+        if elements > u64::from(MAX_ELEMENTS) {
+            return Err(VectorError::TooManyElements { most: MAX_ELEMENTS });
+        }
+        let tree = usvg::Tree::from_xmltree(&document, &self.options(depth)).map_err(refused)?;
+        if let Some(refusal) = self.with(|notes| notes.refusal.take()) {
+            return Err(refusal);
+        }
+        #[cfg(feature = "text")]
+        let drawn = {
+            let mut drawn = HashSet::new();
+            note_texts(tree.root(), &mut drawn);
+            drawn
+        };
+        for text in texts(&source) {
+            #[cfg(feature = "text")]
+            if drawn.contains(&compact(&text)) {
+                continue;
+            }
+            self.note(Remark::Text(text));
+        }
+        Ok((tree, burden))
+    }
+
+    /// Options that prevent loading: only data in the file is used.
+    fn options(&self, depth: u32) -> usvg::Options<'static> {
+        let mut options = usvg::Options::default();
+        #[cfg(feature = "text")]
+        if let Some(fonts) = &self.fonts {
+            options.fontdb = Arc::clone(fonts);
+            options.font_resolver.select_font = font_selector(self.clone());
+        }
+        options.image_href_resolver.resolve_string = Box::new(|_, _| None);
+        let known = usvg::ImageHrefResolver::default_data_resolver();
+        let reader = self.clone();
+        options.image_href_resolver.resolve_data = Box::new(move |kind, data, options| {
+            let is_refused = reader.with(|notes| {
+                notes.picture_bytes = notes.picture_bytes.saturating_add(data.len());
+                if notes.picture_bytes > MAX_PICTURE_BYTES {
+                    notes.refusal = Some(VectorError::TooManyCopies);
+                }
+                notes.refusal.is_some()
+            });
+            let is_drawing = kind == "image/svg+xml" || (kind == "text/plain" && data.first() == Some(&b'<'));
+            let picture = match is_drawing {
+                _ if is_refused => return None,
+                true => reader.nested(&data, depth),
+                false => known(kind, data, options),
+            };
+            if picture.is_none() {
+                reader.note(Remark::Picture);
+            }
+            picture
+        });
+        options
+    }
+
+    /// Reads a drawing that is a picture in another one.
+    fn nested(&self, data: &[u8], depth: u32) -> Option<ImageKind> {
+        let text = std::str::from_utf8(data).ok().filter(|_| depth > 0)?;
+        match self.read(text, depth - 1) {
+            Ok((tree, _)) => Some(ImageKind::SVG(tree)),
+            // Browsers leave these out as well.
+            Err(VectorError::Xml(_) | VectorError::Root(_) | VectorError::NoSize) => None,
+            Err(refusal) => {
+                self.with(|notes| notes.refusal = Some(refusal));
+                None
+            }
+        }
+    }
 }
 
 fn refused(reason: usvg::Error) -> VectorError {
@@ -133,10 +238,13 @@ fn check_pictures(group: &usvg::Group) -> Result<(), VectorError> {
     Ok(())
 }
 
-/// Parses a file, checks its size, and records remarks on everything that is left out.
-fn parse<'a>(text: &'a str, remarks: &mut Vec<Remark>) -> Result<Document<'a>, VectorError> {
+/// Parses a file, and checks its size.
+fn parsed(text: &str) -> Result<Document<'_>, VectorError> {
     if text.len() > MAX_BYTES {
-        return Err(VectorError::TooLarge { bytes: text.len(), most: MAX_BYTES });
+        return Err(VectorError::TooLarge { most: MAX_BYTES });
+    }
+    if most_attributes(text) > MAX_ATTRIBUTES {
+        return Err(VectorError::TooManyAttributes { most: MAX_ATTRIBUTES });
     }
     let limits = ParsingOptions { allow_dtd: true, nodes_limit: MAX_ELEMENTS, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, limits).map_err(|reason| match reason {
@@ -147,96 +255,64 @@ fn parse<'a>(text: &'a str, remarks: &mut Vec<Remark>) -> Result<Document<'a>, V
     if root.tag_name().name() != "svg" {
         return Err(VectorError::Root(root.tag_name().name().chars().take(TEXT_CHARACTERS).collect()));
     }
-    Burden::of(&document).check(root)?;
-    note_left_out(&document, remarks);
     Ok(document)
 }
 
-/// The number of elements that usvg creates from an element, including copies of everything that it refers to, and
-/// their nesting depth.
-struct Burden<'a, 'input> {
-    by_id: HashMap<&'a str, Node<'a, 'input>>,
-    /// Elements, and levels of nesting. `None` while they are being counted, to detect elements that refer to
-    /// themselves.
-    known: HashMap<NodeId, Option<(u64, usize)>>,
-}
-
-impl<'a, 'input> Burden<'a, 'input> {
-    fn of(document: &'a Document<'input>) -> Self {
-        let by_id = document.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
-        Self { by_id, known: HashMap::new() }
-    }
-
-    fn check(mut self, root: Node<'a, 'input>) -> Result<(), VectorError> {
-        let (elements, _) = self.count(root, 0)?;
-        if elements > u64::from(MAX_ELEMENTS) {
-            return Err(VectorError::TooManyElements { most: MAX_ELEMENTS });
+/// The greatest number of attributes of an element, or of an entity, which may contain elements.
+fn most_attributes(text: &str) -> usize {
+    let mut rest = text;
+    let mut most = 0;
+    while let Some(at) = rest.find('<') {
+        rest = &rest[at + 1..];
+        let skipped = [("!--", "-->"), ("![CDATA[", "]]>"), ("?", "?>")].into_iter();
+        if let Some((_, end)) = skipped.into_iter().find(|(start, _)| rest.starts_with(start)) {
+            rest = rest.find(end).map_or("", |at| &rest[at + end.len()..]);
+            continue;
         }
-        Ok(())
-    }
-
-    fn count(&mut self, node: Node<'a, 'input>, level: usize) -> Result<(u64, usize), VectorError> {
-        let too_deep = VectorError::TooDeep { most: MAX_DEPTH };
-        match self.known.get(&node.id()) {
-            Some(&Some((elements, height))) if level + height <= MAX_DEPTH => return Ok((elements, height)),
-            Some(Some(_)) => return Err(too_deep),
-            // usvg leaves such elements out.
-            Some(None) => return Ok((0, 0)),
-            None => {}
-        }
-        if level > MAX_DEPTH {
-            return Err(too_deep);
-        }
-        self.known.insert(node.id(), None);
-        let (mut elements, mut height) = (1_u64, 0);
-        let mut add = |(more, below): (u64, usize), times: u64| {
-            elements = elements.saturating_add(more.saturating_mul(times));
-            height = height.max(below + 1);
-        };
-        for child in node.children().filter(Node::is_element) {
-            add(self.count(child, level + 1)?, 1);
-        }
-        for attribute in node.attributes() {
-            for id in references(attribute.name(), attribute.value()) {
-                let Some(&target) = self.by_id.get(id) else { continue };
-                // A marker is drawn at every node of a path.
-                let is_marker = target.tag_name().name() == "marker";
-                let nodes = node.attribute("d").or(node.attribute("points")).map_or(2, |text| text.len() as u64 / 2);
-                add(self.count(target, level + 1)?, if is_marker { nodes } else { 1 });
+        // The text of an entity may contain elements.
+        let is_declaration = rest.starts_with('!');
+        let (mut quote, mut count, mut end) = (None, 0, rest.len());
+        for (at, byte) in rest.bytes().enumerate() {
+            match (byte, quote) {
+                (b'=', _) if is_declaration => count += 1,
+                (b'=', None) => count += 1,
+                (b'>', None) => {
+                    end = at;
+                    break;
+                }
+                // Entities follow.
+                (b'[', None) if is_declaration => {
+                    end = at;
+                    break;
+                }
+                (b'"' | b'\'', None) => quote = Some(byte),
+                (byte, Some(open)) if byte == open => quote = None,
+                _ => {}
             }
         }
-        self.known.insert(node.id(), Some((elements, height)));
-        Ok((elements, height))
+        most = most.max(count);
+        rest = &rest[end..];
     }
-}
-
-/// The ids that an attribute refers to.
-fn references<'a>(name: &str, value: &'a str) -> Vec<&'a str> {
-    if name == "href" {
-        return value.strip_prefix('#').into_iter().collect();
-    }
-    let after_each = value.split("url(").skip(1);
-    after_each
-        .filter_map(|rest| {
-            rest.trim_start_matches(['"', '\'', ' ']).strip_prefix('#')?.split([')', '"', '\'', ' ']).next()
-        })
-        .collect()
+    most
 }
 
 /// Records remarks on everything that usvg leaves out, except text.
-fn note_left_out(document: &Document<'_>, remarks: &mut Vec<Remark>) {
-    let mut note = |remark: Remark| {
-        if !remarks.contains(&remark) {
-            remarks.push(remark);
-        }
-    };
+fn note_left_out(document: &Document<'_>, remarks: &mut Remarks) {
+    let mut note = |remark: Remark| remarks.note(remark);
+    for sheet in document.root().children().filter_map(|node| node.pi()).filter(|pi| pi.target == "xml-stylesheet") {
+        note(Remark::External(sheet.value.unwrap_or_default().chars().take(TEXT_CHARACTERS).collect()));
+    }
     for node in document.descendants().filter(Node::is_element) {
         match node.tag_name().name() {
             "script" => note(Remark::Scripts),
             "animate" | "animateMotion" | "animateTransform" | "animateColor" | "set" => note(Remark::Animations),
             "foreignObject" | "iframe" | "video" | "audio" | "canvas" => note(Remark::Foreign),
-            "style" if node.text().is_some_and(|text| text.contains("@import") || text.contains("@font-face")) => {
-                note(Remark::External("@import or @font-face".to_owned()));
+            "style" => {
+                for rule in ["@import", "@font-face"] {
+                    if node.children().filter_map(|child| child.text()).any(|text| text.contains(rule)) {
+                        note(Remark::External(rule.to_owned()));
+                    }
+                }
             }
             _ => {}
         }
@@ -292,7 +368,7 @@ fn note_texts(group: &usvg::Group, drawn: &mut HashSet<String>) {
 
 /// Selects fonts as usvg does, and records substitutions.
 #[cfg(feature = "text")]
-fn font_selector(replaced: Arc<Mutex<Vec<Remark>>>) -> usvg::FontSelectionFn<'static> {
+fn font_selector(reader: Reader) -> usvg::FontSelectionFn<'static> {
     let select = usvg::FontResolver::default_font_selector();
     Box::new(move |font, fonts| {
         let id = select(font, fonts)?;
@@ -304,12 +380,7 @@ fn font_selector(replaced: Arc<Mutex<Vec<Remark>>>) -> usvg::FontSelectionFn<'st
         };
         if font.families().iter().any(named) && !font.families().iter().any(is_wanted) {
             let wanted: Vec<String> = font.families().iter().map(ToString::to_string).collect();
-            let remark = Remark::Font { wanted: wanted.join(", ").replace('"', ""), used };
-            if let Ok(mut replaced) = replaced.lock()
-                && !replaced.contains(&remark)
-            {
-                replaced.push(remark);
-            }
+            reader.note(Remark::Font { wanted: wanted.join(", ").replace('"', ""), used });
         }
         Some(id)
     })

@@ -4,12 +4,10 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VectorError {
-    /// The file is larger than [`MAX_BYTES`](crate::drawing::MAX_BYTES).
-    #[error("this drawing has {bytes} bytes: at most {most} are read")]
+    /// The file is larger than [`MAX_BYTES`](crate::MAX_BYTES), perhaps after decompression.
+    #[error("this drawing has more than {} MB: simplify it", most >> 20)]
     TooLarge {
-        /// Its size.
-        bytes: usize,
-        /// The limit.
+        /// The limit in bytes.
         most: usize,
     },
     /// The file is not well-formed XML.
@@ -23,6 +21,30 @@ pub enum VectorError {
     TooManyElements {
         /// The limit.
         most: u32,
+    },
+    /// An element has more attributes than the limit.
+    #[error("an element of this drawing has more than {most} attributes: remove some")]
+    TooManyAttributes {
+        /// The limit.
+        most: usize,
+    },
+    /// Copies of used paths and pictures have too many bytes.
+    #[error("elements of this drawing are used too often: use smaller ones, or use them less")]
+    TooManyCopies,
+    /// Selectors or custom properties of style sheets take too long.
+    #[error("the style sheets of this drawing take too long: simplify them")]
+    TooManyStyles,
+    /// Drawing it would take too long, mostly for elements with this name.
+    #[error("this drawing takes too long to draw, mostly because of its <{cause}>: simplify it")]
+    TooSlow {
+        /// The name of the elements.
+        cause: &'static str,
+    },
+    /// Drawing it would take too much memory, mostly for elements with this name.
+    #[error("this drawing takes too much memory to draw, mostly because of its <{cause}>: simplify it")]
+    TooMuchMemory {
+        /// The name of the elements.
+        cause: &'static str,
     },
     /// Elements are nested too deeply.
     #[error("elements of this drawing are nested more than {most} deep: ungroup some")]

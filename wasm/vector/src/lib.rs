@@ -1,6 +1,8 @@
 //! Drawings bent by a solution: SVG in, SVG out.
 //!
 //! - `drawing`: an SVG, simplified by usvg: shapes are paths, styles are attributes, references are resolved.
+//! - `style`: style sheets as attributes. `burden`: the number of elements that usvg will create. `cost`: the time and
+//!   memory that drawing will take. `draw`: the pixels, drawn by resvg.
 //! - `course`: the bent course of one segment, sampled according to its curvature.
 //! - `fit`: few Béziers along a course.
 //! - `outline`: a path, segment by segment. `warp`: the map of the picture in the units of the drawing.
@@ -12,7 +14,11 @@
 //!
 //! Cost: a few evaluations of the map for every eight pixels of a path.
 
+mod burden;
+mod cost;
 mod course;
+#[cfg(feature = "draw")]
+mod draw;
 mod drawing;
 mod error;
 mod fit;
@@ -20,6 +26,7 @@ mod outline;
 mod remark;
 mod rewrite;
 mod spread;
+mod style;
 mod warp;
 mod xml;
 

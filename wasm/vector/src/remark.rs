@@ -2,6 +2,11 @@
 
 use std::fmt;
 
+/// Maximum number of remarks on a drawing.
+const MOST: usize = 20;
+/// Maximum number of characters of a quotation in a remark.
+const MOST_CHARACTERS: usize = 60;
+
 /// A remark on a part of a drawing.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
@@ -25,6 +30,21 @@ pub enum Remark {
     },
     /// Pictures move as a whole.
     Pictures,
+    /// A picture in the drawing cannot be read.
+    Picture,
+    /// A property or attribute that changes the drawing is left out.
+    Property(String),
+    /// A value of a property that cannot be resolved is left out.
+    Value {
+        /// The property.
+        property: String,
+        /// Its value.
+        value: String,
+    },
+    /// Rules of a style sheet are left out, by their selectors or conditions.
+    Rules(String),
+    /// There are more remarks than are kept.
+    More,
 }
 
 impl fmt::Display for Remark {
@@ -40,7 +60,64 @@ impl fmt::Display for Remark {
             Self::Font { wanted, used } => {
                 write!(f, "the font {wanted:?} is not installed, so {used:?} is used instead")
             }
+            Self::Picture => write!(f, "a picture in the drawing cannot be read, and is left out"),
+            Self::Property(name) => write!(f, "the property {name} is not supported, and is left out"),
+            Self::Value { property, value } => write!(f, "{property}: the value “{value}” is left out"),
+            Self::Rules(rules) => write!(f, "the style rules of “{rules}” are left out"),
             Self::Pictures => write!(f, "pictures in the drawing move as a whole and do not bend"),
+            Self::More => write!(f, "more parts are left out"),
         }
+    }
+}
+
+impl Remark {
+    pub(crate) fn value(property: &str, value: &str) -> Self {
+        Self::Value { property: property.to_owned(), value: short(value) }
+    }
+
+    pub(crate) fn rules(rules: &str) -> Self {
+        Self::Rules(short(rules))
+    }
+}
+
+/// The start of a text, on one line.
+fn short(text: &str) -> String {
+    let words = text.split_whitespace().take(MOST_CHARACTERS).collect::<Vec<_>>();
+    let line = words.join(" ");
+    let start: String = line.chars().take(MOST_CHARACTERS).collect();
+    if start == line { line } else { start + "…" }
+}
+
+/// Different remarks, up to [`MOST`].
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Remarks(Vec<Remark>);
+
+impl Remarks {
+    pub(crate) fn note(&mut self, remark: Remark) {
+        if self.0.len() > MOST || self.0.contains(&remark) {
+            return;
+        }
+        self.0.push(if self.0.len() < MOST { remark } else { Remark::More });
+    }
+
+    pub(crate) fn all(&self) -> &[Remark] {
+        &self.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn remarks_are_recorded_once_and_up_to_a_limit() {
+        let mut remarks = Remarks::default();
+        for at in 0..100 {
+            remarks.note(Remark::Property(format!("p{}", at / 2)));
+        }
+        assert_eq!(remarks.all().len(), MOST + 1);
+        assert_eq!(remarks.all().last(), Some(&Remark::More));
+        let long = Remark::rules(&"a\n ".repeat(90)).to_string();
+        assert!(long.ends_with("…” are left out") && !long.contains('\n'), "{long}");
     }
 }

@@ -1,4 +1,4 @@
-//! XML as text, one element per line.
+//! XML as text, one element per line, or all in one line.
 
 use std::fmt::{Display, Write};
 
@@ -8,12 +8,19 @@ pub(crate) struct Xml {
     text: String,
     /// Whether the start tag of the last element still lacks its `>`.
     is_open: bool,
+    /// Whether no white space is added, which would change texts.
+    is_one_line: bool,
 }
 
 impl Xml {
+    /// Elements without white space between them.
+    pub(crate) fn in_one_line() -> Self {
+        Self { is_one_line: true, ..Self::default() }
+    }
+
     pub(crate) fn open(&mut self, name: &str) {
         self.end_start_tag();
-        self.text.push_str("\n<");
+        self.text.push_str(if self.is_one_line { "<" } else { "\n<" });
         self.text.push_str(name);
         self.is_open = true;
     }
@@ -39,9 +46,23 @@ impl Xml {
         if self.is_open {
             self.text.push_str("/>");
         } else {
-            let _ = write!(self.text, "\n</{name}>");
+            self.text.push_str(if self.is_one_line { "</" } else { "\n</" });
+            let _ = write!(self.text, "{name}>");
         }
         self.is_open = false;
+    }
+
+    /// Characters between elements.
+    pub(crate) fn text(&mut self, characters: &str) {
+        self.end_start_tag();
+        for character in characters.chars() {
+            match character {
+                '&' => self.text.push_str("&amp;"),
+                '<' => self.text.push_str("&lt;"),
+                '>' => self.text.push_str("&gt;"),
+                _ => self.text.push(character),
+            }
+        }
     }
 
     /// Complete elements as text.
@@ -82,6 +103,17 @@ mod tests {
         xml.close("path");
         xml.close("g");
         assert_eq!(xml.into_text(), "\n<g id=\"a&lt;&quot;&amp;&#10;\">\n<path/>\n</g>");
+    }
+
+    #[test]
+    fn texts_are_escaped_and_get_no_white_space() {
+        let mut xml = Xml::in_one_line();
+        xml.open("text");
+        xml.text(" a<b]]>&");
+        xml.open("tspan");
+        xml.close("tspan");
+        xml.close("text");
+        assert_eq!(xml.into_text(), "<text> a&lt;b]]&gt;&amp;<tspan/></text>");
     }
 
     #[test]

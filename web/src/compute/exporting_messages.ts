@@ -58,6 +58,21 @@ export interface BentDrawing {
   readonly remarks: readonly string[];
 }
 
+/** A drawing as a picture of a size in pixels. */
+export interface PictureOrder {
+  readonly kind: 'picture';
+  readonly svg: string;
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface DrawnPicture {
+  /** Null if a browser draws it quickly. */
+  readonly png: Bytes | null;
+  /** Whether texts of the drawing are missing. */
+  readonly lacksTexts: boolean;
+}
+
 export interface ExportedFile {
   readonly name: string;
   readonly bytes: Bytes;
@@ -78,7 +93,7 @@ export interface Exports {
 
 export type ExportOrder = Exports[keyof Exports]['order'];
 
-/** The only message to the worker. */
+/** The only message to the worker, or a `PictureRequest`. */
 export interface ExportRequest {
   /** Compiled by the page. */
   readonly module: WebAssembly.Module;
@@ -91,9 +106,15 @@ export interface ExportRequest {
   readonly order: ExportOrder;
 }
 
+/** A request that needs no solver. */
+export interface PictureRequest {
+  readonly module: WebAssembly.Module;
+  readonly order: PictureOrder;
+}
+
 export type ExportReply =
   /** The part that is done, from 0 to 1. */
   | { readonly part: number }
-  | { readonly made: Exports[keyof Exports]['made'] }
+  | { readonly made: Exports[keyof Exports]['made'] | DrawnPicture }
   /** A sentence for people, or null if the module broke. */
   | { readonly refused: string | null };

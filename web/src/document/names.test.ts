@@ -1,4 +1,12 @@
 import { describe, expect, it } from 'vitest';
+import { de } from '../texts/de/index';
+import { en } from '../texts/en/index';
+import { es } from '../texts/es/index';
+import { fr } from '../texts/fr/index';
+import { ja } from '../texts/ja/index';
+import type { PartialTexts } from '../texts/texts';
+import { worded } from '../texts/wording';
+import { zh } from '../texts/zh/index';
 import { newProject, openDocument } from './document';
 import { addHandle } from './edits';
 import { nameOf } from './handle';
@@ -34,7 +42,12 @@ describe('a name', () => {
 
   it('is refused if it is empty, or reads like another one', () => {
     const fault = (name: string) => nameFault(project, 'handle-1', name);
-    expect(['', 'LEFT hand', 'left_hand'].map(fault)).toEqual(['empty', 'taken', 'taken']);
+    expect(['', 'LEFT hand', 'left_hand', 'left, hand'].map(fault)).toEqual([
+      'empty',
+      'taken',
+      'taken',
+      'taken',
+    ]);
     expect(['nose', 'Handle 1', 'left-hand-2'].map(fault)).toEqual([null, null, null]);
   });
 
@@ -47,6 +60,53 @@ describe('a name', () => {
   it('has a number until somebody gives one', () => {
     const ids = ['handle-12', 'bar-2', 'head', 'left-hand-2', 'Handle 3'];
     expect(ids.map((id) => numberOf(handle(id)))).toEqual(['12', '2', null, null, null]);
+  });
+
+  it('of a suggested handle is in the language of its reader', () => {
+    const ids = [
+      'left-arm-end',
+      'upper-right-leg-2-joint',
+      'tail-joint-3',
+      'head',
+      'body-2',
+      'top-left',
+      'middle-2',
+    ];
+    const inLanguage = (texts: PartialTexts) => ids.map((id) => worded(texts, nameWords({ id })));
+    expect(inLanguage(en)).toEqual([
+      'left arm, end',
+      'upper right leg 2, joint',
+      'tail, joint 3',
+      'head',
+      'body 2',
+      'top left',
+      'middle 2',
+    ]);
+    expect(inLanguage(de)).toEqual([
+      'linker Arm, Ende',
+      'oberes rechtes Bein 2, Gelenk',
+      'Schwanz, Gelenk 3',
+      'Kopf',
+      'Körper 2',
+      'oben links',
+      'Mitte 2',
+    ]);
+    expect(inLanguage(fr).slice(0, 2)).toEqual([
+      'bras gauche, extrémité',
+      'jambe droite supérieure 2, articulation',
+    ]);
+    expect(inLanguage(es).slice(0, 2)).toEqual([
+      'brazo izquierdo, extremo',
+      'pierna derecha superior 2, articulación',
+    ]);
+    expect(inLanguage(ja).slice(0, 2)).toEqual(['左の腕、先端', '右上の脚 2、関節']);
+    expect(inLanguage(zh).slice(0, 2)).toEqual(['左侧手臂，末端', '右上方腿 2，关节']);
+    expect(['left-hand', 'Head', 'arm-one', 'tail-tip'].map((id) => nameWords({ id }))).toEqual([
+      'left hand',
+      'Head',
+      'arm one',
+      'tail tip',
+    ]);
   });
 
   it('shows signs that are not drawn', () => {

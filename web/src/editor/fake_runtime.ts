@@ -80,6 +80,7 @@ export const testPicture = (name = 'cat.png'): Picture => ({
   isSmall: false,
   isPixelArt: false,
   moves: false,
+  lacksTexts: false,
 });
 
 /** Moves everything by the mean move of the handles. Handles beyond x = 1,000 fold one triangle each. */

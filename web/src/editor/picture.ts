@@ -37,6 +37,8 @@ export interface Picture extends Size {
   readonly isPixelArt: boolean;
   /** Whether the file has several frames. The picture is the first. */
   readonly moves: boolean;
+  /** Whether texts of the drawing are missing in the picture. */
+  readonly lacksTexts: boolean;
 }
 
 /** Whether a picture was made from an SVG drawing, which it then keeps as its file. */

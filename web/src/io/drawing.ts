@@ -1,9 +1,12 @@
 /**
  * SVG drawings as pixels. The page renders them as an image: there, no script runs and no other file is loaded.
  *
- * Small drawings are enlarged, so that handles find room.
+ * Small drawings are enlarged, so that handles find room. A page cannot interrupt the rendering, so a worker draws or
+ * rejects drawings that take long.
  */
 import { say } from '../texts/wording';
+import { type Signature, signatureOf } from './formats/signature';
+import { xmlText } from './formats/xml_text';
 import { pictureError } from './picture_error';
 import { readBytes } from './read';
 
@@ -16,26 +19,78 @@ const MOST_BYTES = 64 << 20;
 
 export const DRAWING_TYPE = 'image/svg+xml';
 
-/** A drawing, and a picture of it. */
+/** A drawing in UTF-8, and a picture of it. */
 export interface Drawn {
   readonly file: Blob;
   readonly pixels: Blob;
+  /** Whether texts of the drawing are missing in the picture. */
+  readonly lacksTexts: boolean;
 }
 
+/** Draws a drawing as a PNG outside the page, without texts; null if a browser draws it quickly. */
+export type DrawApart = (
+  svg: string,
+  width: number,
+  height: number,
+) => Promise<{ readonly png: Uint8Array<ArrayBuffer> | null; readonly lacksTexts: boolean }>;
+
 /**
- * The picture of a drawing.
+ * Parts of drawings that may take a browser long: filters, pictures and copies. Entities, references to characters, and
+ * escapes of CSS can hide them. Illustrator declares entities for its namespaces.
+ */
+const MAY_BE_SLOW =
+  /filter|<!ENTITY\s+\S+\s+(?!["']https?:)|&#|\\|<(?:[\w.-]+:)?(?:image|marker|mask|pattern|use)\b/i;
+
+/**
+ * The picture of a drawing; null for a compressed file that is not a drawing.
  *
  * @throws C2WarpError if the drawing cannot be shown; ReadError if the bytes cannot be read.
  */
-export async function drawnPicture(file: Blob): Promise<Drawn> {
-  if (file.size > MOST_BYTES) throw pictureError('picture', say('errors.picture.drawingTooLarge'));
-  const text = new TextDecoder().decode(await readBytes(file));
-  const { sized, width, height } = sizedDrawing(text);
+export async function drawnPicture(given: Blob, drawApart: DrawApart): Promise<Drawn | null> {
+  const file = await decompressed(given);
+  if (!file) return null;
+  const read = xmlText(await readBytes(file));
+  if (!('text' in read))
+    throw pictureError('picture', say('errors.picture.drawingEncoding', read.unreadableAs));
+  const { sized, width, height } = sizedDrawing(read.text);
+  const isQuick = !MAY_BE_SLOW.test(sized);
+  const apart = isQuick ? { png: null, lacksTexts: false } : await drawApart(sized, width, height);
   return {
-    file: new Blob([text], { type: DRAWING_TYPE }),
-    pixels: await rendered(new Blob([sized], { type: DRAWING_TYPE }), width, height),
+    file: new Blob([read.text], { type: DRAWING_TYPE }),
+    pixels: apart.png
+      ? new Blob([apart.png])
+      : await rendered(new Blob([sized], { type: DRAWING_TYPE }), width, height),
+    lacksTexts: apart.lacksTexts,
   };
 }
+
+/** A drawing, decompressed if necessary; null for other compressed files. @throws C2WarpError if it is too large. */
+async function decompressed(file: Blob): Promise<Blob | null> {
+  const tooLarge = () => pictureError('picture', say('errors.picture.drawingTooLarge'));
+  if (file.size > MOST_BYTES) throw tooLarge();
+  if ((await startOf(file)).name !== 'compressed') return file;
+  if (typeof DecompressionStream === 'undefined') return null;
+  let left = MOST_BYTES;
+  const bounded = new TransformStream<Uint8Array, Uint8Array>({
+    transform(bytes, controller) {
+      left -= bytes.length;
+      if (left < 0) controller.terminate();
+      else controller.enqueue(bytes);
+    },
+  });
+  const stream = file.stream().pipeThrough(new DecompressionStream('gzip')).pipeThrough(bounded);
+  const whole = await new Response(stream).blob().catch(() => null);
+  if (!whole || (await startOf(whole)).kind !== 'drawing') return null;
+  if (left < 0) throw tooLarge();
+  return whole;
+}
+
+/** Number of bytes that determine whether a file is a drawing. */
+const START = 256;
+
+/** The type of a file by its first bytes. @throws ReadError */
+const startOf = async (file: Blob): Promise<Signature> =>
+  signatureOf(new DataView(await readBytes(file.slice(0, START))));
 
 interface SizedDrawing {
   readonly sized: string;
@@ -46,10 +101,12 @@ interface SizedDrawing {
 /** A drawing with a size in whole pixels. @throws C2WarpError if it has no size. */
 export function sizedDrawing(text: string): SizedDrawing {
   const prologue =
-    /^(?:\s|\ufeff|<\?[\s\S]*?\?>|<!--[\s\S]*?-->|<!DOCTYPE(?:[^[>]|\[[\s\S]*?\])*>)*/i.exec(text)?.[0] ?? '';
+    /^(?:\s|\ufeff|<\?[\s\S]*?\?>|<!--[\s\S]*?-->|<!DOCTYPE[^[>]*(?:\[[\s\S]*?\]\s*)?>)*/i.exec(text)?.[0] ??
+    '';
   const [tag, name, attributes = ''] =
-    /^<((?:[\w.-]+:)?svg)((?:\s+[\w:.-]+\s*=\s*(?:"[^"]*"|'[^']*'))*\s*)/.exec(text.slice(prologue.length)) ??
-    [];
+    /^<((?:[\w.-]{1,99}:)?svg)((?:\s+[\w:.-]+\s*=\s*(?:"[^"]*"|'[^']*'))*\s*)/.exec(
+      text.slice(prologue.length),
+    ) ?? [];
   if (tag === undefined) throw pictureError('picture', say('errors.picture.drawingDamaged'));
   const box =
     attributeOf(attributes, 'viewBox')

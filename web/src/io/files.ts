@@ -6,7 +6,7 @@ const KINDS = {
   any: {
     description: 'Pictures and c2warp projects',
     mimeTypes: ['image/*', 'application/json'],
-    extensions: ['.png', '.jpg', '.jpeg', '.webp', '.svg', '.avif', '.gif', '.bmp', '.json'],
+    extensions: ['.png', '.jpg', '.jpeg', '.webp', '.svg', '.svgz', '.avif', '.gif', '.bmp', '.json'],
   },
   svg: { description: 'SVG drawings', mimeTypes: ['image/svg+xml'], extensions: ['.svg'] },
   png: { description: 'PNG pictures', mimeTypes: ['image/png'], extensions: ['.png'] },

@@ -27,7 +27,7 @@ export class Pictures {
    * @throws C2WarpError whose message begins with the file's name; AbortError if the signal is aborted.
    */
   async read(file: SourceFile, name: string, signal: AbortSignal): Promise<Picture> {
-    const { open, kept } = await openedFile(file, name, signal);
+    const { open, kept, lacksTexts } = await openedFile(file, name, signal);
     const { bitmap, preview } = open.texture;
     const picture: Picture = {
       id: `${performance.timeOrigin + performance.now()}`,
@@ -35,6 +35,7 @@ export class Pictures {
       // A large bitmap takes too long to scale in the page.
       thumbnail: thumbnailOf(preview ?? bitmap),
       file: kept,
+      lacksTexts,
       ...open.facts,
     };
     this.#open.set(picture, open);
@@ -91,13 +92,19 @@ function thumbnailOf(bitmap: ImageBitmap): string {
 const START = 256;
 
 /** The picture of a drawing; null for any other file. The rest of the code for drawings is loaded at the first one. */
-async function drawnFile(file: Blob): Promise<Drawn | null> {
+async function drawnFile(file: Blob, signal: AbortSignal): Promise<Drawn | null> {
   const start = new DataView(await readBytes(file.slice(0, START)));
-  if (signatureOf(start).kind !== 'drawing') return null;
+  const { kind, name } = signatureOf(start);
+  if (kind !== 'drawing' && name !== 'compressed') return null;
   const { drawnPicture } = await import('../io/drawing').catch((cause: unknown) => {
     throw notLoaded(cause);
   });
-  return drawnPicture(file);
+  return drawnPicture(file, async (svg, width, height) => {
+    const { drawnApart } = await import('../compute/exporting').catch((cause: unknown) => {
+      throw notLoaded(cause);
+    });
+    return drawnApart({ kind: 'picture', svg, width, height }, signal);
+  });
 }
 
 /** The open picture, and the file that it is kept as: the same, but for a drawing. */
@@ -105,11 +112,12 @@ async function openedFile(
   file: SourceFile,
   name: string,
   signal: AbortSignal,
-): Promise<{ readonly open: OpenPicture; readonly kept: Blob }> {
+): Promise<{ readonly open: OpenPicture; readonly kept: Blob; readonly lacksTexts: boolean }> {
   try {
-    const drawn = await drawnFile(file as Blob);
+    const drawn = await drawnFile(file as Blob, signal);
     const kept = drawn?.file ?? (file as Blob);
-    return { open: await openPicture(drawn?.pixels ?? kept, signal), kept };
+    const open = await openPicture(drawn?.pixels ?? kept, signal);
+    return { open, kept, lacksTexts: drawn?.lacksTexts ?? false };
   } catch (error) {
     throw withFileName(name, error);
   }

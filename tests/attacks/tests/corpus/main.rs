@@ -63,3 +63,8 @@ fn any_handles_are_posed_or_refused() {
 fn any_bytes_are_a_picture_or_refused() {
     attack_with("pictures", 20_000);
 }
+
+#[test]
+fn any_text_is_a_drawing_or_refused() {
+    attack_with("drawings", 5_000);
+}

@@ -4,12 +4,11 @@
 use std::path::Path;
 
 use c2warp::Picture;
-use c2warp_vector::{Drawing, VectorError};
+use c2warp_vector::{Drawing, MAX_BYTES, VectorError};
 use image::{ImageEncoder, ImageFormat, RgbaImage};
-use resvg::tiny_skia::{Pixmap, PremultipliedColorU8, Transform};
-use resvg::usvg::{Options, Tree};
 
 use super::PictureFile;
+use super::encoding::{self, NoText};
 use crate::error::{self, CliError};
 
 /// The longer side of pictures of small drawings, as in the editor: handles need room.
@@ -19,25 +18,22 @@ const MOST_SIDE: f64 = 4096.0;
 
 /// Renders a drawing at the size of the project's picture, or between the least and the greatest side. A drawing with
 /// other proportions gets the project's width and its own height. Reports on standard error which parts are left out.
-pub(super) fn rendered(bytes: Vec<u8>, path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
-    let text = String::from_utf8(bytes).map_err(|_| CliError::DrawingText { path: path.to_owned() })?;
+pub(super) fn rendered(bytes: &[u8], path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
     let refused = |reason| CliError::Drawing { path: path.to_owned(), reason };
-    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
-    let drawing = read(text).map_err(refused)?;
+    if bytes.len() > MAX_BYTES {
+        return Err(refused(VectorError::TooLarge { most: MAX_BYTES }));
+    }
+    let text = encoding::text_of(bytes).map_err(|reason| match reason {
+        NoText::Malformed(encoding) => CliError::DrawingText { path: path.to_owned(), encoding },
+        NoText::Unknown(label) => CliError::DrawingEncoding { path: path.to_owned(), label },
+    })?;
+    let drawing = read(&text).map_err(refused)?;
     for remark in drawing.remarks() {
         error::print(format_args!("{}: {remark}", path.display()));
     }
-    let [own_width, own_height] = drawing.size();
     let (width, height) = size_in_pixels(drawing.size(), size);
     Picture::check_size(width, height).map_err(CliError::refused(path))?;
-    let tree = Tree::from_str(drawing.plain_svg(), &Options::default());
-    let (Ok(tree), Some(mut canvas)) = (tree, Pixmap::new(width, height)) else {
-        return Err(CliError::PictureUnknown { path: path.to_owned() });
-    };
-    let scale = [f64::from(width) / own_width, f64::from(height) / own_height].map(|scale| scale as f32);
-    resvg::render(&tree, Transform::from_scale(scale[0], scale[1]), &mut canvas.as_mut());
-    let straight = canvas.pixels().iter().map(PremultipliedColorU8::demultiply);
-    let rgba = straight.flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue(), pixel.alpha()]).collect();
+    let rgba = drawing.pixels(width, height).map_err(refused)?;
     let pixels = RgbaImage::from_raw(width, height, rgba).expect("four bytes a pixel");
     let mut bytes = Vec::new();
     let encoder = image::codecs::png::PngEncoder::new(&mut bytes);

@@ -1,6 +1,8 @@
 //! Names of file types that the command does not read, for error messages. `web/src/io/formats/signature.ts` has the
 //! same list.
 
+use super::encoding;
+
 /// Bytes of a file that [`name`] examines.
 pub(super) const SIGNATURE_BYTES: usize = 256;
 
@@ -17,7 +19,11 @@ const SIGNATURES: &[(&[u8], &str)] = &[
     (b"\xff\x0a", "a JPEG XL picture"),
     (b"\0\0\0\x0cJXL ", "a JPEG XL picture"),
     (b"\0\0\0\x0cjP  ", "a JPEG 2000 picture"),
+    (GZIP, "a compressed file"),
 ];
+
+/// First bytes of gzip files (RFC 1952), such as drawings in .svgz.
+pub(super) const GZIP: &[u8] = b"\x1f\x8b\x08";
 
 /// Names by brands of ISO base media files (ISO/IEC 14496-12, section 4.3). AVIF files may name brands of HEIC as well.
 const BRANDS: &[(&[&[u8; 4]], &str)] = &[
@@ -42,9 +48,9 @@ fn media_name(start: &[u8]) -> Option<&'static str> {
     BRANDS.iter().find(|(wanted, _)| has(wanted)).map(|&(_, name)| name)
 }
 
-/// Returns whether a file is an SVG drawing.
+/// Returns whether a file is an SVG drawing, in any encoding.
 pub(super) fn is_drawing(start: &[u8]) -> bool {
-    let text = String::from_utf8_lossy(start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start));
+    let (text, ..) = encoding::unmarked(start).decode(start);
     let text = text.trim_start().to_ascii_lowercase();
     DRAWINGS.iter().any(|word| text.starts_with(word))
 }
@@ -62,6 +68,7 @@ mod tests {
             (b"\0\0\0\x1cftypmif1\0\0\0\0mif1avifmiaf", Some("an AVIF picture")),
             (b"\0\0\0\x18ftypisom\0\0\0\0isomavif", Some("an AVIF picture")),
             (b"\0\0\0\x14ftypisom\0\0\0\0isomavif", None),
+            (b"\x1f\x8b\x08\0", Some("a compressed file")),
             (b"once upon a time", None),
             (b"", None),
             (b"\0\0\0\0", None),

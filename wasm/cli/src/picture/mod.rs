@@ -8,6 +8,7 @@ mod apng;
 mod bounds;
 mod decoding;
 mod drawing;
+mod encoding;
 #[cfg(not(target_family = "wasm"))]
 mod fonts;
 mod jpeg;
@@ -16,11 +17,12 @@ mod orientation;
 mod profile;
 mod webp;
 
-use std::io::{Cursor, Read};
+use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
 
 use c2warp::Picture;
 use c2warp_vector::{Drawing, MAX_BYTES};
+use flate2::bufread::GzDecoder;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
 
 use crate::error::{self, CliError};
@@ -62,7 +64,7 @@ pub(crate) fn read(path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile,
 pub(crate) fn read_from(file: impl Read, path: &Path, size: Option<(u32, u32)>) -> Result<PictureFile, CliError> {
     let (format, mut bytes) = match read_bytes(file, path)? {
         Contents::Pixels(format, bytes) => (format, bytes),
-        Contents::Drawing(bytes) => return drawing::rendered(bytes, path, size),
+        Contents::Drawing(bytes) => return drawing::rendered(&bytes, path, size),
     };
     match format {
         ImageFormat::Jpeg => match jpeg::end(&bytes) {
@@ -145,6 +147,11 @@ fn read_bytes(mut file: impl Read, path: &Path) -> Result<Contents, CliError> {
         file.take(MAX_DRAWING_BYTES).read_to_end(&mut bytes).map_err(CliError::read(path))?;
         return Ok(Contents::Drawing(bytes));
     }
+    if bytes.starts_with(kind::GZIP)
+        && let Some(drawing) = unpacked(Cursor::new(bytes.clone()).chain(file.by_ref()), path)?
+    {
+        return Ok(Contents::Drawing(drawing));
+    }
     let format = image::guess_format(&bytes).ok().filter(ImageFormat::reading_enabled);
     let format = format.ok_or_else(|| match kind::name(&bytes) {
         Some(name) => CliError::PictureType { path: path.to_owned(), name },
@@ -152,6 +159,19 @@ fn read_bytes(mut file: impl Read, path: &Path) -> Result<Contents, CliError> {
     })?;
     file.read_to_end(&mut bytes).map_err(CliError::read(path))?;
     Ok(Contents::Pixels(format, bytes))
+}
+
+/// Unpacks a drawing in .svgz. `None` for any other compressed file.
+fn unpacked(file: impl Read, path: &Path) -> Result<Option<Vec<u8>>, CliError> {
+    let damaged = |reason| CliError::DrawingPacked { path: path.to_owned(), reason };
+    let mut unpacked = GzDecoder::new(BufReader::new(file));
+    let mut bytes = Vec::new();
+    unpacked.by_ref().take(kind::SIGNATURE_BYTES as u64).read_to_end(&mut bytes).map_err(damaged)?;
+    if !kind::is_drawing(&bytes) {
+        return Ok(None);
+    }
+    unpacked.by_ref().take(MAX_DRAWING_BYTES).read_to_end(&mut bytes).map_err(damaged)?;
+    Ok(Some(bytes))
 }
 
 fn warn_of_large_profile(path: &Path) {

@@ -132,21 +132,27 @@ impl Cells {
         both as f64 / cells().count().max(1) as f64
     }
 
-    /// The nearby cell in the middle of a wide part: climbs from a cell to the maximum distance from the outline.
+    /// The middle of the wide part around a cell. Climbs to the widest cell within half the distance to the outline.
     pub(super) fn widest_near(&self, clearance: &[u32], cell: usize) -> usize {
         let mut at = cell;
         loop {
-            let mut best = at;
-            self.visit_neighbours(at, |next, _| {
-                if clearance[next] > clearance[best] {
-                    best = next;
-                }
-            });
-            if best == at {
+            let distances = self.distances([(at, 0)], clearance[at] / 2);
+            let around: Vec<usize> = (0..self.len()).filter(|&cell| distances[cell] != FAR).collect();
+            let most = around.iter().map(|&cell| clearance[cell]).max().unwrap_or_default();
+            if most <= clearance[at] {
                 return at;
             }
-            at = best;
+            // Equally wide cells count alike, so that a symmetric part has its middle on the axis.
+            let ties: Vec<usize> = around.into_iter().filter(|&cell| clearance[cell] == most).collect();
+            at = self.central(&ties);
         }
+    }
+
+    /// The cell nearest to the mean of the given cells.
+    pub(super) fn central(&self, of: &[usize]) -> usize {
+        let mean = of.iter().map(|&cell| self.centre(cell)).sum::<DVec2>() / of.len() as f64;
+        let from_mean = |&cell: &usize| self.centre(cell).distance_squared(mean);
+        of.iter().copied().min_by(|a, b| from_mean(a).total_cmp(&from_mean(b))).expect("there is a cell")
     }
 
     pub(super) fn len(&self) -> usize {
@@ -213,7 +219,13 @@ impl Cells {
 
     /// Reduces distances where a way from a source is shorter.
     pub(super) fn shorten(&self, distances: &mut [u32], sources: impl IntoIterator<Item = (usize, u32)>, bound: u32) {
-        let mut sources: Vec<(usize, u32)> = sources.into_iter().filter(|&(_, from)| from <= bound).collect();
+        self.shorten_from(distances, sources.into_iter().collect(), bound);
+    }
+
+    /// The same for all kinds of sources, so that they share machine code.
+    #[inline(never)]
+    fn shorten_from(&self, distances: &mut [u32], mut sources: Vec<(usize, u32)>, bound: u32) {
+        sources.retain(|&(_, from)| from <= bound);
         sort_by_rank(&mut sources, |&(_, from)| [-i64::from(from), 0]);
         let mut buckets: [Vec<usize>; BUCKETS as usize] = Default::default();
         let mut open = 0;

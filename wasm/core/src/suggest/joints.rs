@@ -2,8 +2,10 @@
 
 use super::{
     cells::{Cells, UNITS},
+    figure::LimbShape,
     skeleton::{Limb, Skeleton},
 };
+use crate::rank::{descending, sort_by_rank};
 
 /// A head is a wide part before a neck. Its middle is at most this many times farther from the tip than from the
 /// outline. So ears, toes and tongues belong to it.
@@ -18,10 +20,18 @@ const NEAR_AXIS: usize = 2;
 const INSET: f64 = 0.07;
 /// A neck is this many times narrower than both of its sides.
 const NECK: f64 = 1.35;
-/// A bend deviates from the straight line by this share of the part's longest way.
-const BEND: f64 = 0.09;
+/// A bend deviates from the straight line by this share of the line: in its middle, this is a turn of 27°.
+const BEND: f64 = 0.12;
+/// It deviates by at least this share of the limb's width, because the middle lines of thick limbs are uneven.
+const BEND_OF_WIDTH: f64 = 0.2;
+/// Bends of a limb are this many times farther apart than they are from the outline.
+const BEND_ROOM: f64 = 3.0;
 /// How many times a limb is divided at its strongest bend.
 const DIVISIONS: usize = 3;
+/// A straight limb has a joint in its middle if it is this many times longer than wide, without the end.
+const LONG_LIMB: f64 = 0.9;
+/// The same for a straight piece at a bend.
+const LONG_PIECE: f64 = 3.0;
 
 /// The measurements of a limb.
 pub(super) struct MeasuredLimb<'a> {
@@ -99,6 +109,19 @@ impl<'a> MeasuredLimb<'a> {
         if self.has_head() { self.cells.widest_near(self.clearance, end) } else { end }
     }
 
+    /// The limb as it stands out of the trunk.
+    pub(super) fn shape(&self) -> LimbShape {
+        let (inside, end) = (self.inside(), self.end());
+        LimbShape {
+            line: self.limb.path[..inside].iter().map(|&cell| self.cells.centre(cell)).collect(),
+            end: self.cells.centre(end),
+            length: self.cells.px(self.length()),
+            width: self.cells.px(1) * self.width(0, inside / 2),
+            outer_width: self.cells.px(1) * self.width(0, inside / 4),
+            head: if self.has_head() { self.cells.px(self.clearance[end]) } else { 0.0 },
+        }
+    }
+
     /// Whether most of the limb lies on the axis of symmetry: the limb is its own mirror image.
     pub(super) fn is_on_axis(&self) -> bool {
         let own = &self.limb.path[..self.limb.own];
@@ -121,9 +144,10 @@ impl<'a> MeasuredLimb<'a> {
         self.limb.path[0]
     }
 
-    /// The narrowest cell between two wider parts, and its strength, at least 0.
+    /// The narrowest cell between a head and a wider part, and its strength, at least 0.
     pub(super) fn neck(&self) -> Option<(f64, usize)> {
-        let widths: Vec<u32> = self.limb.path.iter().map(|&cell| self.clearance[cell]).collect();
+        let line = &self.limb.path[self.head(self.inside())?..];
+        let widths: Vec<u32> = line.iter().map(|&cell| self.clearance[cell]).collect();
         let mut after = widths.clone();
         for at in (0..after.len() - 1).rev() {
             after[at] = after[at].max(after[at + 1]);
@@ -137,14 +161,51 @@ impl<'a> MeasuredLimb<'a> {
                 best = Some((ratio, at));
             }
         }
-        best.map(|(ratio, at)| ((ratio - 1.0).min(1.0) * 0.15, self.limb.path[at]))
+        best.map(|(ratio, at)| ((ratio - 1.0).min(1.0) * 0.15, line[at]))
     }
 
-    /// The cells at bends, each with its deviation from the straight line as a share of the part's longest way.
-    pub(super) fn bends(&self) -> Vec<(f64, usize)> {
+    /// The cells at bends, each with its deviation from the straight line as a share of the part's longest way. Long
+    /// straight pieces have joints in their middle, without a deviation.
+    pub(super) fn joints(&self) -> Vec<(f64, usize)> {
+        let (from, to) = (self.end_index(), self.inside() - 1);
+        let mut joints = self.bends(from, to);
+        let long = if joints.is_empty() { LONG_LIMB } else { LONG_PIECE };
+        let mut corners: Vec<usize> = joints.iter().map(|joint| joint.1).chain([from, to]).collect();
+        sort_by_rank(&mut corners, |&at| [at as i64, 0]);
+        let radius = |at: usize| if at == to { 0 } else { self.clearance[self.limb.path[at]] };
+        for piece in corners.windows(2) {
+            let start = self.ways[piece[0]] + radius(piece[0]);
+            let end = self.ways[piece[1]].saturating_sub(radius(piece[1]));
+            if f64::from(end.saturating_sub(start)) >= long * self.width(piece[0], piece[1]) {
+                joints.push((0.0, self.ways.partition_point(|&way| way < start.midpoint(end))));
+            }
+        }
+        joints.into_iter().map(|(strength, at)| (strength, self.limb.path[at])).collect()
+    }
+
+    /// The strongest bends between two indices of the path. They are apart from each other and from the first index.
+    fn bends(&self, from: usize, to: usize) -> Vec<(f64, usize)> {
         let mut bends = Vec::new();
-        self.divide(self.end_index(), self.limb.path.len() - 1, DIVISIONS, &mut bends);
-        bends
+        self.divide(from, to, DIVISIONS, &mut bends);
+        sort_by_rank(&mut bends, |&(strength, _)| [descending(strength), 0]);
+        let mut apart: Vec<(f64, usize)> = Vec::new();
+        for bend in bends {
+            let is_far = |at: usize| {
+                let room = BEND_ROOM * f64::from(self.clearance[self.limb.path[at]]);
+                f64::from(self.ways[at].abs_diff(self.ways[bend.1])) >= room
+            };
+            if is_far(from) && apart.iter().all(|other| is_far(other.1)) {
+                apart.push(bend);
+            }
+        }
+        apart
+    }
+
+    /// The mean width between two cells of the path, in units.
+    #[inline(never)]
+    fn width(&self, from: usize, to: usize) -> f64 {
+        let line = &self.limb.path[from..=to];
+        2.0 * line.iter().map(|&cell| f64::from(self.clearance[cell])).sum::<f64>() / line.len() as f64
     }
 
     fn divide(&self, from: usize, to: usize, divisions: usize, bends: &mut Vec<(f64, usize)>) {
@@ -161,9 +222,9 @@ impl<'a> MeasuredLimb<'a> {
         };
         let far = (from + 1..to).max_by(|&one, &other| departure(one).total_cmp(&departure(other)));
         let Some(far) = far else { return };
-        let share = departure(far) / self.cells.px(self.diameter.max(1));
-        if share >= BEND {
-            bends.push((share, self.limb.path[far]));
+        let line = self.cells.px(self.ways[to] - self.ways[from]);
+        if departure(far) >= (BEND * line).max(BEND_OF_WIDTH * self.cells.px(1) * self.width(from, to)) {
+            bends.push((departure(far) / self.cells.px(self.diameter.max(1)), far));
             self.divide(from, far, divisions - 1, bends);
             self.divide(far, to, divisions - 1, bends);
         }

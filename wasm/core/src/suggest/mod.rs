@@ -1,10 +1,11 @@
 //! Suggests handles for a shape, where an animator would begin.
 //!
 //! One handle lies in the middle of each part of the domain, and one at the end of each limb. Joints follow at necks
-//! and bends, and where a limb has no handle for a long way. A picture without an outline, such as a photograph, has
-//! handles in even rows.
+//! and bends, and in the middle of straight limbs, at least a limb's width from other handles. A picture without an
+//! outline, such as a photograph, has handles in even rows.
 //!
 //! - Limbs come from the medial axis, by TEASAR: see `skeleton`.
+//! - Names come from the shape and position of limbs: see `figure`.
 //! - Long ways are filled by farthest points (Gonzalez, "Clustering to minimize the maximum intercluster distance",
 //!   1985), with intrinsic distances.
 //!
@@ -13,6 +14,7 @@
 //! Cost: linear in about 120,000 cells for each handle, regardless of the size of the picture.
 
 mod cells;
+mod figure;
 mod joints;
 mod names;
 mod placing;
@@ -24,6 +26,7 @@ mod tests;
 
 use glam::DVec2;
 
+use self::placing::Place;
 use crate::{
     domain::Domain,
     project::Handle,
@@ -34,7 +37,8 @@ use crate::{
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct SuggestedHandle {
-    /// A description of its place: `top-left-end`. Unique, and not empty.
+    /// Its part of a figure, with the side in the picture, as `left-arm-end`, or else its position, as `top-left`.
+    /// Unique, and not empty.
     pub id: String,
     /// Its position, in pixels. It is in the domain.
     pub rest: DVec2,
@@ -56,20 +60,9 @@ pub enum SuggestedRole {
     Spread,
 }
 
-impl SuggestedRole {
-    fn word(self) -> &'static str {
-        match self {
-            Self::Middle => "middle",
-            Self::End => "end",
-            Self::Joint => "joint",
-            Self::Spread => "",
-        }
-    }
-}
-
 /// Suggests point handles for a domain, from top to bottom.
 ///
-/// Without a `count`, their number follows from the shape: 5 to 12, and fewer only if the domain has no room. With a
+/// Without a `count`, their number follows from the shape: 5 to 14, and fewer only if the domain has no room. With a
 /// `count`, there are as many as have room, and at least one.
 ///
 /// ```
@@ -79,7 +72,7 @@ impl SuggestedRole {
 /// let ring = cross.into_iter().chain([(0, 40), (40, 40)]).map(|(x, y)| [f64::from(x), f64::from(y)].into()).collect();
 /// let handles = suggest(&Domain::from_rings(&[ring])?, None);
 /// let ends: Vec<&str> = handles.iter().filter(|h| h.role == SuggestedRole::End).map(|h| h.id.as_str()).collect();
-/// assert_eq!(ends, ["top-end", "left-end", "right-end", "bottom-end"]);
+/// assert_eq!(ends, ["upper-part-end", "left-part-end", "right-part-end", "lower-part-end"]);
 /// # Ok::<(), c2warp::Error>(())
 /// ```
 #[must_use]
@@ -91,7 +84,7 @@ pub fn suggest(domain: &Domain, count: Option<usize>) -> Vec<SuggestedHandle> {
 
 /// Suggests point handles beside the existing ones, from top to bottom.
 ///
-/// None of them is near an existing handle, or has an id that reads like an existing one. They are at most 12, and none
+/// None of them is near an existing handle, or has an id that reads like an existing one. They are at most 14, and none
 /// if every place is near to a handle. Without handles, they are those of [`suggest`].
 ///
 /// ```
@@ -116,12 +109,12 @@ pub fn suggest_beside(domain: &Domain, handles: &[Handle]) -> Vec<SuggestedHandl
 }
 
 /// Handles at some places, from top to bottom.
-fn named(domain: &Domain, mut places: Vec<(DVec2, SuggestedRole)>, taken: &[&str]) -> Vec<SuggestedHandle> {
+fn named(domain: &Domain, mut places: Vec<Place>, taken: &[&str]) -> Vec<SuggestedHandle> {
     let (low, high) = domain.bounds();
-    sort_by_rank(&mut places, |&(place, _)| from_top(place));
-    let words: Vec<(DVec2, &str)> = places.iter().map(|&(p, role)| (p, role.word())).collect();
-    let ids = names::ids(&words, low, high, taken);
-    places.into_iter().zip(ids).map(|((rest, role), id)| SuggestedHandle { id, rest, role }).collect()
+    sort_by_rank(&mut places, |place| from_top(place.at));
+    let ids = names::ids(&places, low, high, taken);
+    let handle = |(Place { at, role, .. }, id)| SuggestedHandle { id, rest: at, role };
+    places.into_iter().zip(ids).map(handle).collect()
 }
 
 /// Whether a domain is an upright rectangle, such as a whole picture.

@@ -1,11 +1,10 @@
-//! Names of handles by their position.
+//! Ids of handles: their names, or else their positions.
 //!
 //! The names of a mirrored picture are mirrored: only left and right are exchanged.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use glam::DVec2;
 
+use super::placing::Place;
 use crate::rank::{ascending, sort_by_rank};
 
 /// Handles within this share of the width from the axis are on neither side of it.
@@ -13,23 +12,27 @@ const ON_AXIS: f64 = 0.03;
 /// How much higher a handle must be to come before one that is farther out, as a share of that distance.
 const OUTWARDS: f64 = 0.5;
 
-/// Gives each handle an id by its position in a rectangle and its role, such as `top-left-end`. Handles with equal
-/// position and role get sides if they lie on both sides of the axis, or else numbers. No id reads like an id in
+/// Gives each place an id: its name, or else its position in a rectangle, such as `top-left`. Places with equal
+/// positions get sides if they lie on both sides of the axis. Equal names get numbers. No id reads like an id in
 /// `taken`.
-pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&str]) -> Vec<String> {
+pub(super) fn ids(places: &[Place], low: DVec2, high: DVec2, taken: &[&str]) -> Vec<String> {
     let size = (high - low).max(DVec2::splat(1e-9));
-    let shares: Vec<DVec2> = places.iter().map(|&(p, _)| (p - low) / size).collect();
-    let mut words: Vec<String> =
-        shares.iter().zip(places).map(|(&at, &(_, role))| name(at.y, third(at.x), role)).collect();
-    for members in groups(&words) {
+    let shares: Vec<DVec2> = places.iter().map(|place| (place.at - low) / size).collect();
+    let positions: Vec<String> = shares.iter().map(|at| position(at.y, third(at.x))).collect();
+    let mut words: Vec<String> = places
+        .iter()
+        .zip(&positions)
+        .map(|(place, position)| place.name.as_ref().unwrap_or(position).clone())
+        .collect();
+    for mut members in groups(&positions) {
+        members.retain(|&k| places[k].name.is_none());
         if members.iter().all(|&k| (shares[k].x - 0.5).abs() > ON_AXIS) && is_on_both_sides(&members, &shares) {
             for k in members {
-                words[k] = name(shares[k].y, if shares[k].x < 0.5 { "left" } else { "right" }, places[k].1);
+                words[k] = position(shares[k].y, if shares[k].x < 0.5 { "left" } else { "right" });
             }
         }
     }
-    let mut known: BTreeSet<String> = BTreeSet::new();
-    known.extend(taken.iter().map(|id| read(id)));
+    let mut known: Vec<String> = taken.iter().map(|id| read(id)).collect();
     let mut ids = vec![String::new(); words.len()];
     for mut members in groups(&words) {
         // From top to bottom, and at about the same height from the outside in.
@@ -39,7 +42,7 @@ pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&s
             let numbered =
                 |number: usize| if number == 1 { words[k].clone() } else { format!("{}-{number}", words[k]) };
             ids[k] = (1..).map(numbered).find(|id| !known.contains(id)).expect("numbers do not end");
-            known.insert(ids[k].clone());
+            known.push(ids[k].clone());
         }
     }
     ids
@@ -47,9 +50,9 @@ pub(super) fn ids(places: &[(DVec2, &str)], low: DVec2, high: DVec2, taken: &[&s
 
 /// The indices of equal names.
 fn groups(words: &[String]) -> Vec<Vec<usize>> {
-    let mut groups: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-    words.iter().enumerate().for_each(|(k, word)| groups.entry(word).or_default().push(k));
-    groups.into_values().collect()
+    let equal = |k: usize| (0..words.len()).filter(move |&other| words[other] == words[k]);
+    let first = (0..words.len()).filter(|&k| equal(k).next() == Some(k));
+    first.map(|k| equal(k).collect()).collect()
 }
 
 fn is_on_both_sides(members: &[usize], shares: &[DVec2]) -> bool {
@@ -59,7 +62,12 @@ fn is_on_both_sides(members: &[usize], shares: &[DVec2]) -> bool {
 
 /// An id as displayed: editors show hyphens as spaces. The words here contain only ASCII letters.
 fn read(id: &str) -> String {
-    id.trim().to_ascii_lowercase().replace(['_', ' '], "-")
+    let letter = |letter| match letter {
+        ',' => None,
+        '_' | ' ' => Some('-'),
+        other => Some(other.to_ascii_lowercase()),
+    };
+    id.trim().chars().filter_map(letter).collect()
 }
 
 /// The side of a position in the outer thirds of the width.
@@ -71,39 +79,43 @@ fn third(x: f64) -> &'static str {
     }
 }
 
-/// The name of a position, with heights from 0 to 1.
-fn name(y: f64, side: &str, role: &str) -> String {
+/// The words for a position, with heights from 0 to 1.
+fn position(y: f64, side: &str) -> String {
     let height = match y {
         y if y < 0.36 => "top",
         y if y > 0.64 => "bottom",
         _ => "",
     };
-    let middle = if height.is_empty() && side.is_empty() && role != "middle" { "middle" } else { "" };
-    let words = if role == "middle" { ["", "", "", role] } else { [height, side, middle, role] };
-    words.iter().filter(|word| !word.is_empty()).copied().collect::<Vec<_>>().join("-")
+    match (height, side) {
+        ("", "") => "middle".to_owned(),
+        ("", only) | (only, "") => only.to_owned(),
+        _ => format!("{height}-{side}"),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use glam::DVec2;
 
-    use super::ids;
+    use super::{super::SuggestedRole::Spread, Place, ids};
 
     fn named(places: &[([f64; 2], &str)], taken: &[&str]) -> Vec<String> {
-        let places: Vec<(DVec2, &str)> = places.iter().map(|&(p, role)| (p.into(), role)).collect();
+        let name = |name: &str| (!name.is_empty()).then(|| name.to_owned());
+        let place = |&(at, given): &([f64; 2], &str)| Place { at: at.into(), role: Spread, name: name(given) };
+        let places: Vec<Place> = places.iter().map(place).collect();
         ids(&places, DVec2::ZERO, DVec2::splat(100.0), taken)
     }
 
     #[test]
     fn ids_contain_the_position_and_are_unique() {
-        let places = [([5.0, 5.0], "end"), ([8.0, 9.0], "end"), ([50.0, 50.0], "middle"), ([50.0, 95.0], "joint")];
-        assert_eq!(named(&places, &[]), ["top-left-end", "top-left-end-2", "middle", "bottom-joint"]);
+        let places = [([5.0, 5.0], ""), ([8.0, 9.0], ""), ([50.0, 50.0], ""), ([50.0, 95.0], ""), ([3.0, 3.0], "head")];
+        assert_eq!(named(&places, &[]), ["top-left", "top-left-2", "middle", "bottom", "head"]);
     }
 
     #[test]
     fn mirrored_positions_have_mirrored_ids() {
         let legs = [(8.0, 90.0), (30.0, 95.0), (44.0, 86.0), (56.0, 86.0), (70.0, 95.0), (92.0, 90.0)];
-        let end = |(x, y): (f64, f64)| ([x, y], "end");
+        let end = |(x, y): (f64, f64)| ([x, y], "");
         let mirrored = |(x, y): (f64, f64)| end((100.0 - x, y));
         let exchanged = |id: &String| id.replace("left", "?").replace("right", "left").replace('?', "right");
         let ids = named(&legs.map(end), &[]);
@@ -113,7 +125,7 @@ mod tests {
 
     #[test]
     fn ids_do_not_read_like_taken_ones() {
-        let places = [([5.0, 5.0], "end"), ([50.0, 50.0], "middle")];
-        assert_eq!(named(&places, &["Top left end", "tail"]), ["top-left-end-2", "middle"]);
+        let places = [([5.0, 5.0], ""), ([50.0, 50.0], "left-arm-end")];
+        assert_eq!(named(&places, &["Top left", "Left arm, end"]), ["top-left-2", "left-arm-end-2"]);
     }
 }

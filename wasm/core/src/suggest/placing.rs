@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::{
     SuggestedRole,
     cells::{Cells, FAR},
+    figure::Figure,
     joints::MeasuredLimb,
     skeleton::Skeleton,
     taken::taken_cells,
@@ -16,7 +17,7 @@ use crate::{
 };
 
 const FEWEST: usize = 5;
-const MOST: usize = 12;
+const MOST: usize = 14;
 /// Smaller parts, as a share of the largest, have no handle of their own.
 const LEAST_PART: f64 = 0.02;
 /// Room around the ends of limbs and around joints, as shares of the longest way in a part.
@@ -33,6 +34,8 @@ const PAIR_ROOM: f64 = 0.7;
 const WIDE_PAIR: u32 = 2;
 /// Positions in wide parts that are farther than this share from all handles get one.
 const WIDE: f64 = 0.26;
+/// A part with this share of all cells is a figure, and smaller parts lie beside it.
+const FIGURE: f64 = 0.6;
 /// Room around all handles, as a share of their mean distance in a square.
 const ROOM: f64 = 0.3;
 /// Handles are at least this far apart, in pixels.
@@ -42,8 +45,17 @@ const PROBES: i32 = 4;
 /// Greatest ratio of a handle's distance to other handles and to the outline, in a wide part.
 const FROM_OUTLINE: u32 = 3;
 
-/// Positions of handles with their roles, the most important first. Existing handles also have room around them.
-pub(super) fn places(domain: &Domain, count: Option<usize>, there: &[Handle]) -> Vec<(DVec2, SuggestedRole)> {
+/// A handle, before it has an id.
+#[derive(Debug)]
+pub(super) struct Place {
+    pub(super) at: DVec2,
+    pub(super) role: SuggestedRole,
+    /// Its part of a figure. `None` if it is named after its position.
+    pub(super) name: Option<String>,
+}
+
+/// The handles, the most important first. Existing handles also have room around them.
+pub(super) fn places(domain: &Domain, count: Option<usize>, there: &[Handle]) -> Vec<Place> {
     let cells = Cells::new(domain);
     let clearance = cells.clearance();
     let most = count.unwrap_or(MOST);
@@ -55,11 +67,23 @@ pub(super) fn places(domain: &Domain, count: Option<usize>, there: &[Handle]) ->
     let measured = |skeleton| MeasuredLimb::of(skeleton, &cells, &clearance);
     let limbs: Vec<MeasuredLimb<'_>> = skeletons.iter().flat_map(measured).collect();
     let longest = f64::from(skeletons.iter().map(|skeleton| skeleton.diameter).max().unwrap_or_default());
-    let nearest = cells.distances(taken_cells(&cells, there).into_iter().map(|cell| (cell, 0)), FAR - 16);
+    let taken = taken_cells(&cells, there);
+    let nearest = cells.distances(taken.iter().map(|&cell| (cell, 0)), FAR - 16);
+    let widest = clearance.iter().copied().filter(|&clearance| clearance != FAR).max().unwrap_or_default();
+    let from_circles = cells.distances(taken.iter().map(|&cell| (cell, widest - clearance[cell])), FAR - 16);
     let symmetric = cells.symmetry() >= SYMMETRIC;
     let pair_room = (longest * JOINT_ROOM * PAIR_ROOM) as u32;
-    let mut placing =
-        Placing { cells: &cells, clearance: &clearance, symmetric, pair_room, most, nearest, chosen: Vec::new() };
+    let mut placing = Placing {
+        cells: &cells,
+        clearance: &clearance,
+        widest,
+        symmetric,
+        pair_room,
+        most,
+        nearest,
+        from_circles,
+        chosen: Vec::new(),
+    };
     for skeleton in &skeletons {
         // The first handle of a part needs no room.
         let room = if there.is_empty() { 0 } else { (f64::from(skeleton.diameter) * JOINT_ROOM) as u32 };
@@ -78,13 +102,24 @@ pub(super) fn places(domain: &Domain, count: Option<usize>, there: &[Handle]) ->
     let area = all.len() as f64 * cells.side * cells.side;
     let room = cells.units((area / wanted.max(1) as f64).sqrt() * ROOM);
     placing.fill(&all, SuggestedRole::Spread, wanted, room, FROM_OUTLINE);
-    let chosen = placing.chosen.iter();
-    chosen.map(|&(cell, role)| (position(&cells, domain, cell, clearance[cell]), role)).collect()
+    let figure = parts.first().filter(|part| part.len() as f64 >= FIGURE * all.len() as f64).map(|part| {
+        let of_part = limbs.iter().filter(|limb| part.binary_search(&limb.tip()).is_ok());
+        let (root, shapes) = (skeletons[0].root, of_part.map(MeasuredLimb::shape).collect());
+        (part, Figure::new(cells.centre(root), cells.px(clearance[root]), shapes, domain.bounds()))
+    });
+    let place = |&(cell, role): &(usize, SuggestedRole)| {
+        let of_cell = figure.as_ref().filter(|(part, _)| part.binary_search(&cell).is_ok());
+        let name = of_cell.and_then(|(_, of)| of.name(cells.centre(cell), role, cells.px(clearance[cell])));
+        Place { at: position(&cells, domain, cell, clearance[cell]), role, name }
+    };
+    placing.chosen.iter().map(place).collect()
 }
 
 struct Placing<'a> {
     cells: &'a Cells,
     clearance: &'a [u32],
+    /// The greatest clearance.
+    widest: u32,
     /// Whether handles come in pairs, on both sides of the vertical axis.
     symmetric: bool,
     /// The minimum distance of a pair.
@@ -92,6 +127,8 @@ struct Placing<'a> {
     most: usize,
     /// For each cell, the way to the nearest chosen one.
     nearest: Vec<u32>,
+    /// The same to the largest circle in the outline around a handle, plus the greatest clearance.
+    from_circles: Vec<u32>,
     chosen: Vec<(usize, SuggestedRole)>,
 }
 
@@ -100,8 +137,12 @@ impl Placing<'_> {
     /// chosen, or both are merged into one cell on the axis.
     fn choose(&mut self, cell: usize, role: SuggestedRole, room: u32) {
         let room = room.max(self.cells.units(LEAST_ROOM_PX));
-        let apart = self.pair_room * if role == SuggestedRole::Spread { WIDE_PAIR } else { 1 };
-        let has_room = |cell: usize| self.nearest[cell] > room;
+        let apart = match role {
+            SuggestedRole::Spread => self.pair_room * WIDE_PAIR,
+            SuggestedRole::Joint => self.pair_room.max(2 * self.clearance[cell]),
+            _ => self.pair_room,
+        };
+        let has_room = |cell: usize| self.nearest[cell] > room && self.is_apart(cell, role);
         if self.chosen.len() >= self.most || !has_room(cell) {
             return;
         }
@@ -109,10 +150,21 @@ impl Placing<'_> {
         let is_as_good = |one: usize| has_room(one) && self.nearest[one] >= self.nearest[cell] / 2;
         let [cell, twin] = Some(self.pair(cell, apart)).filter(|&[one, _]| is_as_good(one)).unwrap_or([cell; 2]);
         let is_pair = twin != cell && self.chosen.len() + 2 <= self.most && has_room(twin);
+        if role == SuggestedRole::Joint && twin != cell && !is_pair {
+            return;
+        }
         for chosen in [cell].into_iter().chain(is_pair.then_some(twin)) {
             self.chosen.push((chosen, role));
             self.cells.shorten(&mut self.nearest, [(chosen, 0)], FAR - 16);
+            let from = self.widest - self.clearance[chosen];
+            self.cells.shorten(&mut self.from_circles, [(chosen, from)], FAR - 16);
         }
+    }
+
+    /// Whether a joint is at least a limb's width from the other handles: the largest circles in the outline around
+    /// them do not overlap.
+    fn is_apart(&self, cell: usize, role: SuggestedRole) -> bool {
+        role != SuggestedRole::Joint || self.from_circles[cell] >= self.widest + self.clearance[cell]
     }
 
     /// A cell with its mirror image, which is the same if they are nearer than `least`.
@@ -151,15 +203,12 @@ impl Placing<'_> {
         limbs
     }
 
-    /// Chooses necks and bends, the strongest first.
+    /// Chooses necks and bends, the strongest first, and then the middles of long straight pieces.
     fn choose_joints(&mut self, limbs: &[MeasuredLimb<'_>]) {
-        let joints_of = |limb: &MeasuredLimb<'_>| {
-            let room = limb.share(JOINT_ROOM);
-            limb.bends().into_iter().chain(limb.neck()).map(move |(strength, cell)| (strength, cell, room))
-        };
-        let mut joints: Vec<(f64, usize, u32)> = limbs.iter().flat_map(joints_of).collect();
-        sort_by_rank(&mut joints, |&(strength, ..)| [descending(strength), 0]);
-        joints.into_iter().for_each(|(_, joint, room)| self.choose(joint, SuggestedRole::Joint, room));
+        let joints_of = |limb: &MeasuredLimb<'_>| limb.joints().into_iter().chain(limb.neck());
+        let mut joints: Vec<(f64, usize)> = limbs.iter().flat_map(joints_of).collect();
+        sort_by_rank(&mut joints, |&(strength, _)| [descending(strength), 0]);
+        joints.into_iter().for_each(|(_, joint)| self.choose(joint, SuggestedRole::Joint, 0));
     }
 
     /// Repeatedly chooses the cell with the greatest score, up to a number of handles. The score is the distance to the
@@ -168,7 +217,8 @@ impl Placing<'_> {
     fn fill(&mut self, of: &[usize], role: SuggestedRole, wanted: usize, least: u32, from_outline: u32) {
         while self.chosen.len() < wanted {
             let score = |cell: usize| self.nearest[cell].min(self.clearance[cell].saturating_mul(from_outline));
-            let Some(best) = of.iter().copied().max_by_key(|&cell| (score(cell), std::cmp::Reverse(cell))) else {
+            let free = of.iter().copied().filter(|&cell| self.is_apart(cell, role));
+            let Some(best) = free.max_by_key(|&cell| (score(cell), std::cmp::Reverse(cell))) else {
                 return;
             };
             let before = self.chosen.len();

@@ -5,11 +5,12 @@
 //! away from the outline. It covers everything within a multiple of its distance from the outline. So ears, fingers and
 //! a rough outline do not become separate limbs.
 //!
+//! A long limb moves the middle away from the trunk. The lines are then drawn again, from the wide part where most of
+//! them meet.
+//!
 //! Cost: O(n log n) for the cells of a part, and a search in the covered cells of each limb.
 
 use std::{cmp::Reverse, collections::BinaryHeap};
-
-use glam::DVec2;
 
 use super::cells::{Cells, FAR, UNITS};
 use crate::rank::sort_by_rank;
@@ -18,7 +19,7 @@ use crate::rank::sort_by_rank;
 const COVER_TENTHS: u32 = 12;
 /// Limbs shorter than this share of the longest way in the part are bumps of the outline.
 const LEAST_LIMB: f64 = 0.06;
-/// A hair or whisker has an outer third this many times thinner than the widest point of the part.
+/// A hair or whisker has an outer half this many times thinner than the widest point of the part.
 const HAIR: u64 = 14;
 /// Maximum number of limbs, the longest first, because a rough outline has many ends.
 const MOST_LIMBS: usize = 24;
@@ -26,10 +27,16 @@ const MOST_LIMBS: usize = 24;
 const MOST_EXTREMES: usize = 8;
 /// How much more a cell near the outline costs than one in the middle of the widest part.
 const CENTRING: u64 = 16;
+/// A limb leaves the trunk at the first cell that is this wide, as a share of the widest point of the part.
+const WIDE: f64 = 0.6;
+/// The minimum number of limbs of a trunk.
+const TRUNK_LIMBS: usize = 3;
+/// A root in this share of the trunk's radius is in its middle.
+const IN_TRUNK: f64 = 0.7;
 
 /// The tree of a part.
 pub(super) struct Skeleton {
-    /// The cell in the middle.
+    /// The cell in the middle of the trunk.
     pub(super) root: usize,
     /// The longest way between two ends, in units.
     pub(super) diameter: u32,
@@ -48,6 +55,15 @@ pub(super) struct Limb {
 impl Skeleton {
     pub(super) fn new(cells: &Cells, clearance: &[u32], part: &[usize]) -> Self {
         let (root, diameter) = middle(cells, clearance, part);
+        let skeleton = Self::from_root(cells, clearance, part, root, diameter);
+        match skeleton.trunk(cells, clearance) {
+            Some(trunk) => Self::from_root(cells, clearance, part, trunk, diameter),
+            None => skeleton,
+        }
+    }
+
+    #[inline(never)]
+    fn from_root(cells: &Cells, clearance: &[u32], part: &[usize], root: usize, diameter: u32) -> Self {
         let before = centred_ways(cells, clearance, part, root);
         let from_root = cells.distances([(root, 0)], FAR);
         let least = (f64::from(diameter) * LEAST_LIMB) as u32;
@@ -69,13 +85,39 @@ impl Skeleton {
             let own = path.iter().take_while(|&&cell| !is_line[cell]).count();
             path[..own].iter().for_each(|&cell| is_line[cell] = true);
             cover(cells, &path[..own], radius, &mut is_covered);
-            let outer = &path[..own.div_ceil(3)];
+            let base = path[own.min(path.len() - 1)];
+            let is_out = |&&cell: &&usize| cells.centre(cell).distance(cells.centre(base)) > cells.px(clearance[base]);
+            let outer = &path[..path[..own].iter().take_while(is_out).count().div_ceil(2)];
             let width = outer.iter().map(|&cell| u64::from(clearance[cell])).sum::<u64>();
             if width * HAIR >= outer.len() as u64 * u64::from(widest) {
                 limbs.push(Limb { path, own });
             }
         }
         Self { root, diameter, limbs }
+    }
+
+    /// The middle of the wide part where most limbs meet. `None` if the root is there, or if no part has the most.
+    fn trunk(&self, cells: &Cells, clearance: &[u32]) -> Option<usize> {
+        let all = self.limbs.iter().flat_map(|limb| &limb.path);
+        let least = (f64::from(all.map(|&cell| clearance[cell]).max()?) * WIDE) as u32;
+        let apart = |one: usize, other: usize| cells.centre(one).distance(cells.centre(other));
+        // Each wide part with the number of its limbs.
+        let mut trunks: Vec<(usize, usize)> = Vec::new();
+        for limb in &self.limbs {
+            let wide = limb.path.iter().copied().find(|&cell| clearance[cell] >= least).unwrap_or(self.root);
+            let middle = cells.widest_near(clearance, wide);
+            let is_same = |&(trunk, _): &(usize, usize)| {
+                apart(trunk, middle) <= cells.px(clearance[trunk].max(clearance[middle]))
+            };
+            match trunks.iter().position(is_same) {
+                Some(at) => trunks[at].1 += 1,
+                None => trunks.push((middle, 1)),
+            }
+        }
+        let most = trunks.iter().map(|trunk| trunk.1).max().filter(|&most| most >= TRUNK_LIMBS)?;
+        let mut trunks = trunks.into_iter().filter(|trunk| trunk.1 == most);
+        let (Some((trunk, _)), None) = (trunks.next(), trunks.next()) else { return None };
+        (apart(trunk, self.root) > IN_TRUNK * cells.px(clearance[trunk])).then_some(trunk)
     }
 }
 
@@ -105,7 +147,7 @@ fn middle(cells: &Cells, clearance: &[u32], part: &[usize]) -> (usize, u32) {
         while let Some(&first) = ends.first() {
             let around = cells.distances([(first, 0)], widest.max(4 * UNITS));
             let (near, rest): (Vec<usize>, Vec<usize>) = ends.iter().partition(|&&cell| around[cell] != FAR);
-            let end = central(cells, &near);
+            let end = cells.central(&near);
             let distances = cells.distances([(end, 0)], FAR);
             for &cell in part {
                 greatest[cell] = distances[cell].max(greatest[cell]);
@@ -120,14 +162,7 @@ fn middle(cells: &Cells, clearance: &[u32], part: &[usize]) -> (usize, u32) {
     let score = |cell: usize| i64::from(greatest[cell]) - 2 * i64::from(clearance[cell]);
     let best = part.iter().map(|&cell| score(cell)).min().unwrap_or_default();
     let ties: Vec<usize> = part.iter().copied().filter(|&cell| score(cell) == best).collect();
-    (central(cells, &ties), diameter)
-}
-
-/// The cell nearest to the mean of the given cells.
-fn central(cells: &Cells, of: &[usize]) -> usize {
-    let mean = of.iter().map(|&cell| cells.centre(cell)).sum::<DVec2>() / of.len() as f64;
-    let from_mean = |&cell: &usize| cells.centre(cell).distance_squared(mean);
-    of.iter().copied().min_by(|a, b| from_mean(a).total_cmp(&from_mean(b))).expect("there is a cell")
+    (cells.central(&ties), diameter)
 }
 
 /// For each cell of a part, the next cell on the way to the root that keeps away from the outline.

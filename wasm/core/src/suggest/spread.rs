@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::SuggestedRole;
+use super::{SuggestedRole, placing::Place};
 use crate::{
     domain::Domain,
     project::{Handle, Shape},
@@ -20,16 +20,20 @@ const INSET: f64 = 0.12;
 const NEAR: f64 = 0.6;
 
 /// Handles in a rectangle: in rows of almost equal length, from top to bottom.
-pub(super) fn spread(domain: &Domain, count: Option<usize>) -> Vec<(DVec2, SuggestedRole)> {
-    points(domain, count).into_iter().map(|p| (p, SuggestedRole::Spread)).collect()
+pub(super) fn spread(domain: &Domain, count: Option<usize>) -> Vec<Place> {
+    points(domain, count).into_iter().map(place).collect()
 }
 
 /// The same without positions near existing handles.
-pub(super) fn spread_beside(domain: &Domain, handles: &[Handle]) -> Vec<(DVec2, SuggestedRole)> {
+pub(super) fn spread_beside(domain: &Domain, handles: &[Handle]) -> Vec<Place> {
     let points = points(domain, None);
     let apart = |p: DVec2| points.iter().filter(|&&q| q != p).map(|q| q.distance(p)).fold(f64::INFINITY, f64::min);
     let is_free = |p: DVec2| handles.iter().all(|handle| distance(&handle.shape, p) > NEAR * apart(p));
-    points.iter().filter(|&&p| is_free(p)).map(|&p| (p, SuggestedRole::Spread)).collect()
+    points.iter().copied().filter(|&p| is_free(p)).map(place).collect()
+}
+
+fn place(at: DVec2) -> Place {
+    Place { at, role: SuggestedRole::Spread, name: None }
 }
 
 /// The distance from the line or the point of a handle at rest.

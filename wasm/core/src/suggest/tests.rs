@@ -103,7 +103,7 @@ fn ends_of_an_animal_are_its_head_feet_and_tail() {
     let animal = domain(&[animal()]);
     let handles = suggest(&animal, None);
     assert_usable(&animal, &handles);
-    assert!((5..=12).contains(&handles.len()), "{handles:?}");
+    assert!((5..=14).contains(&handles.len()), "{handles:?}");
     let ends = of_role(&handles, SuggestedRole::End);
     // The middle of the head, but the tips of the others.
     for end in [(95.0, 58.0), (85.0, 310.0), (205.0, 310.0), (335.0, 72.0)] {
@@ -137,7 +137,7 @@ fn large_islands_come_first_and_crumbs_have_no_handle() {
     let many = domain(&many);
     let handles = suggest(&many, None);
     assert_usable(&many, &handles);
-    assert_eq!(of_role(&handles, SuggestedRole::Middle).len(), 12);
+    assert_eq!(of_role(&handles, SuggestedRole::Middle).len(), 14);
     let few = domain(&[square(0.0, 0.0, 100.0), square(150.0, 0.0, 60.0), square(120.0, 120.0, 4.0)]);
     let handles = suggest(&few, None);
     assert_usable(&few, &handles);
@@ -251,6 +251,35 @@ fn symmetric_domains_have_handles_in_pairs() {
             assert!(has_twin, "{rest}: {handles:?}");
         }
     }
+}
+
+/// A body with a limb that is bent at its elbow, on both sides.
+#[test]
+fn bent_limbs_have_joints_at_their_bends() {
+    let right = [(40, 60), (150, 60), (150, -60), (180, -60), (180, 90), (40, 90), (40, 240)];
+    let half: Vec<DVec2> = right.iter().map(|&(x, y)| DVec2::new(f64::from(x), f64::from(y))).collect();
+    let mirrored = half.iter().rev().map(|p| DVec2::new(-p.x, p.y));
+    let figure = domain(&[half.iter().copied().chain(mirrored).collect()]);
+    let handles = suggest(&figure, None);
+    assert_usable(&figure, &handles);
+    for elbow in [DVec2::new(165.0, 75.0), DVec2::new(-165.0, 75.0)] {
+        let joints = of_role(&handles, SuggestedRole::Joint);
+        assert!(joints.iter().any(|joint| joint.distance(elbow) < 12.0), "{elbow}: {handles:?}");
+    }
+}
+
+/// A long hair would be a limb by its length.
+#[test]
+fn whiskers_have_no_handles() {
+    let face = |k: u32| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(k) / 40.0);
+        DVec2::new(200.0 + 100.0 * sin, 200.0 - 100.0 * cos)
+    };
+    // The whisker lies between two corners of the face.
+    let whisker = [DVec2::new(420.0, 199.0), DVec2::new(420.0, 202.0)];
+    let ring: Ring = (0..=10).map(face).chain(whisker).chain((11..40).map(face)).collect();
+    let handles = suggest(&domain(&[ring]), None);
+    assert!(handles.iter().all(|handle| handle.rest.x < 310.0), "{handles:?}");
 }
 
 #[test]

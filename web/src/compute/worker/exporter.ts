@@ -1,16 +1,21 @@
 /** Worker: makes one export with a solver. Each kind of export is a file in `exports`. */
-import type { ExportReply, ExportRequest } from '../exporting_messages';
+import type { ExportReply, ExportRequest, PictureRequest } from '../exporting_messages';
 import init from '../generated/c2warp_export';
 import { bentDrawing } from './exports/bent_drawing';
+import { drawnPicture } from './exports/drawn_picture';
 import { engineRig } from './exports/engine_rig';
 import { mapFile } from './exports/map_file';
 import { webRig } from './exports/web_rig';
 
 declare const self: DedicatedWorkerGlobalScope;
 
-self.onmessage = async ({ data: request }: MessageEvent<ExportRequest>) => {
+self.onmessage = async ({ data: request }: MessageEvent<ExportRequest | PictureRequest>) => {
   try {
     await init({ module_or_path: request.module });
+    if (!('pixels' in request)) {
+      post({ made: drawnPicture(request.order) });
+      return;
+    }
     const rgba = await received(request.pixels);
     const onProgress = (part: number) => post({ part });
     const { order } = request;

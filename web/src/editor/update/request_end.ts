@@ -33,7 +33,7 @@ function endRequest(
     case 'person':
       if (outcome === 'opened') notifyLoad('person', emit);
       return outcome === 'opened'
-        ? filesOpened(withFirstFrame(state, emit), purpose.received, emit)
+        ? filesOpened(withLoss(state, emit), purpose.received, emit)
         : failed(state, outcome, emit);
     case 'back':
       if (outcome === 'opened') notifyLoad('person', emit);
@@ -85,9 +85,12 @@ const isOfProject = (outcome: OpenOutcome): boolean =>
   !isEngineFailure(outcome) &&
   !['address', 'file', 'picture'].includes(codeOf(outcome));
 
-/** Says that a file with several frames is opened as its first. */
-const withFirstFrame = (state: EditorState, emit: Emit): EditorState =>
-  state.picture?.moves ? inform(state, say('notices.moves', state.picture.name), emit) : state;
+/** Says that a file with several frames is opened as its first, or a drawing without its texts. */
+function withLoss(state: EditorState, emit: Emit): EditorState {
+  const { picture } = state;
+  if (picture?.moves) return inform(state, say('notices.moves', picture.name), emit);
+  return picture?.lacksTexts ? inform(state, say('notices.lacksTexts', picture.name), emit) : state;
+}
 
 /** Names ignored files. */
 const filesOpened = (state: EditorState, ignored: readonly NamedFile[], emit: Emit): EditorState =>

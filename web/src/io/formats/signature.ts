@@ -28,10 +28,15 @@ const SIGNATURES: readonly (readonly [start: string, name: KindName, kind?: Kind
   ['\xff\x0a', 'jpegXl'],
   ['\0\0\0\x0cJXL ', 'jpegXl'],
   ['\0\0\0\x0cjP  ', 'jpeg2000'],
+  ['\x1f\x8b\x08', 'compressed'],
 ];
 
 /** A byte order mark in UTF-8 comes before the text of some drawings. */
 const DRAWING = /^(?:ï»¿)?\s*<(?:\?xml|!--|!DOCTYPE svg|svg)/i;
+
+/** UTF-16 text with one byte per ASCII character; other text is returned unchanged. */
+const narrow = (start: string): string =>
+  /^(?:ÿþ|þÿ|\0[<\s]|[<\s]\0)/.test(start) ? start.replace(/^(?:ÿþ|þÿ)/, '').replaceAll('\0', '') : start;
 
 /**
  * Names by brands of ISO base media files (ISO/IEC 14496-12, section 4.3). AVIF files may name brands of HEIC as well.
@@ -46,7 +51,7 @@ export function signatureOf(view: DataView): Signature {
   const [, name, kind = 'other'] = SIGNATURES.find(([signature]) => start.startsWith(signature)) ?? [];
   if (name) return { kind, name };
   if (start.startsWith('RIFF') && startsWith(view, 'WEBP', 8)) return { kind: 'webp', name: 'webp' };
-  if (DRAWING.test(start)) return { kind: 'drawing', name: 'svg' };
+  if (DRAWING.test(narrow(start))) return { kind: 'drawing', name: 'svg' };
   const brands = brandsOf(view);
   const [, signature] = BRANDS.find(([names]) => names.some((name) => brands.includes(name))) ?? [];
   return signature ?? { kind: 'other' };

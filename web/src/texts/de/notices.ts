@@ -93,6 +93,8 @@ export const notices: Texts['notices'] = {
       ? `Es lässt sich nur ein Bild auf einmal öffnen. Nicht geöffnet: ${file}.`
       : `Es lässt sich nur ein Bild auf einmal öffnen. Nicht geöffnet: ${file} und ${counted(more, 'weitere Datei', 'weitere Dateien')}.`,
   moves: (picture) => `${picture} ist animiert. Nur das erste Einzelbild wurde geöffnet.`,
+  lacksTexts: (picture) =>
+    `${picture} braucht lange zum Zeichnen und wurde deshalb ohne Texte geöffnet. Wandeln Sie Texte in Pfade um, um sie zu sehen.`,
   isOpen: (picture) => `${picture} ist geöffnet.`,
   saved: (file) => `Gespeichert als ${file}.`,
   savedCut: (file) => `Gespeichert als ${file}. Teile außerhalb des Rahmens wurden abgeschnitten.`,

@@ -25,6 +25,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'ein JPEG-XL-Bild',
     jpeg2000: 'ein JPEG-2000-Bild',
     svg: 'eine SVG-Zeichnung',
+    compressed: 'eine komprimierte Datei',
   },
   damaged:
     'Das Bild ist beschädigt, oder dieser Browser kann es nicht lesen. Speichern Sie es erneut als PNG, JPEG oder WebP.',
@@ -38,6 +39,9 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingWithoutSize:
     'Die Zeichnung hat keine Größe. Geben Sie ihr eine Breite und eine Höhe oder eine viewBox.',
   drawingTooLarge: 'Die Zeichnung ist größer als 64 MB. Vereinfachen Sie sie.',
+  drawingEncoding: (encoding) =>
+    `Die Zeichnung kann nicht als ${encoding} gelesen werden. Speichern Sie sie als UTF-8.`,
+  drawingRefused: (detail) => `Die Zeichnung kann nicht geöffnet werden: ${detail}`,
   noWebgl:
     'Dieser Browser kann Bilder nicht mit WebGL2 lesen. Schalten Sie die Hardwarebeschleunigung ein, oder verwenden Sie einen anderen Browser.',
   contextLost:

@@ -33,6 +33,8 @@ export const engineErrors: Texts['errors']['engine'] = {
     `Der Rechenkern konnte nicht gestartet werden. Prüfen Sie, ob ${address} existiert und die Seite Worker erlaubt.`,
   exportNotStarted: (address) =>
     `Der Export konnte nicht gestartet werden. Prüfen Sie, ob ${address} existiert und die Seite Worker erlaubt.`,
+  drawingNotChecked:
+    'Für diese Zeichnung fehlt ein Teil des Editors. Prüfen Sie die Verbindung und ob die Seite Worker erlaubt.',
   lostDrawing: 'Der Rechenkern ist beim Zeichnen ausgefallen.',
   released: 'Die Pixel des Bilds sind nicht mehr im Speicher. Öffnen Sie das Bild erneut.',
 };

@@ -98,6 +98,8 @@ export const notices = {
   notOpened: (file: string, more: number) =>
     `Only one picture opens at a time. ${more === 0 ? `${file} was` : `${file} and ${more} more were`} not opened.`,
   moves: (picture: string) => `${picture} is animated. Only its first frame was opened.`,
+  lacksTexts: (picture: string) =>
+    `${picture} takes long to draw, so it was opened without its texts. Convert them to paths to see them.`,
   isOpen: (picture: string) => `${picture} is open.`,
   saved: (file: string) => `Saved as ${file}.`,
   savedCut: (file: string) => `Saved as ${file}. Parts beyond the frame were cut off.`,

@@ -24,6 +24,7 @@ export const pictureErrors = {
     jpegXl: 'a JPEG XL picture',
     jpeg2000: 'a JPEG 2000 picture',
     svg: 'an SVG drawing',
+    compressed: 'a compressed file',
   },
   damaged: 'The picture is damaged, or this browser cannot read it. Save it again as PNG, JPEG or WebP.',
   tooSmall: (width: number, height: number, least: number) =>
@@ -35,6 +36,9 @@ export const pictureErrors = {
   drawingDamaged: 'The drawing is damaged, or this browser cannot show it.',
   drawingWithoutSize: 'The drawing has no size. Give it a width and a height, or a viewBox.',
   drawingTooLarge: 'The drawing is larger than 64 MB. Simplify it.',
+  drawingEncoding: (encoding: string) => `The drawing cannot be read as ${encoding}. Save it as UTF-8.`,
+  /** @param detail a sentence in English. */
+  drawingRefused: (detail: string) => detail,
   noWebgl:
     'This browser cannot read pictures with WebGL2. Turn on hardware acceleration or use another browser.',
   contextLost:

@@ -33,6 +33,8 @@ export const engineErrors = {
     `Could not start the solver. Check that ${address} exists and that the page allows workers.`,
   exportNotStarted: (address: string) =>
     `Could not start the export. Check that ${address} exists and that the page allows workers.`,
+  drawingNotChecked:
+    'This drawing needs a part of the editor that could not be loaded. Check your connection, and that the page allows workers.',
   lostDrawing: 'The solver failed while drawing.',
   released: 'The pixels of the picture are no longer in memory. Open the picture again.',
 };

@@ -2,10 +2,40 @@
 import type { Texts } from '../texts';
 import { countedHandles, list, quoted } from './language';
 
+const PARTS = {
+  head: 'cabeza',
+  neck: 'cuello',
+  body: 'cuerpo',
+  arm: 'brazo',
+  leg: 'pierna',
+  tail: 'cola',
+  part: 'parte',
+} as const;
+const FEMININE: readonly string[] = ['head', 'leg', 'tail', 'part'];
+const PLACES = { '': '', end: 'extremo', joint: 'articulación' } as const;
+
+const joined = (words: readonly (string | undefined)[]): string => words.filter(Boolean).join(' ');
+
 export const names: Texts['names'] = {
   point: (number) => `punto de control ${number}`,
   bar: (number) => `barra ${number}`,
   polygon: (number) => `polígono ${number}`,
+  limb: (part, height, side, limb, place, number) => {
+    const ending = FEMININE.includes(part) ? 'a' : 'o';
+    const aside = { '': '', left: `izquierd${ending}`, right: `derech${ending}` }[side];
+    const high = { '': '', upper: 'superior', lower: 'inferior' }[height];
+    const [name, at] = [
+      [PARTS[part], aside, high, limb],
+      [PLACES[place], number],
+    ].map(joined);
+    return [name, at].filter(Boolean).join(', ');
+  },
+  position: (height, side, number) =>
+    joined([
+      { '': '', upper: 'arriba', lower: 'abajo' }[height],
+      { '': height ? '' : 'centro', left: 'a la izquierda', right: 'a la derecha' }[side],
+      number,
+    ]),
   handles: (count) => countedHandles(count),
   nothing: 'nada',
   aVirtualHandle: 'un punto auxiliar',

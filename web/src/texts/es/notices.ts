@@ -90,6 +90,8 @@ export const notices: Texts['notices'] = {
   notOpened: (file, more) =>
     `Solo se abre una imagen a la vez. Sin abrir: ${more === 0 ? file : `${file} y ${more} más`}.`,
   moves: (picture) => `${picture} es una animación. Solo se ha abierto el primer fotograma.`,
+  lacksTexts: (picture) =>
+    `${picture} tarda mucho en dibujarse, así que se ha abierto sin sus textos. Conviértalos en trazados para verlos.`,
   isOpen: (picture) => `Imagen abierta: ${picture}.`,
   saved: (file) => `Guardado como ${file}.`,
   savedCut: (file) => `Guardado como ${file}. Las partes fuera del marco se han cortado.`,

@@ -24,6 +24,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'una imagen JPEG XL',
     jpeg2000: 'una imagen JPEG 2000',
     svg: 'un dibujo SVG',
+    compressed: 'un archivo comprimido',
   },
   damaged: 'La imagen está dañada o este navegador no puede leerla. Guárdela de nuevo como PNG, JPEG o WebP.',
   tooSmall: (width, height, least) =>
@@ -35,6 +36,8 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingDamaged: 'El dibujo está dañado o este navegador no puede mostrarlo.',
   drawingWithoutSize: 'El dibujo no tiene tamaño. Dele un ancho y un alto, o un viewBox.',
   drawingTooLarge: 'El dibujo ocupa más de 64 MB. Simplifíquelo.',
+  drawingEncoding: (encoding) => `El dibujo no se puede leer como ${encoding}. Guárdelo como UTF-8.`,
+  drawingRefused: (detail) => `El dibujo no se puede abrir: ${detail}`,
   noWebgl:
     'Este navegador no puede leer imágenes con WebGL2. Active la aceleración por hardware o use otro navegador.',
   contextLost:

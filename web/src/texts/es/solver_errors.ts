@@ -33,6 +33,8 @@ export const engineErrors: Texts['errors']['engine'] = {
     `No se ha podido iniciar el motor de cálculo. Compruebe que ${address} existe y que la página permite workers.`,
   exportNotStarted: (address) =>
     `No se ha podido iniciar la exportación. Compruebe que ${address} existe y que la página permite workers.`,
+  drawingNotChecked:
+    'Este dibujo necesita una parte del editor que no se ha podido cargar. Compruebe la conexión y que la página permita workers.',
   lostDrawing: 'El motor de cálculo ha fallado al dibujar.',
   released: 'Los píxeles de la imagen ya no están en la memoria. Abra la imagen de nuevo.',
 };

@@ -2,10 +2,40 @@
 import type { Texts } from '../texts';
 import { counted, list, quoted } from './language';
 
+const PARTS = {
+  head: 'tête',
+  neck: 'cou',
+  body: 'corps',
+  arm: 'bras',
+  leg: 'jambe',
+  tail: 'queue',
+  part: 'partie',
+} as const;
+const FEMININE: readonly string[] = ['head', 'leg', 'tail', 'part'];
+const PLACES = { '': '', end: 'extrémité', joint: 'articulation' } as const;
+
+const joined = (words: readonly (string | undefined)[]): string => words.filter(Boolean).join(' ');
+
 export const names: Texts['names'] = {
   point: (number) => `poignée ${number}`,
   bar: (number) => `barre ${number}`,
   polygon: (number) => `polygone ${number}`,
+  limb: (part, height, side, limb, place, number) => {
+    const ending = FEMININE.includes(part) ? 'e' : '';
+    const aside = { '': '', left: 'gauche', right: `droit${ending}` }[side];
+    const high = { '': '', upper: `supérieur${ending}`, lower: `inférieur${ending}` }[height];
+    const [name, at] = [
+      [PARTS[part], aside, high, limb],
+      [PLACES[place], number],
+    ].map(joined);
+    return [name, at].filter(Boolean).join(', ');
+  },
+  position: (height, side, number) =>
+    joined([
+      { '': '', upper: 'en haut', lower: 'en bas' }[height],
+      { '': height ? '' : 'au milieu', left: 'à gauche', right: 'à droite' }[side],
+      number,
+    ]),
   handles: (count) => counted(count, 'poignée'),
   nothing: 'rien',
   aVirtualHandle: 'un point auxiliaire',

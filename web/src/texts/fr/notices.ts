@@ -96,6 +96,8 @@ export const notices: Texts['notices'] = {
         : `Fichiers non ouverts : ${file} et ${plural(more, { one: `${more} autre`, other: `${more} autres` })}.`
     }`,
   moves: (picture) => `${picture} est une image animée. Seule sa première image a été ouverte.`,
+  lacksTexts: (picture) =>
+    `${picture} est long à tracer et a donc été ouvert sans ses textes. Convertissez-les en chemins pour les voir.`,
   isOpen: (picture) => `Image ouverte : ${picture}.`,
   saved: (file) => `Enregistré sous ${file}.`,
   savedCut: (file) => `Enregistré sous ${file}. Ce qui dépasse du cadre a été coupé.`,

@@ -26,6 +26,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'une image JPEG XL',
     jpeg2000: 'une image JPEG 2000',
     svg: 'un dessin SVG',
+    compressed: 'un fichier compressé',
   },
   damaged:
     'L’image est endommagée, ou ce navigateur ne sait pas la lire. Enregistrez-la de nouveau en PNG, JPEG ou WebP.',
@@ -38,6 +39,8 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingDamaged: 'Le dessin est endommagé, ou ce navigateur ne sait pas l’afficher.',
   drawingWithoutSize: 'Le dessin n’a pas de taille. Donnez-lui une largeur et une hauteur, ou une viewBox.',
   drawingTooLarge: 'Le dessin dépasse 64 Mo. Simplifiez-le.',
+  drawingEncoding: (encoding) => `Le dessin ne peut pas être lu en ${encoding}. Enregistrez-le en UTF-8.`,
+  drawingRefused: (detail) => `Le dessin ne peut pas être ouvert : ${detail}`,
   noWebgl:
     'Ce navigateur ne peut pas lire des images avec WebGL2. Activez l’accélération matérielle ou utilisez un autre navigateur.',
   contextLost:

@@ -34,6 +34,8 @@ export const engineErrors: Texts['errors']['engine'] = {
     `Impossible de démarrer le moteur de calcul. Vérifiez que ${address} existe et que la page autorise les workers.`,
   exportNotStarted: (address) =>
     `Impossible de démarrer l’export. Vérifiez que ${address} existe et que la page autorise les workers.`,
+  drawingNotChecked:
+    'Ce dessin nécessite une partie de l’éditeur qui n’a pas pu être chargée. Vérifiez la connexion et que la page autorise les workers.',
   lostDrawing: 'Le moteur de calcul a échoué pendant le dessin.',
   released: 'Les pixels de l’image ne sont plus en mémoire. Ouvrez l’image de nouveau.',
 };

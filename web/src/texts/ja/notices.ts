@@ -64,6 +64,8 @@ export const notices: Texts['notices'] = {
   notOpened: (file, more) =>
     `一度に開ける画像は1つだけです。${file}${more === 0 ? '' : `とほか${number(more)}個`}は開きませんでした。`,
   moves: (picture) => `${picture}はアニメーションです。最初のフレームだけを開きました。`,
+  lacksTexts: (picture) =>
+    `${picture}は描画に時間がかかるため、テキストなしで開きました。表示するには、テキストをパスに変換してください。`,
   isOpen: (picture) => `${picture}を開きました。`,
   saved: (file) => `${file}として保存しました。`,
   savedCut: (file) => `${file}として保存しました。枠からはみ出した部分は切り取られました。`,

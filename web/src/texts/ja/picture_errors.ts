@@ -26,6 +26,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'JPEG XL画像',
     jpeg2000: 'JPEG 2000画像',
     svg: 'SVG図形',
+    compressed: '圧縮ファイル',
   },
   damaged:
     '画像が壊れているか、このブラウザーでは読めません。PNG、JPEG、WebPのいずれかで保存し直してください。',
@@ -38,6 +39,8 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingDamaged: '図形が壊れているか、このブラウザーでは表示できません。',
   drawingWithoutSize: '図形にサイズがありません。幅と高さ、またはviewBoxを指定してください。',
   drawingTooLarge: '図形が64 MBを超えています。簡略化してください。',
+  drawingEncoding: (encoding) => `図形を${encoding}として読み込めません。UTF-8で保存してください。`,
+  drawingRefused: (detail) => `この図形は開けません：${detail}`,
   noWebgl:
     'このブラウザーはWebGL2で画像を読み込めません。ハードウェアアクセラレーションを有効にするか、別のブラウザーを使ってください。',
   contextLost:

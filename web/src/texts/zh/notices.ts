@@ -60,6 +60,8 @@ export const notices: Texts['notices'] = {
   notOpened: (file, more) =>
     `一次只能打开一张图片。${quoted(file)}${more === 0 ? '' : `和另外 ${number(more)} 个文件`}未打开。`,
   moves: (picture) => `${quoted(picture)}是动图。只打开了第一帧。`,
+  lacksTexts: (picture) =>
+    `${quoted(picture)}绘制耗时较长，因此打开时不含文字。要显示文字，请将其转换为路径。`,
   isOpen: (picture) => `已打开${quoted(picture)}。`,
   saved: (file) => `已保存为${quoted(file)}。`,
   savedCut: (file) => `已保存为${quoted(file)}。超出边框的部分已被裁掉。`,

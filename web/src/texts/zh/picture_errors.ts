@@ -24,6 +24,7 @@ export const pictureErrors: Texts['errors']['picture'] = {
     jpegXl: 'JPEG XL 图片',
     jpeg2000: 'JPEG 2000 图片',
     svg: 'SVG 矢量图',
+    compressed: '压缩文件',
   },
   damaged: '图片已损坏，或此浏览器无法读取。请重新保存为 PNG、JPEG 或 WebP。',
   tooSmall: (width, height, least) => `图片为 ${width} × ${height} px。至少须为 ${least} × ${least} px。`,
@@ -34,6 +35,8 @@ export const pictureErrors: Texts['errors']['picture'] = {
   drawingDamaged: '矢量图已损坏，或此浏览器无法显示。',
   drawingWithoutSize: '矢量图没有尺寸。请为其设定宽度和高度，或 viewBox。',
   drawingTooLarge: '矢量图超过 64 MB。请将其简化。',
+  drawingEncoding: (encoding) => `矢量图不能按${encoding}读取。请另存为 UTF-8。`,
+  drawingRefused: (detail) => `无法打开此矢量图：${detail}`,
   noWebgl: '此浏览器无法用 WebGL2 读取图片。请开启硬件加速，或使用其他浏览器。',
   contextLost: '读取图片时，浏览器无法再访问显卡。请重新打开图片。',
 };

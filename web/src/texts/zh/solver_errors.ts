@@ -28,6 +28,7 @@ export const engineErrors: Texts['errors']['engine'] = {
   noWorkers: '无法启动计算引擎：此浏览器或此页面不允许 worker。',
   notStarted: (address) => `无法启动计算引擎。请检查 ${address} 是否存在，以及页面是否允许 worker。`,
   exportNotStarted: (address) => `无法启动导出。请检查 ${address} 是否存在，以及页面是否允许 worker。`,
+  drawingNotChecked: '无法加载此矢量图所需的编辑器组件。请检查网络连接，并确认页面允许使用 worker。',
   lostDrawing: '计算引擎在绘制过程中出错。',
   released: '图片的像素已不在内存中。请重新打开图片。',
 };
