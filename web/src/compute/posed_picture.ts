@@ -19,9 +19,13 @@ export interface PosedPicture {
   /**
    * The picture posed as in a project, and as stiff. Handles of the solution that the project lacks, or has with other
    * corners, keep the pose that they were solved with. Handles that are not solved yet move nothing.
+   * @param before The frame before in a drag, which the pose continues. Without it, the pose depends on the project only.
    * @throws C2WarpError if no such pose exists, such as a bar of no length. Show the last pose then.
    */
-  pose(project: Project): Pose;
+  pose(project: Project, before?: Pose): Pose;
+
+  /** The pose of the same project in which a drag comes to rest. */
+  settled(pose: Pose): Pose;
 
   /**
    * The picture along a clip. Handles without a track keep their pose in `project`.

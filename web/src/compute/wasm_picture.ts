@@ -39,9 +39,6 @@ class WasmPicture implements PosedPicture {
   readonly data: SolutionData;
   /** The pose that the module holds; null while it rests. */
   #present: WasmPose | null = null;
-  /** What the module has posed, and its answer; null at rest, along a clip, and with stiffness that is new. */
-  #shown: { readonly handles: Float64Array; readonly rigid: boolean; readonly motions: Motions } | null =
-    null;
   #triangles: { readonly version: number; readonly array: Uint32Array };
   #coverage: Float32Array<ArrayBuffer> | undefined;
   /** The stiffness of the picture in the module, and the last requested stiffness of its vertices. */
@@ -69,7 +66,6 @@ class WasmPicture implements PosedPicture {
     const places = stiffPlaces(project);
     if (!isSame(this.#stiff, places)) {
       this.#module.set_stiffness(JSON.stringify(places));
-      this.#shown = null;
     }
     this.#stiff = places;
     const { displacement } = project;
@@ -111,8 +107,14 @@ class WasmPicture implements PosedPicture {
     return this.#stiffness.values;
   }
 
-  pose(project: Project): Pose {
-    return this.#posed(new WasmPose(this, project, projectPoses(this.#solved, project)));
+  pose(project: Project, before?: Pose): Pose {
+    const way = before ? ({ after: before as WasmPose } as const) : {};
+    return this.#posed(new WasmPose(this, project, projectPoses(this.#solved, project), way));
+  }
+
+  settled(pose: Pose): Pose {
+    const { project, handles } = pose as WasmPose;
+    return this.#posed(new WasmPose(this, project, handles, { settles: pose as WasmPose }));
   }
 
   playback(clip: Clip, project: Project): Playback {
@@ -130,7 +132,7 @@ class WasmPicture implements PosedPicture {
     const playback = createModulePlayback(this.#prepared(project), { ...clip, tracks }, handles);
     return {
       pose: (posed, time) =>
-        this.#posed(new WasmPose(this, posed, projectPoses(this.#solved, posed), { playback, time })),
+        this.#posed(new WasmPose(this, posed, projectPoses(this.#solved, posed), { moment: { playback, time } })),
       free: () => playback.free(),
     };
   }
@@ -140,15 +142,9 @@ class WasmPicture implements PosedPicture {
     return pose;
   }
 
-  /** Gives the module a pose. It keeps one that only the brush has changed: the motions need no new solve. */
+  /** Gives the module a pose. */
   #show(pose: WasmPose): Motions {
-    const module = this.#prepared(pose.project);
-    const { handles, moment } = pose;
-    const rigid = isRigid(pose.project);
-    const last = moment ? null : this.#shown;
-    const motions =
-      last && last.rigid === rigid && isSamePose(last.handles, handles) ? last.motions : pose.show(module);
-    this.#shown = moment ? null : { handles, rigid, motions };
+    const motions = pose.show(this.#prepared(pose.project));
     this.#present = pose;
     return motions;
   }
@@ -266,38 +262,54 @@ class WasmPicture implements PosedPicture {
 
 type Motions = Float32Array<ArrayBuffer>;
 
-const isSamePose = (a: Float64Array, b: Float64Array): boolean =>
-  a.length === b.length && a.every((number, at) => Object.is(number, b[at]));
-
-/** A time of a clip. */
-interface Moment {
-  readonly playback: ModulePlayback;
-  readonly time: number;
+/** How a pose is found: without history unless a key is there. */
+interface Way {
+  /** A time of a clip. */
+  readonly moment?: { readonly playback: ModulePlayback; readonly time: number };
+  /** The frame before in a drag. */
+  readonly after?: WasmPose;
+  /** The end of a drag. */
+  readonly settles?: WasmPose;
 }
 
 class WasmPose implements Pose {
   readonly #picture: WasmPicture;
   readonly project: Project;
   readonly handles: Float64Array;
-  readonly moment: Moment | undefined;
+  /** The motions in full precision, once they are found. */
+  #shape: Float64Array | undefined;
+  #way: Way;
   motions = new Float32Array();
   #positions: Float32Array<ArrayBuffer> | undefined;
   #turns: Turns | undefined;
   #creases: readonly Crease[] | undefined;
   #hidden: HiddenCorners | undefined;
 
-  constructor(picture: WasmPicture, project: Project, handles: Float64Array, moment?: Moment) {
+  constructor(picture: WasmPicture, project: Project, handles: Float64Array, way: Way) {
     this.#picture = picture;
     this.project = project;
     this.handles = handles;
-    this.moment = moment;
+    this.#way = way;
   }
 
   /** Gives the module this pose. Returns the motions. */
   show(module: ModulePicture): Motions {
     const rigid = isRigid(this.project);
-    const { moment } = this;
-    return moment ? moment.playback.pose(module, moment.time, rigid) : module.set_pose(this.handles, rigid);
+    if (this.#shape) return module.show_shape(this.#shape, rigid);
+    const motions = this.#find(module, rigid);
+    this.#shape = module.shape();
+    // Else each frame of a drag would keep all frames before.
+    this.#way = {};
+    return motions;
+  }
+
+  #find(module: ModulePicture, rigid: boolean): Motions {
+    const { moment, after, settles } = this.#way;
+    if (moment) return moment.playback.pose(module, moment.time, rigid);
+    const before = after ?? settles;
+    if (!before) return module.set_pose(this.handles, rigid);
+    this.#picture.holding(before);
+    return settles ? module.settle_pose(this.handles, rigid) : module.follow_pose(this.handles, rigid);
   }
 
   get places(): Places | null {

@@ -8,6 +8,7 @@ import { openDocument } from '../document/document';
 import type { HiddenCorners, Turns } from '../document/handle';
 import { atMoment, type PosesAt } from '../document/moment';
 import type { Clip, Project } from '../document/project';
+import { solveKey } from '../document/solved';
 import type {
   CellBorders,
   CreasedMesh,
@@ -41,9 +42,12 @@ const atRest = (rest: Vec): LocatedPoint => ({ rest, rotation: 0, scale: 1 });
 export class SolutionDeformation implements Deformation {
   readonly data: SolutionData;
   readonly #picture: PosedPicture;
-  /** The last project that was asked about, and the last pose that could be computed. */
-  #asked: Project | null = null;
-  #pose: Pose | null = null;
+  /** The poses of projects that were asked about. So undo and redo show the same picture again. */
+  readonly #poses = new WeakMap<Project, Pose>();
+  /** Those of them that are frames of a drag. */
+  readonly #frames = new WeakSet<Pose>();
+  /** The last pose that was asked about and could be computed. */
+  #last: Pose | null = null;
   /** Found when somebody snaps to it. */
   #symmetry: Symmetry | undefined;
 
@@ -86,20 +90,37 @@ export class SolutionDeformation implements Deformation {
 
   /** The pose of a project; the last one if this one cannot be computed, such as of a bar without length. */
   pose(project: Project): Pose | null {
-    if (project === this.#asked) return this.#pose;
-    this.#asked = project;
-    try {
-      this.#pose = this.#poseOf(project);
-    } catch {
-      // The picture does not change until the pose can be computed again.
-    }
-    return this.#pose;
+    const known = this.#poses.get(project);
+    if (known) this.#last = known;
+    else this.#know(project, () => this.#poseOf(project));
+    return this.#last;
   }
 
-  /** Along a clip the rigid mode keeps to the way from the beginning: no frame jumps, and scrubbing shows the same. */
+  /** The pose in which a drag of a project has come to rest. It replaces that of the last frame. */
+  settle(project: Project): Pose | null {
+    const pose = this.pose(project);
+    if (pose && this.#frames.has(pose)) this.#know(project, () => this.#picture.settled(pose));
+    return this.#last;
+  }
+
+  /** The picture does not change until a pose can be computed. */
+  #know(project: Project, find: () => Pose): void {
+    try {
+      this.#last = find();
+    } catch {}
+    if (this.#last) this.#poses.set(project, this.#last);
+  }
+
+  /** Along a clip, the way from the beginning counts: scrubbing and playing show the same. Else drags go on. */
   #poseOf(project: Project): Pose {
     const along = modeOf(project) === 'rigid' ? this.#clip.playbackOf(this.#picture, project) : null;
-    return along ? along.playback.pose(project, along.time) : this.#picture.pose(project);
+    if (along) return along.playback.pose(project, along.time);
+    const last = this.#last;
+    if (modeOf(project) !== 'rigid' || !last || !isFrameAfter(last.project, project))
+      return this.#picture.pose(project);
+    const pose = this.#picture.pose(project, last);
+    this.#frames.add(pose);
+    return pose;
   }
 
   placement(project: Project, posed: Vec, within: number): Placement | null {
@@ -220,6 +241,10 @@ export class SolutionDeformation implements Deformation {
     this.#clip.free();
   }
 }
+
+/** Whether a project differs from another one in the poses of its handles only. */
+const isFrameAfter = (before: Project, project: Project): boolean =>
+  solveKey(before) === solveKey(project) && before.stiffness === project.stiffness;
 
 /** Sites × 2: the posed positions in motions. */
 function posedSites(motions: Float32Array): Float32Array {

@@ -8,7 +8,7 @@ import type { DrawingOptions } from '../compute/messages';
 import type { Pose } from '../compute/posed_picture';
 import type { ProjectDefaults } from '../document/defaults';
 import { newProject } from '../document/document';
-import type { ProjectFile } from '../document/project';
+import type { Project, ProjectFile } from '../document/project';
 import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorEvent } from '../editor/events';
 import { isLassoing, isStiffening } from '../editor/hit_areas';
@@ -44,6 +44,7 @@ import { Files } from './files';
 import { Focus } from './focus';
 import { FocusKeeper } from './focus_keeper';
 import { type Frame, Frames } from './frames';
+import { Glide } from './glide';
 import { LazyView } from './lazy_view';
 import { MediaWatcher } from './media_watcher';
 import { MenuPopover } from './menu_popover';
@@ -111,6 +112,9 @@ export class EditorRuntime {
   #lastReply = 0;
   #view: CanvasView | null = null;
   #frames: Frames | null = null;
+  readonly #glide = new Glide();
+  /** The last project in whose pose the picture came to rest. */
+  #rested: Project | null = null;
 
   constructor(element: EditorElement, page: PageAttributes, media: Media, carried: Carried) {
     this.#element = element;
@@ -334,6 +338,7 @@ export class EditorRuntime {
   #changed(state: EditorState, event: EditorEvent): void {
     this.#pictures.releaseUnused(state);
     this.#solver.freeUnused(state);
+    if (!isPressing(state.tools) && event.type !== 'handles-posed') this.#rest(state);
     // The clock ticks at the beginning of a frame: a later one would show the picture behind its handles.
     if (event.type === 'clock-ticked') this.#frames?.drawNow();
     else this.#frames?.request();
@@ -343,6 +348,19 @@ export class EditorRuntime {
     // An animation out of sight is rendered once it is seen.
     const moves = event.type === 'handles-posed' || event.type === 'clock-ticked';
     if (!moves || this.#frames?.seen) this.#element.render();
+  }
+
+  /** Lets the picture come to rest after the last frame of a drag. */
+  #rest(state: EditorState): void {
+    const project = projectOf(state);
+    const { shown } = state.solution;
+    if (!shown || project === this.#rested) return;
+    this.#rested = project;
+    const deformation = this.#solver.deformationOf(shown);
+    const last = deformation.pose(project);
+    const pose = deformation.settle(project);
+    const now = performance.now();
+    if (last && pose && pose !== last && !state.media.reducedMotion) this.#glide.begin(last, pose, now);
   }
 
   #loadTimeline(): void {
@@ -374,14 +392,17 @@ export class EditorRuntime {
     const { picture, solution, view, stage, display } = state;
     const deformation = solution.shown && this.#solver.deformationOf(solution.shown);
     const project = projectOf(state);
+    const pose = deformation?.pose(project) ?? null;
+    const drawn = pose && this.#glide.at(pose, performance.now());
     const bare = display.preview !== null || isLassoing(state);
     return {
       picture: picture && this.#pictures.opened(picture).texture,
       fill: this.#solver.fillOf(state),
       solution: deformation?.data ?? null,
-      pose: deformation?.pose(project) ?? null,
+      pose: drawn,
       heat: bare ? null : this.#heat(),
-      moves: isPressing(state.tools) || state.timeline.playing || isPlaying(state),
+      moves: isPressing(state.tools) || state.timeline.playing || isPlaying(state) || this.#glide.gliding,
+      glides: this.#glide.gliding,
       view: {
         ...deviceView(view.camera, stage, devicePixelRatio),
         compare: display.preview === 'compare' || isLassoing(state),

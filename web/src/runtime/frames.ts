@@ -3,13 +3,13 @@
  *
  * Out of sight nothing is posed or drawn, so that an animation there costs nothing.
  */
-import type { Pose } from '../compute/posed_picture';
 import type { SolutionData } from '../compute/solution';
 import { blendOf } from '../document/bending';
 import type { HeatMap } from '../geometry/heat';
 import type { View } from '../geometry/view';
 import type { TexturePatch, TextureSource } from '../render/picture';
 import { Renderer } from '../render/renderer';
+import type { DrawnPose } from './glide';
 
 /** Everything that a frame shows. Unchanged parts are the same objects as in the last frame. */
 export interface Frame {
@@ -18,10 +18,12 @@ export interface Frame {
   readonly fill: TexturePatch | null;
   readonly solution: SolutionData | null;
   /** Null draws the picture at rest. */
-  readonly pose: Pose | null;
+  readonly pose: DrawnPose | null;
   readonly heat: HeatMap | null;
   /** A drag or a clip changes the pose from frame to frame. */
   readonly moves: boolean;
+  /** The pose changes by itself: the next frame is another one. */
+  readonly glides: boolean;
   readonly view: View;
 }
 
@@ -128,7 +130,7 @@ export class Frames {
       this.#listener.failed(error);
     }
     this.#last = frame;
-    if (this.#renderer.isLoading) this.request();
+    if (this.#renderer.isLoading || frame.glides) this.request();
   }
 
   /** Draws, and draws again in full detail after a motion has ended. */
@@ -167,7 +169,7 @@ export class Frames {
     return filled || posed || heated || !isSameView(view, last?.view);
   }
 
-  #setPose(pose: Pose | null): void {
+  #setPose(pose: DrawnPose | null): void {
     if (pose) {
       const { motions, places, project, triangles } = pose;
       this.#renderer.setPlaces(places);
