@@ -360,7 +360,7 @@ export class EditorRuntime {
     const last = deformation.pose(project);
     const pose = deformation.settle(project);
     const now = performance.now();
-    if (last && pose && pose !== last && !state.media.reducedMotion) this.#glide.begin(last, pose, now);
+    if (last && pose && pose !== last && !state.media.still) this.#glide.begin(last, pose, now);
   }
 
   #loadTimeline(): void {
