@@ -15,6 +15,7 @@ mod energy;
 mod feather;
 mod fill;
 mod fine_outlines;
+mod following;
 mod geodesic;
 mod handles;
 mod input_mesh;

@@ -348,3 +348,72 @@ fn elimination_order(count: usize, pairs: impl Iterator<Item = (u32, u32)>) -> V
     }
     order
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WIDTHS: [usize; 5] = [6, 2, 4, 6, 2];
+    const PAIRS: [(u32, u32); 6] = [(0, 1), (0, 3), (1, 2), (2, 3), (3, 4), (1, 4)];
+
+    /// Blocks of a matrix, which `diagonal` makes positive definite, and the product with a vector.
+    fn matrix(pattern: &Pattern, diagonal: f64) -> (Blocks, impl Fn(&[f64]) -> Vec<f64>) {
+        let mut blocks = pattern.zeros();
+        let mut dense = vec![vec![0.0; pattern.unknowns()]; pattern.unknowns()];
+        let pairs = PAIRS.into_iter().chain((0..5).map(|group| (group, group)));
+        for (number, (row, column)) in pairs.enumerate() {
+            let slot = pattern.slot(row, column);
+            for k in 0..WIDTHS[row as usize] / 2 {
+                for l in 0..WIDTHS[column as usize] / 2 {
+                    let value = |at: usize| 0.1 * ((7 * number + 3 * k + 5 * l + at) % 11) as f64 - 0.5;
+                    let block = match row == column {
+                        true if k == l => DMat2::from_diagonal(DVec2::splat(diagonal)),
+                        true => continue,
+                        false => DMat2::from_cols_array(&[value(0), value(1), value(2), value(3)]),
+                    };
+                    slot.add(blocks.values_mut(), [k, l], block);
+                    let (first, second) = (pattern.first(row as usize) + 2 * k, pattern.first(column as usize) + 2 * l);
+                    for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                        dense[first + i][second + j] += block.col(j)[i];
+                        if row != column {
+                            dense[second + j][first + i] += block.col(j)[i];
+                        }
+                    }
+                }
+            }
+        }
+        let product =
+            move |x: &[f64]| dense.iter().map(|row| row.iter().zip(x).map(|(a, b)| a * b).sum()).collect::<Vec<f64>>();
+        (blocks, product)
+    }
+
+    #[test]
+    fn a_solution_solves_the_equations() {
+        let pattern = Pattern::new(&WIDTHS, PAIRS.into_iter());
+        let (mut blocks, product) = matrix(&pattern, 8.0);
+        let expected: Vec<f64> = (0..pattern.unknowns()).map(|k| (k % 5) as f64 - 1.5).collect();
+        let mut x = product(&expected);
+        assert!(blocks.factorise(&pattern));
+        blocks.solve(&pattern, &mut x);
+        assert!(x.iter().zip(&expected).all(|(found, expected)| (found - expected).abs() < 1e-12), "{x:?}");
+    }
+
+    #[test]
+    fn an_indefinite_matrix_is_told() {
+        let pattern = Pattern::new(&WIDTHS, PAIRS.into_iter());
+        assert!(!matrix(&pattern, 0.1).0.factorise(&pattern));
+    }
+
+    #[test]
+    fn unknowns_set_apart_stay() {
+        let pattern = Pattern::new(&WIDTHS, PAIRS.into_iter());
+        let (mut blocks, _) = matrix(&pattern, 8.0);
+        blocks.set_apart(&pattern, 3);
+        assert!(blocks.factorise(&pattern));
+        let mut x = vec![1.0; pattern.unknowns()];
+        let apart = pattern.first(3)..pattern.first(3) + 6;
+        x[apart.clone()].fill(0.0);
+        blocks.solve(&pattern, &mut x);
+        assert!(x[apart].iter().all(|&value| value == 0.0) && x.iter().any(|&value| value != 0.0), "{x:?}");
+    }
+}

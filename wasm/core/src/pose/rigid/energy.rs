@@ -138,3 +138,77 @@ fn positive(xx: f64, xy: f64, yy: f64) -> [f64; 3] {
     let share = most / (2.0 * radius);
     [share * (radius + half), share * xy, share * (radius - half)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEP: f64 = 1e-6;
+
+    fn maps() -> Vec<(DMat2, f64)> {
+        let of = |entries: [f64; 4]| DMat2::from_cols_array(&entries);
+        vec![
+            (of([1.0, 0.0, 0.0, 1.0]), 0.0),
+            (of([0.6, -0.8, 0.8, 0.6]), 0.0),
+            (of([1.7, 0.3, -0.2, 0.4]), 0.0),
+            (of([0.3, 0.1, 0.2, 0.5]), 0.0),
+            (of([0.3, 0.1, 0.2, 0.5]), 0.2),
+            (of([0.9, 0.2, 0.1, -0.3]), 0.2),
+        ]
+    }
+
+    fn unit(entry: usize) -> DMat2 {
+        let mut entries = [0.0; 4];
+        entries[entry] = 1.0;
+        DMat2::from_cols_array(&entries)
+    }
+
+    #[test]
+    fn the_gradient_is_the_slope_of_the_energy() {
+        for (j, epsilon) in maps() {
+            let gradient = Local::gradient(j, epsilon).to_cols_array();
+            for (entry, expected) in gradient.into_iter().enumerate() {
+                let by = STEP * unit(entry);
+                let slope = (energy(j + by, epsilon) - energy(j - by, epsilon)) / (2.0 * STEP);
+                assert!((slope - expected).abs() < 1e-5 * (1.0 + expected.abs()), "{j}: {slope}, {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_second_derivatives_are_those_of_the_gradient() {
+        for (j, epsilon) in maps() {
+            let local = Local::of(j, epsilon, false);
+            for entry in 0..4 {
+                let by = STEP * unit(entry);
+                let slope = (Local::gradient(j + by, epsilon) - Local::gradient(j - by, epsilon)) * (0.5 / STEP);
+                let expected = local.change(unit(entry));
+                let size = 1.0 + expected.to_cols_array().iter().map(|value| value.abs()).fold(0.0, f64::max);
+                assert!((slope - expected).abs_diff_eq(DMat2::ZERO, 1e-4 * size), "{j}: {slope}, {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn projected_second_derivatives_are_not_negative() {
+        for (j, epsilon) in maps() {
+            let local = Local::of(j, epsilon, true);
+            for turn in 0..64 {
+                let (a, b) = (f64::from(turn) * 0.7, f64::from(turn) * 0.3);
+                let by = DMat2::from_cols_array(&[a.cos(), a.sin(), b.cos(), b.sin()]);
+                let change = local.change(by).to_cols_array();
+                let curvature: f64 = by.to_cols_array().iter().zip(change).map(|(by, change)| by * change).sum();
+                assert!(curvature > -1e-9, "{j}: {curvature}");
+            }
+        }
+    }
+
+    #[test]
+    fn rotations_have_no_energy_and_folds_a_finite_one() {
+        let turn = DMat2::from_angle(2.0);
+        assert!(energy(turn, 0.0).abs() < 1e-12 && energy(turn, 0.2).abs() < 1e-12);
+        let fold = DMat2::from_diagonal(DVec2::new(1.0, -0.5));
+        assert_eq!(energy(fold, 0.0), f64::INFINITY);
+        assert!(energy(fold, 0.2).is_finite());
+    }
+}
