@@ -37,6 +37,8 @@ const HALVINGS: usize = 12;
 const REST: f64 = 1e-4;
 /// Most steps until it rests. Few shapes need over ten.
 const MOST_STEPS: usize = 40;
+/// Most times that the flat triangles are found anew.
+const MOST_ROUNDS: usize = 3;
 
 /// The sheet in one shape.
 pub(super) struct Shape<'a> {
@@ -170,6 +172,19 @@ impl<'a> Shape<'a> {
 
     /// Moves until the picture rests. The handles stay.
     pub(super) fn settle(&mut self) {
+        for _ in 0..MOST_ROUNDS {
+            self.settle_with_watched();
+            // Triangles that are no longer flat are left out at last.
+            let watched = std::mem::take(&mut self.watched);
+            self.watch(false);
+            if self.watched == watched {
+                return;
+            }
+        }
+    }
+
+    /// Moves until the picture rests. A triangle that comes and goes would change the energy forever, so it stays.
+    fn settle_with_watched(&mut self) {
         for _ in 0..MOST_STEPS {
             let mut forces = self.assemble(None, false);
             if !self.model.factorise(&mut self.matrix, 0.0) {
@@ -177,7 +192,6 @@ impl<'a> Shape<'a> {
                 self.model.factorise(&mut self.matrix, 0.0);
             }
             let moved = self.descend(forces, f64::INFINITY);
-            // A triangle that comes and goes would change the energy forever.
             self.watch(true);
             if moved < REST {
                 return;
