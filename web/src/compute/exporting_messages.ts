@@ -69,7 +69,7 @@ export interface PictureOrder {
 export interface DrawnPicture {
   /** Null if a browser draws it quickly. */
   readonly png: Bytes | null;
-  /** Whether texts of the drawing are missing. */
+  /** Whether text of the drawing is missing. */
   readonly lacksTexts: boolean;
 }
 

@@ -42,7 +42,7 @@ const MAY_BE_SLOW =
   /filter|<!ENTITY\s+\S+\s+(?!["']https?:)|&#|\\|<(?:[\w.-]+:)?(?:image|marker|mask|pattern|use)\b/i;
 
 /**
- * The picture of a drawing; null for a compressed file that is not a drawing.
+ * Draws an SVG file as a picture. Returns null for a compressed file that is not SVG.
  *
  * @throws C2WarpError if the drawing cannot be shown; ReadError if the bytes cannot be read.
  */

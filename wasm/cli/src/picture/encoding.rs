@@ -6,7 +6,7 @@ use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 /// Why a file has no text.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum NoText {
-    /// The declaration names an encoding that nobody knows.
+    /// The declared encoding is unknown.
     Unknown(String),
     /// Some bytes mean nothing in the encoding.
     Malformed(&'static str),
