@@ -14,12 +14,11 @@ pub(super) enum NoText {
 
 /// The text of an XML file.
 pub(super) fn text_of(bytes: &[u8]) -> Result<String, NoText> {
-    let encoding = match Encoding::for_bom(bytes) {
-        Some((encoding, _)) => encoding,
-        None => declared(bytes)?,
+    let (encoding, mark) = match Encoding::for_bom(bytes) {
+        Some(marked) => marked,
+        None => (declared(bytes)?, 0),
     };
-    let bytes = Encoding::for_bom(bytes).map_or(bytes, |(_, length)| &bytes[length..]);
-    let text = encoding.decode_without_bom_handling_and_without_replacement(bytes);
+    let text = encoding.decode_without_bom_handling_and_without_replacement(&bytes[mark..]);
     text.map(Into::into).ok_or(NoText::Malformed(encoding.name()))
 }
 

@@ -44,7 +44,7 @@ impl Borrow<str> for Word {
 }
 
 impl PrecomputedHash for Word {
-    /// Only Bloom filters use it, and there is none.
+    /// Only Bloom filters use hashes, and [`Matcher`] has no Bloom filter.
     fn precomputed_hash(&self) -> u32 {
         0
     }
