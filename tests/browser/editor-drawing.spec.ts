@@ -73,7 +73,7 @@ const svgFile = (name: string, content: string | Buffer) => ({
   buffer: typeof content === 'string' ? Buffer.from(content) : content,
 });
 
-/** Opens the project of the test for the picture of this name. */
+/** Opens the test project for the picture with this name. */
 async function withHandles(editor: Editor, name: string): Promise<void> {
   const project = JSON.stringify({ ...PROJECT, image: { ...PROJECT.image, src: name } });
   await editor.chooseFile({

@@ -40,8 +40,9 @@ const look = (page: Page, pressed: readonly string[]): Promise<Seen> =>
   page.locator('c2-warp').evaluate(
     async (host, { pressable, later, pressed }) => {
       const root = (host as HTMLElement).shadowRoot as ShadowRoot;
-      // Input waits for a picture that is being opened.
-      while (root.querySelector('.stage.awaiting')) await new Promise(requestAnimationFrame);
+      // Input waits for a picture that is being opened, and pages of exports are loaded later.
+      const busy = '.stage.awaiting, .export:popover-open[aria-busy=true]';
+      while (root.querySelector(busy)) await new Promise(requestAnimationFrame);
       const all = (selector: string) => [...root.querySelectorAll<HTMLElement>(selector)];
       /** Names leave out numbers, and the state in a summary. */
       const nameOf = (control: HTMLElement) => {
@@ -182,10 +183,15 @@ async function walk(editor: Editor, select: () => Promise<void>): Promise<Walked
     pressed.push(name);
     note([name], '');
     await mouse.click(x, y);
+    await editor.waitFrames();
     let after = await look(page, pressed);
     if (after.inside) {
       await keyboard.press('Escape');
-      after = await look(page, pressed);
+      const isInside = async () => {
+        after = await look(page, pressed);
+        return after.inside;
+      };
+      await expect.poll(isInside, `Escape after ${name}`).toBe(false);
     }
     if (String(after.selected) !== String(wanted.selected)) {
       changing.push(name);

@@ -50,7 +50,7 @@ async function take(browser, url, colorScheme) {
     colorScheme,
   });
   await page.goto(url);
-  await page.getByText(/[0-9] samples/).waitFor();
+  await page.getByText(/[0-9] mesh points/).waitFor();
   for (const [name, x, y] of PULLS) {
     const handle = page.getByRole('button', { name: `Handle ${name}` });
     const box = await handle.boundingBox();

@@ -10,7 +10,7 @@ const SIDE: u32 = 256;
 /// Reads a drawing, and draws it if that is known to take little time.
 ///
 /// # Panics
-/// If it panics, or an error or a remark is not one line.
+/// If the reader panics, or an error or a remark has several lines.
 pub fn attack(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let drawing = match Drawing::read(text) {

@@ -265,7 +265,7 @@ fn command_bends_a_drawing_and_warps_it_as_a_picture() {
     );
     let of_pixels = SceneFolder::new("strip");
     assert!(fail(of_pixels.path(), "warp scene.c2warp.json -o out.svg").contains("only a drawing"));
-    // A font that no system has: the text is drawn in another one, or left out. Both are reported.
+    // This font is installed nowhere. Its text is drawn in another font, or left out; both are reported.
     let text = r#"<path d="M0 0h9v9H0z" fill="red"/><text y="8" font-family="No Such Font">Hi</text>"#;
     folder.write("text.svg", svg(text));
     let reported = command(folder.path(), "warp scene.c2warp.json --image text.svg -o bent.svg").output().unwrap();

@@ -65,7 +65,7 @@ impl DrawnPicture {
         self.png.clone()
     }
 
-    /// Whether texts of the drawing are missing in the PNG file.
+    /// Whether text of the drawing is missing from the PNG file.
     #[wasm_bindgen(getter, js_name = lacksTexts)]
     #[must_use]
     pub fn lacks_texts(&self) -> bool {

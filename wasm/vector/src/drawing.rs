@@ -23,7 +23,7 @@ use crate::{
 pub const MAX_BYTES: usize = 64 << 20;
 /// Maximum number of attributes of an element, because parsing them takes quadratic time.
 const MAX_ATTRIBUTES: usize = 256;
-/// Greatest nesting depth of drawings in pictures of drawings.
+/// Greatest nesting depth of embedded drawings.
 const MAX_PICTURE_DEPTH: u32 = 5;
 /// Maximum size of the pictures in a drawing in bytes, counting a copy for each use.
 const MAX_PICTURE_BYTES: usize = 256 << 20;
@@ -117,7 +117,7 @@ impl Reader {
         self.with(|notes| notes.remarks.note(remark));
     }
 
-    /// Reads a drawing, or a picture in one. `depth`: the number of levels of pictures that may be nested in it.
+    /// Reads a drawing, or one that it embeds. `depth` is the number of further levels that may be embedded.
     fn read(&self, text: &str, depth: u32) -> Result<(usvg::Tree, Burden), VectorError> {
         let source = parsed(text)?;
         // Pictures are in elements that are nested already.
@@ -190,7 +190,7 @@ impl Reader {
         options
     }
 
-    /// Reads a drawing that is a picture in another one.
+    /// Reads a drawing that another one embeds as a picture.
     fn nested(&self, data: &[u8], depth: u32) -> Option<ImageKind> {
         let text = std::str::from_utf8(data).ok().filter(|_| depth > 0)?;
         match self.read(text, depth - 1) {

@@ -31,7 +31,7 @@ pub enum VectorError {
     /// Copies of used paths and pictures have too many bytes.
     #[error("elements of this drawing are used too often: use smaller ones, or use them less")]
     TooManyCopies,
-    /// Selectors or custom properties of style sheets take too long.
+    /// Resolving the selectors or custom properties of style sheets takes too long.
     #[error("the style sheets of this drawing take too long: simplify them")]
     TooManyStyles,
     /// Drawing it would take too long, mostly for elements with this name.

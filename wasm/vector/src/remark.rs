@@ -32,9 +32,9 @@ pub enum Remark {
     Pictures,
     /// A picture in the drawing cannot be read.
     Picture,
-    /// A property or attribute that changes the drawing is left out.
+    /// A property or attribute that affects the drawing is ignored.
     Property(String),
-    /// A value of a property that cannot be resolved is left out.
+    /// A value that cannot be resolved is left out.
     Value {
         /// The property.
         property: String,
@@ -43,7 +43,7 @@ pub enum Remark {
     },
     /// Rules of a style sheet are left out, by their selectors or conditions.
     Rules(String),
-    /// There are more remarks than are kept.
+    /// Further remarks were dropped.
     More,
 }
 

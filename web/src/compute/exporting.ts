@@ -50,7 +50,7 @@ export async function solvedExport<K extends keyof Exports>(
   };
   const wording = (detail: string) => say('errors.exportRefused', detail);
   const refused = (detail: string) => new C2WarpError('export', detail, { wording: wording(detail) });
-  // The worker answers an order of this kind.
+  // The worker answers an order with a result of the same kind.
   return (await made(post, kind, refused, signal, onProgress)) as Exports[K]['made'];
 }
 

@@ -69,7 +69,7 @@ export interface PictureOrder {
 export interface DrawnPicture {
   /** Null if a browser draws it quickly. */
   readonly png: Bytes | null;
-  /** Whether texts of the drawing are missing. */
+  /** Whether text of the drawing is missing. */
   readonly lacksTexts: boolean;
 }
 
@@ -93,7 +93,7 @@ export interface Exports {
 
 export type ExportOrder = Exports[keyof Exports]['order'];
 
-/** The only message to the worker, or a `PictureRequest`. */
+/** Asks the worker for an export of a solved project. The worker gets one message: this or a `PictureRequest`. */
 export interface ExportRequest {
   /** Compiled by the page. */
   readonly module: WebAssembly.Module;
@@ -106,7 +106,7 @@ export interface ExportRequest {
   readonly order: ExportOrder;
 }
 
-/** A request that needs no solver. */
+/** Asks the worker for a picture of a drawing, without a solver. */
 export interface PictureRequest {
   readonly module: WebAssembly.Module;
   readonly order: PictureOrder;

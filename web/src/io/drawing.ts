@@ -5,10 +5,9 @@
  * rejects drawings that take long.
  */
 import { say } from '../texts/wording';
-import { type Signature, signatureOf } from './formats/signature';
 import { xmlText } from './formats/xml_text';
 import { pictureError } from './picture_error';
-import { readBytes } from './read';
+import { readBytes, readSignature } from './read';
 
 /** The longer side of small drawings, in pixels. */
 const LEAST_SIDE = 1024;
@@ -42,7 +41,7 @@ const MAY_BE_SLOW =
   /filter|<!ENTITY\s+\S+\s+(?!["']https?:)|&#|\\|<(?:[\w.-]+:)?(?:image|marker|mask|pattern|use)\b/i;
 
 /**
- * The picture of a drawing; null for a compressed file that is not a drawing.
+ * Draws an SVG file as a picture. Returns null for a compressed file that is not SVG.
  *
  * @throws C2WarpError if the drawing cannot be shown; ReadError if the bytes cannot be read.
  */
@@ -68,7 +67,7 @@ export async function drawnPicture(given: Blob, drawApart: DrawApart): Promise<D
 async function decompressed(file: Blob): Promise<Blob | null> {
   const tooLarge = () => pictureError('picture', say('errors.picture.drawingTooLarge'));
   if (file.size > MOST_BYTES) throw tooLarge();
-  if ((await startOf(file)).name !== 'compressed') return file;
+  if ((await readSignature(file)).name !== 'compressed') return file;
   if (typeof DecompressionStream === 'undefined') return null;
   let left = MOST_BYTES;
   const bounded = new TransformStream<Uint8Array, Uint8Array>({
@@ -80,17 +79,10 @@ async function decompressed(file: Blob): Promise<Blob | null> {
   });
   const stream = file.stream().pipeThrough(new DecompressionStream('gzip')).pipeThrough(bounded);
   const whole = await new Response(stream).blob().catch(() => null);
-  if (!whole || (await startOf(whole)).kind !== 'drawing') return null;
+  if (!whole || (await readSignature(whole)).kind !== 'drawing') return null;
   if (left < 0) throw tooLarge();
   return whole;
 }
-
-/** Number of bytes that determine whether a file is a drawing. */
-const START = 256;
-
-/** The type of a file by its first bytes. @throws ReadError */
-const startOf = async (file: Blob): Promise<Signature> =>
-  signatureOf(new DataView(await readBytes(file.slice(0, START))));
 
 interface SizedDrawing {
   readonly sized: string;

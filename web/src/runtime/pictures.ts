@@ -4,9 +4,8 @@ import type { Picture, SourceFile } from '../editor/picture';
 import type { EditorState } from '../editor/state';
 import { asC2WarpError, C2WarpError } from '../error';
 import type { Drawn } from '../io/drawing';
-import { signatureOf } from '../io/formats/signature';
 import { type OpenPicture, openPicture } from '../io/open_picture';
-import { readBytes } from '../io/read';
+import { readSignature } from '../io/read';
 import { say } from '../texts/wording';
 import { notLoaded } from './lazy_view';
 
@@ -88,13 +87,9 @@ function thumbnailOf(bitmap: ImageBitmap): string {
   return canvas.toDataURL('image/webp', 0.8);
 }
 
-/** Number of bytes that determine whether a file is a drawing. */
-const START = 256;
-
 /** The picture of a drawing; null for any other file. The rest of the code for drawings is loaded at the first one. */
 async function drawnFile(file: Blob, signal: AbortSignal): Promise<Drawn | null> {
-  const start = new DataView(await readBytes(file.slice(0, START)));
-  const { kind, name } = signatureOf(start);
+  const { kind, name } = await readSignature(file);
   if (kind !== 'drawing' && name !== 'compressed') return null;
   const { drawnPicture } = await import('../io/drawing').catch((cause: unknown) => {
     throw notLoaded(cause);

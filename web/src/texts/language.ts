@@ -26,3 +26,7 @@ export function languageOf(tag: string): Language {
 
 /** A text with its first letter in lower case. */
 export const lowered = (text: string): string => `${text.charAt(0).toLowerCase()}${text.slice(1)}`;
+
+/** Joins the parts that are not empty. */
+export const joined = (parts: readonly string[], between = ' '): string =>
+  parts.filter(Boolean).join(between);

@@ -6,7 +6,7 @@ use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 /// Why a file has no text.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum NoText {
-    /// The declaration names an encoding that nobody knows.
+    /// The declared encoding is unknown.
     Unknown(String),
     /// Some bytes mean nothing in the encoding.
     Malformed(&'static str),
@@ -14,12 +14,11 @@ pub(super) enum NoText {
 
 /// The text of an XML file.
 pub(super) fn text_of(bytes: &[u8]) -> Result<String, NoText> {
-    let encoding = match Encoding::for_bom(bytes) {
-        Some((encoding, _)) => encoding,
-        None => declared(bytes)?,
+    let (encoding, mark) = match Encoding::for_bom(bytes) {
+        Some(marked) => marked,
+        None => (declared(bytes)?, 0),
     };
-    let bytes = Encoding::for_bom(bytes).map_or(bytes, |(_, length)| &bytes[length..]);
-    let text = encoding.decode_without_bom_handling_and_without_replacement(bytes);
+    let text = encoding.decode_without_bom_handling_and_without_replacement(&bytes[mark..]);
     text.map(Into::into).ok_or(NoText::Malformed(encoding.name()))
 }
 

@@ -132,7 +132,7 @@ impl Cells {
         both as f64 / cells().count().max(1) as f64
     }
 
-    /// The middle of the wide part around a cell. Climbs to the widest cell within half the distance to the outline.
+    /// The middle of the wide part around a cell. Moves to the widest cell within half the distance to the outline.
     pub(super) fn widest_near(&self, clearance: &[u32], cell: usize) -> usize {
         let mut at = cell;
         loop {

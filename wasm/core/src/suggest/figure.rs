@@ -1,8 +1,9 @@
 //! Tells the head, arms, legs and tail of a figure by shape and position, and names handles after them.
 //!
-//! A head is a wide end behind a neck. If it is above the trunk, limbs that hang side by side are legs, and others are
+//! A head is a wide end beyond a neck. If it is above the trunk, limbs that hang side by side are legs; the others are
 //! arms. If it is beside the trunk, as in an animal from the side or from above, all limbs are legs. A single limb far
-//! from the head is a tail. Without a head, limbs that all hang are legs, as in an octopus. Otherwise, limbs are parts.
+//! from the head is a tail. Without a head, limbs are legs if all of them hang, as in an octopus. Else they are named
+//! parts.
 //!
 //! Left and right are those of the picture.
 
@@ -23,7 +24,7 @@ const HEAD: f64 = 0.5;
 const ALONE: f64 = 0.8;
 /// A head is above the trunk if it is this many times farther up than aside.
 const ABOVE: f64 = 0.8;
-/// Legs are at least this wide, as a share of the widest leg. A tail may hang beside them.
+/// Least width of a leg, as a fraction of the widest one: a tail beside legs is thinner.
 const LEG: f64 = 0.6;
 /// A person has as many arms and legs.
 const ARMS_AND_LEGS: usize = 4;
@@ -180,7 +181,7 @@ impl Figure {
         parts
     }
 
-    /// The limb with the head: by far the largest one that is not below the trunk.
+    /// The limb with the head: not below the trunk, and much larger than all others.
     fn head(&self) -> Option<usize> {
         let is_up = |limb: &LimbShape| limb.end.y - self.trunk.y < ABOVE * (limb.end.x - self.trunk.x).abs();
         let is_head = |limb: usize| self.limbs[limb].head >= HEAD * self.half_width && is_up(&self.limbs[limb]);

@@ -12,7 +12,7 @@ const ON_AXIS: f64 = 0.03;
 /// How much higher a handle must be to come before one that is farther out, as a share of that distance.
 const OUTWARDS: f64 = 0.5;
 
-/// Gives each place an id: its name, or else its position in a rectangle, such as `top-left`. Places with equal
+/// Gives each handle an id: its name, or else its position in the bounding box, such as `top-left`. Places with equal
 /// positions get sides if they lie on both sides of the axis. Equal names get numbers. No id reads like an id in
 /// `taken`.
 pub(super) fn ids(places: &[Place], low: DVec2, high: DVec2, taken: &[&str]) -> Vec<String> {

@@ -5,8 +5,8 @@
 //! away from the outline. It covers everything within a multiple of its distance from the outline. So ears, fingers and
 //! a rough outline do not become separate limbs.
 //!
-//! A long limb moves the middle away from the trunk. The lines are then drawn again, from the wide part where most of
-//! them meet.
+//! A long limb pulls the middle of the shape away from the trunk. The centre lines are then traced again, from the wide
+//! part where most of them meet.
 //!
 //! Cost: O(n log n) for the cells of a part, and a search in the covered cells of each limb.
 
@@ -27,7 +27,7 @@ const MOST_LIMBS: usize = 24;
 const MOST_EXTREMES: usize = 8;
 /// How much more a cell near the outline costs than one in the middle of the widest part.
 const CENTRING: u64 = 16;
-/// A limb leaves the trunk at the first cell that is this wide, as a share of the widest point of the part.
+/// Going outwards, a limb begins at the first cell below this width, as a fraction of the part's greatest width.
 const WIDE: f64 = 0.6;
 /// The minimum number of limbs of a trunk.
 const TRUNK_LIMBS: usize = 3;

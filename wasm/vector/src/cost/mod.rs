@@ -30,13 +30,13 @@ const LIGHT_COPIES: u64 = 200;
 pub struct Cost {
     /// Nanoseconds.
     pub time: f64,
-    /// Greatest number of bytes in use.
+    /// Peak memory in bytes.
     pub bytes: f64,
     burden: Burden,
 }
 
 impl Cost {
-    /// Whether a browser draws it quickly.
+    /// Whether a browser draws the drawing quickly.
     #[must_use]
     pub fn is_light(&self) -> bool {
         let Burden { elements, copies, .. } = self.burden;
@@ -88,7 +88,7 @@ impl Surface {
         Self { width, height, most: [5.0 * width, 5.0 * height] }
     }
 
-    /// The greatest part that a box can cover.
+    /// The largest area of the canvas that a box can cover.
     fn part(self, frame: Option<[f32; 2]>) -> Self {
         let [width, height] = frame.map_or([0.0; 2], |frame| frame.map(f64::from));
         Self { width: width.ceil().min(self.width), height: height.ceil().min(self.height), ..self }
@@ -103,7 +103,7 @@ impl Surface {
 
 /// Pixels by which a layer is larger than its box.
 const LAYER_RIM: f32 = 4.0;
-/// Nanoseconds for a node of the tree.
+/// Nanoseconds for drawing one node of the tree.
 const NODE: f64 = 500.0;
 /// Bytes of a pixel.
 const PIXEL_BYTES: f64 = 4.0;

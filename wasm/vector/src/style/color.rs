@@ -31,7 +31,7 @@ fn written(input: &mut Parser<'_>, current: &str, text: &mut String) -> Parsed<(
         }
         let opening = token.clone();
         match &opening {
-            // The only word whose letter case matters to usvg.
+            // The only keyword that usvg compares with letter case.
             Token::Ident(name) if name.eq_ignore_ascii_case("currentcolor") => text.push_str("currentColor"),
             Token::Ident(name) => text.push_str(&name.to_ascii_lowercase()),
             _ => text.push_str(input.slice_from(start.position())),

@@ -1,4 +1,4 @@
-//! The styles of a drawing as attributes that usvg reads.
+//! Converts the styles of a drawing to attributes that usvg reads.
 //!
 //! usvg supports few selectors and colours, and no custom properties or conditions. It silently replaces unknown
 //! values. So styles are resolved first, by CSS Cascade 4, Custom Properties 1 and Color 4. Other styles are left out
@@ -94,7 +94,7 @@ impl Surroundings {
 #[derive(Debug, Clone, Copy, Default)]
 struct Place<'p> {
     is_in_text: bool,
-    /// A copy for one use. Of its elements, only the first has a name.
+    /// A copy of an element for one `<use>`. Only its root keeps an id.
     is_copy: bool,
     name: Option<&'p str>,
 }
@@ -237,7 +237,7 @@ impl<'a, 'input> Pass<'a, 'input, '_> {
         let custom = custom.map(|one| (Rc::clone(&one.name), Rc::clone(&one.value))).collect();
         let mut own = Surroundings { scope: Scope::within(&inherited.scope, custom), ..inherited.clone() };
         let mut styles = BTreeMap::new();
-        // Mixes of other properties need the colour.
+        // `color-mix()` in other properties may need the value of `color`.
         for wants_color in [true, false] {
             for one in declared.iter().filter(|one| (&*one.name == "color") == wants_color) {
                 self.effort.take(1 + one.value.len() as u64 / 8);
@@ -318,7 +318,7 @@ fn first_by_id<'a, 'input>(document: &'a Document<'input>) -> HashMap<&'a str, N
     by_id
 }
 
-/// Whether an attribute is also a property. Sizes of shapes are left as they are.
+/// Whether an SVG attribute is also a CSS property. Sizes of shapes stay attributes.
 fn is_presentation(name: &str, value: &str) -> bool {
     match known(name, value) {
         Known::Read(kind) => kind != Kind::Geometry,
@@ -333,7 +333,7 @@ fn is_drawn(node: Node<'_, '_>) -> bool {
     matches!(tag.namespace(), None | Some(SVG)) && !matches!(tag.name(), "style" | "script" | "foreignObject")
 }
 
-/// Whether an element is only drawn where it is used, because custom properties may have values there.
+/// Whether an element is drawn only through `<use>`, which may set its custom properties.
 fn is_template(node: Node<'_, '_>) -> bool {
     const DEFINITIONS: &str = "symbol defs linearGradient radialGradient pattern mask clipPath marker filter";
     let is_definition = |tag: &&str| DEFINITIONS.split(' ').any(|known| known == *tag);

@@ -68,7 +68,7 @@ const PROPERTIES: &[(Kind, &str)] = &[
     ),
 ];
 
-/// Properties that browsers draw and usvg does not know, except those of texts and of boxes in HTML.
+/// Properties that browsers support and usvg does not, except those for text and for boxes in HTML.
 const UNSUPPORTED: &str = "all backdrop-filter background background-image color-interpolation d mask-border \
     mask-border-source mask-clip mask-composite mask-image mask-mode offset offset-path rotate scale transform-box \
     translate vector-effect zoom -webkit-mask -webkit-mask-image";

@@ -1,5 +1,5 @@
-//! Selectors, matched by the crate of Servo. A picture has no pointer and no focus, so `:hover` and similar
-//! pseudo-classes match nothing.
+//! Matches selectors with Servo's `selectors` crate. A still picture has no mouse pointer or focus, so `:hover` and
+//! similar pseudo-classes match nothing.
 
 use std::{borrow::Borrow, fmt};
 
@@ -44,7 +44,7 @@ impl Borrow<str> for Word {
 }
 
 impl PrecomputedHash for Word {
-    /// Only Bloom filters use it, and there is none.
+    /// Only Bloom filters use hashes, and [`Matcher`] has no Bloom filter.
     fn precomputed_hash(&self) -> u32 {
         0
     }

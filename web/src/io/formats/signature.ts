@@ -34,7 +34,7 @@ const SIGNATURES: readonly (readonly [start: string, name: KindName, kind?: Kind
 /** A byte order mark in UTF-8 comes before the text of some drawings. */
 const DRAWING = /^(?:ï»¿)?\s*<(?:\?xml|!--|!DOCTYPE svg|svg)/i;
 
-/** UTF-16 text with one byte per ASCII character; other text is returned unchanged. */
+/** Turns UTF-16 into one byte per ASCII character. Returns other text unchanged. */
 const narrow = (start: string): string =>
   /^(?:ÿþ|þÿ|\0[<\s]|[<\s]\0)/.test(start) ? start.replace(/^(?:ÿþ|þÿ)/, '').replaceAll('\0', '') : start;
 

@@ -4,7 +4,7 @@
  */
 import { latin } from './latin';
 
-/** The text of a file; otherwise the encoding that it is not in, or that nobody knows. */
+/** Decodes a file as text. Returns the declared encoding if it is unknown, or does not match the bytes. */
 export type XmlText = { readonly text: string } | { readonly unreadableAs: string };
 
 const MARKS: readonly (readonly [bytes: RegExp, encoding: string])[] = [

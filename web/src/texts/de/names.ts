@@ -1,3 +1,4 @@
+import { joined } from '../language';
 import type { Texts } from '../texts';
 import { handleCount, list, quoted } from './language';
 
@@ -14,20 +15,15 @@ const PLACES = { '': '', end: 'Ende', joint: 'Gelenk' } as const;
 const HEIGHTS = { '': '', upper: 'ober', lower: 'unter' } as const;
 const SIDES = { '': '', left: 'link', right: 'recht' } as const;
 
-const joined = (words: readonly (string | undefined)[]): string => words.filter(Boolean).join(' ');
-
 export const names: Texts['names'] = {
   point: (number) => `Griff ${number}`,
   bar: (number) => `Stab ${number}`,
   polygon: (number) => `Polygon ${number}`,
   limb: (part, height, side, limb, place, number) => {
     const ending = part === 'leg' ? 'es' : 'er';
-    const [high, aside] = [HEIGHTS[height], SIDES[side]].map((word) => word && word + ending);
-    const [name, at] = [
-      [high, aside, PARTS[part], limb],
-      [PLACES[place], number],
-    ].map(joined);
-    return [name, at].filter(Boolean).join(', ');
+    const ended = (word: string) => word && word + ending;
+    const name = [ended(HEIGHTS[height]), ended(SIDES[side]), PARTS[part], limb];
+    return joined([joined(name), joined([PLACES[place], number])], ', ');
   },
   position: (height, side, number) =>
     joined([

@@ -1,12 +1,11 @@
 /** Names that the editor gives, and names in sentences. */
+import { joined } from '../language';
 import { counted, list, quoted } from './language';
 
 export type Part = 'head' | 'neck' | 'body' | 'arm' | 'leg' | 'tail' | 'part';
 export type Place = '' | 'end' | 'joint';
 export type Height = '' | 'upper' | 'lower';
 export type Side = '' | 'left' | 'right';
-
-const words = (...all: readonly string[]): string => all.filter(Boolean).join(' ');
 
 export const names = {
   /** Handles that nobody has named, by their number. */
@@ -15,10 +14,10 @@ export const names = {
   polygon: (number: string) => `polygon ${number}`,
   /** A suggested handle: "left arm 2, end". Without a place, only the limb has a number. */
   limb: (part: Part, height: Height, side: Side, limb: string, place: Place, number: string) =>
-    [words(height, side, part, limb), words(place, number)].filter(Boolean).join(', '),
+    joined([joined([height, side, part, limb]), joined([place, number])], ', '),
   /** A suggested handle that lies on no limb: "top left". */
   position: (height: Height, side: Side, number: string) =>
-    words(height && { upper: 'top', lower: 'bottom' }[height], side || (height ? '' : 'middle'), number),
+    joined([height && { upper: 'top', lower: 'bottom' }[height], side || (height ? '' : 'middle'), number]),
   handles: (count: number) => counted(count, 'handle'),
   nothing: 'nothing',
   aVirtualHandle: 'a helper point',

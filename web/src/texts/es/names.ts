@@ -1,4 +1,5 @@
 /** Names that the editor gives, and names in sentences. */
+import { joined } from '../language';
 import type { Texts } from '../texts';
 import { countedHandles, list, quoted } from './language';
 
@@ -14,8 +15,6 @@ const PARTS = {
 const FEMININE: readonly string[] = ['head', 'leg', 'tail', 'part'];
 const PLACES = { '': '', end: 'extremo', joint: 'articulación' } as const;
 
-const joined = (words: readonly (string | undefined)[]): string => words.filter(Boolean).join(' ');
-
 export const names: Texts['names'] = {
   point: (number) => `punto de control ${number}`,
   bar: (number) => `barra ${number}`,
@@ -24,11 +23,7 @@ export const names: Texts['names'] = {
     const ending = FEMININE.includes(part) ? 'a' : 'o';
     const aside = { '': '', left: `izquierd${ending}`, right: `derech${ending}` }[side];
     const high = { '': '', upper: 'superior', lower: 'inferior' }[height];
-    const [name, at] = [
-      [PARTS[part], aside, high, limb],
-      [PLACES[place], number],
-    ].map(joined);
-    return [name, at].filter(Boolean).join(', ');
+    return joined([joined([PARTS[part], aside, high, limb]), joined([PLACES[place], number])], ', ');
   },
   position: (height, side, number) =>
     joined([

@@ -1,4 +1,5 @@
 /** Names that the editor gives, and names in sentences. */
+import { joined } from '../language';
 import type { Texts } from '../texts';
 import { counted, list, quoted } from './language';
 
@@ -14,8 +15,6 @@ const PARTS = {
 const FEMININE: readonly string[] = ['head', 'leg', 'tail', 'part'];
 const PLACES = { '': '', end: 'extrémité', joint: 'articulation' } as const;
 
-const joined = (words: readonly (string | undefined)[]): string => words.filter(Boolean).join(' ');
-
 export const names: Texts['names'] = {
   point: (number) => `poignée ${number}`,
   bar: (number) => `barre ${number}`,
@@ -24,11 +23,7 @@ export const names: Texts['names'] = {
     const ending = FEMININE.includes(part) ? 'e' : '';
     const aside = { '': '', left: 'gauche', right: `droit${ending}` }[side];
     const high = { '': '', upper: `supérieur${ending}`, lower: `inférieur${ending}` }[height];
-    const [name, at] = [
-      [PARTS[part], aside, high, limb],
-      [PLACES[place], number],
-    ].map(joined);
-    return [name, at].filter(Boolean).join(', ');
+    return joined([joined([PARTS[part], aside, high, limb]), joined([PLACES[place], number])], ', ');
   },
   position: (height, side, number) =>
     joined([

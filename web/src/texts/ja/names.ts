@@ -1,4 +1,5 @@
 /** Names that the editor gives, and names in sentences. */
+import { joined } from '../language';
 import type { Texts } from '../texts';
 import { counted, list, quoted } from './language';
 
@@ -15,19 +16,16 @@ const PLACES = { '': '', end: '先端', joint: '関節' } as const;
 const HEIGHTS = { '': '', upper: '上', lower: '下' } as const;
 const SIDES = { '': '', left: '左', right: '右' } as const;
 
-const joined = (words: readonly string[]): string => words.filter(Boolean).join(' ');
-
 export const names: Texts['names'] = {
   point: (number) => `ハンドル ${number}`,
   bar: (number) => `バー ${number}`,
   polygon: (number) => `多角形 ${number}`,
   limb: (part, height, side, limb, place, number) => {
     const where = SIDES[side] + HEIGHTS[height];
-    const [name, at] = [
-      [`${where && `${where}の`}${PARTS[part]}`, limb],
-      [PLACES[place], number],
-    ].map(joined);
-    return [name, at].filter(Boolean).join('、');
+    return joined(
+      [joined([`${where && `${where}の`}${PARTS[part]}`, limb]), joined([PLACES[place], number])],
+      '、',
+    );
   },
   position: (height, side, number) => joined([SIDES[side] + HEIGHTS[height] || '中央', number]),
   handles: (count) => counted(count, 'ハンドル'),

@@ -21,6 +21,7 @@ export function exportMenu(
   const label = texts.commands['export-as'];
   const word = texts.toolbar.export;
   const { kind, kinds } = texts.exporting;
+  const shown = page(model, dispatch, pages);
   return html`<div class="menu">
     <button
       type="button"
@@ -42,6 +43,7 @@ export function exportMenu(
       popover
       role="dialog"
       aria-label=${word}
+      aria-busy=${String(shown === nothing)}
       tabindex="-1"
       @beforetoggle=${(event: ToggleEvent) => {
         placeBelowButton(event);
@@ -49,7 +51,7 @@ export function exportMenu(
       }}
     >
       ${choice<ExportKind>(kind, kinds, model.exporting.kind, (kind) => dispatch({ type: 'export-kind-chosen', kind }))}
-      ${page(model, dispatch, pages)}
+      ${shown}
     </div>
   </div>`;
 }
