@@ -24,7 +24,10 @@ mod shape;
 mod sheet;
 mod stiffness;
 
-use std::sync::{Arc, OnceLock};
+use std::{
+    f64::consts::TAU,
+    sync::{Arc, OnceLock},
+};
 
 use glam::{DMat2, DVec2};
 
@@ -34,8 +37,11 @@ use self::{
     shape::Shape,
     sheet::Sheet,
 };
-use super::{Motion, motion::polar};
-use crate::weight::SparseWeights;
+use super::{
+    Motion,
+    motion::{polar, turn},
+};
+use crate::{bone::best_rotation, weight::SparseWeights};
 
 pub(crate) use self::{
     freedom::Freedom,
@@ -140,29 +146,58 @@ impl Rigid {
         self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
-    /// The pose of a target without a pose before it. The way from rest is straight: rotations and the logarithms of
-    /// scales grow steadily.
+    /// The pose of a target without a pose before it.
     pub(super) fn from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
-        let model = self.model(rest);
-        let start = vec![Motion::default(); rest.len()];
-        let mut shape = Shape::new(model, target.request(), parts_of(model, &start));
-        let way: Vec<Target> = target.way_from(&start, WAY).collect();
-        for next in &way {
-            shape.follow(next.request(), &parts_of(model, &next.motions));
-        }
+        let mut shape = self.pulled_from_rest(rest, target);
         shape.settle();
-        motions_of(model, target, &shape.into_parts())
+        motions_of(self.model(rest), target, &shape.into_parts())
     }
 
-    /// The next frame of a drag: `motions` are those of the frame before. A long way is divided.
+    /// The shape at the end of a straight way from rest, where the picture is first moved as a whole: rotations and the
+    /// logarithms of scales grow steadily.
+    fn pulled_from_rest<'a>(&'a self, rest: &[DVec2], target: &'a Target) -> Shape<'a> {
+        let model = self.model(rest);
+        let start = self.moved_as_a_whole(rest, target);
+        let mut shape = Shape::new(model, target.request(), parts_of(model, &start));
+        for motions in target.way_from(&start, WAY) {
+            shape.follow(&parts_of(model, &motions));
+        }
+        shape
+    }
+
+    /// The rigid motion that brings the handles nearest to a target.
+    fn moved_as_a_whole(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
+        let handles = || (0..rest.len()).filter(|&site| self.freedom[site] != Freedom::Whole);
+        let from: Vec<DVec2> = handles().map(|site| rest[site]).collect();
+        let to: Vec<DVec2> = handles().map(|site| rest[site] + target.motions[site].translation).collect();
+        if from.is_empty() {
+            return vec![Motion::default(); rest.len()];
+        }
+        let mean = |places: &[DVec2]| places.iter().sum::<DVec2>() / places.len() as f64;
+        let angle = best_rotation(&from, &to);
+        let (centre, moved, turn) = (mean(&from), mean(&to), turn(angle));
+        let motion = |(&rest, to): (&DVec2, &Motion)| {
+            // The whole turns of the target are those of the start.
+            let turns = TAU * libm::round((to.angle - angle) / TAU);
+            Motion::similarity(angle + turns, 1.0, moved + turn.rotate(rest - centre) - rest, to.depth)
+        };
+        rest.iter().zip(&target.motions).map(motion).collect()
+    }
+
+    /// The next frame of a drag: `motions` are those of the frame before. A long way is divided. While a fold is forced,
+    /// the picture goes to the shape from rest if that has none.
     pub(super) fn follow(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
+        let flat = shape.is_folded().then(|| self.pulled_from_rest(rest, target)).filter(|flat| !flat.is_folded());
+        if let Some(flat) = flat {
+            shape.approach(&parts_of(model, &target.motions), &flat.into_parts());
+            return motions_of(model, target, &shape.into_parts());
+        }
         let way = model.unit() * shape.way_to(&parts_of(model, &target.motions));
         let frames = (way / (LEAP * extent(rest))).ceil().clamp(1.0, f64::from(WAY));
-        let way: Vec<Target> = target.way_from(motions, frames as u32).collect();
-        for next in &way {
-            shape.follow(next.request(), &parts_of(model, &next.motions));
+        for motions in target.way_from(motions, frames as u32) {
+            shape.follow(&parts_of(model, &motions));
         }
         motions_of(model, target, &shape.into_parts())
     }
@@ -209,14 +244,14 @@ impl Target {
     }
 
     /// The way from other motions to these in equal steps.
-    fn way_from<'a>(&'a self, start: &'a [Motion], steps: u32) -> impl Iterator<Item = Self> + 'a {
+    fn way_from(&self, start: &[Motion], steps: u32) -> impl Iterator<Item = Vec<Motion>> {
         (1..=steps).map(move |step| {
             let share = f64::from(step) / f64::from(steps);
             let between = |(&from, &to): (&Motion, &Motion)| match step == steps {
                 true => to,
                 false => Motion::blended([(from, 1.0 - share), (to, share)].into_iter()),
             };
-            Self { motions: start.iter().zip(&self.motions).map(between).collect(), ..self.clone() }
+            start.iter().zip(&self.motions).map(between).collect()
         })
     }
 }

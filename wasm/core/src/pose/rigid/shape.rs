@@ -21,11 +21,16 @@ use super::{
 /// The share of its area that a step can take from a triangle, or from a node.
 const TAKEN: f64 = 0.8;
 /// Regularisation ε of the energy at folds: at least the first, and half of the deepest fold up to the second.
-const FOLDED: [f64; 2] = [0.15, 0.3];
+const FOLDED: [f64; 2] = [0.15, 1.0];
 /// In a frame of a drag nothing moves farther than this many times the handles.
 const CAP: f64 = 2.8;
+/// It may move this many times as far as by the rigid motion nearest to that of all handles. Two close handles turn the
+/// whole picture.
+const RIGID_CAP: f64 = 1.2;
+/// Damping of any step. One handle alone leaves the picture free to turn, and rounding errors must not turn it.
+const DAMPING: f64 = 1e-8;
 /// Damping if the picture would move too far with the handles.
-const DAMPINGS: [f64; 4] = [0.0, 1e-2, 0.3, 10.0];
+const DAMPINGS: [f64; 4] = [DAMPING, 1e-2, 0.3, 10.0];
 /// Steps in which handles arrive before they are forced.
 const CARRIES: usize = 2;
 /// Steps after handles were carried, by the same factor.
@@ -51,6 +56,8 @@ pub(super) struct Shape<'a> {
     places: Vec<DVec2>,
     /// The places when the frame began.
     before: Vec<DVec2>,
+    /// How far each place may move in this frame.
+    caps: Vec<f64>,
     /// Triangles that take part in the energy.
     watched: Vec<u32>,
     /// The same as points, with their Jacobians.
@@ -79,6 +86,7 @@ impl<'a> Shape<'a> {
             request,
             jacobians: model.nodes().jacobians(&parts),
             before: places.clone(),
+            caps: Vec::new(),
             places,
             watched: Vec::new(),
             points: Points::default(),
@@ -124,27 +132,44 @@ impl<'a> Shape<'a> {
     }
 
     /// One frame of a drag: the handles move to a target, and nothing moves much farther than they do.
-    pub(super) fn follow(&mut self, request: Request<'a>, target: &[Parts]) {
-        self.request = request;
-        self.before.clone_from(&self.places);
-        let cap = CAP * self.way_to(target);
-        self.carry(target, cap);
+    pub(super) fn follow(&mut self, target: &[Parts]) {
+        self.begin_frame(target);
+        self.carry(target);
         for _ in 0..CORRECTIONS {
             let forces = self.forces();
-            self.descend(forces, cap);
+            self.descend(forces, true);
         }
         self.watch(false);
     }
 
+    /// Finds how far each place may move in this frame.
+    fn begin_frame(&mut self, target: &[Parts]) {
+        self.before.clone_from(&self.places);
+        let driven = self.driven(target);
+        let most = CAP * self.length_of(&driven);
+        let handles = || self.model.freedom().iter().enumerate().filter(|(_, freedom)| **freedom != Freedom::Whole);
+        let mean = |of: &[Parts]| handles().map(|(site, _)| of[site][0]).sum::<DVec2>() / handles().count().max(1) as f64;
+        let (centre, by) = (mean(&self.parts), mean(&driven));
+        let (mut turn, mut width) = (0.0, 0.0);
+        for (site, _) in handles() {
+            let from = self.parts[site][0] - centre;
+            turn += from.perp_dot(driven[site][0]);
+            width += from.length_squared();
+        }
+        let turn = if width > 0.0 { turn / width } else { 0.0 };
+        let cap = |place: &DVec2| most.max(RIGID_CAP * (by + turn * (*place - centre).perp()).length());
+        self.caps = self.places.iter().map(cap).collect();
+    }
+
     /// Moves the handles to their target.
-    fn carry(&mut self, target: &[Parts], cap: f64) {
+    fn carry(&mut self, target: &[Parts]) {
         for attempt in 0..=CARRIES {
             let is_forced = attempt == CARRIES;
             if is_forced {
                 self.epsilon = self.epsilon.max(FOLDED[0]);
             }
             let driven = self.driven(target);
-            let direction = self.carrying(&driven, cap);
+            let direction = self.carrying(&driven);
             let length = if is_forced { 1.0 } else { self.longest(&direction) };
             self.advance(&direction, length);
             if length == 1.0 {
@@ -154,20 +179,33 @@ impl<'a> Shape<'a> {
         }
     }
 
-    fn carrying(&mut self, driven: &[Parts], cap: f64) -> Direction {
+    fn carrying(&mut self, driven: &[Parts]) -> Direction {
         let forces = self.assemble(Some(driven), true);
         let assembled = self.matrix.clone();
         for damping in DAMPINGS {
-            if damping > 0.0 {
-                self.matrix.clone_from(&assembled);
-            }
+            self.matrix.clone_from(&assembled);
             self.model.factorise(&mut self.matrix, damping);
             let direction = self.direction(self.model.solve(&self.matrix, &forces, Some(driven), &self.request));
-            if self.is_within(&direction, cap) {
+            if self.is_within_caps(&direction) {
                 return direction;
             }
         }
         self.direction(driven.to_vec())
+    }
+
+    /// Whether handles have forced a fold.
+    pub(super) fn is_folded(&self) -> bool {
+        self.epsilon > 0.0
+    }
+
+    /// One frame in which the handles move to a target, and the rest towards a shape with the same handles.
+    pub(super) fn approach(&mut self, target: &[Parts], shape: &[Parts]) {
+        self.begin_frame(target);
+        let driven = self.direction(self.driven(target));
+        self.advance(&driven, 1.0);
+        let change = |(to, at): (&Parts, &Parts)| std::array::from_fn(|k| to[k] - at[k]);
+        let direction = self.direction(shape.iter().zip(&self.parts).map(change).collect());
+        self.advance(&direction, self.longest_within_caps(&direction));
     }
 
     /// Moves until the picture rests. The handles stay.
@@ -187,11 +225,11 @@ impl<'a> Shape<'a> {
     fn settle_with_watched(&mut self) {
         for _ in 0..MOST_STEPS {
             let mut forces = self.assemble(None, false);
-            if !self.model.factorise(&mut self.matrix, 0.0) {
+            if !self.model.factorise(&mut self.matrix, DAMPING) {
                 forces = self.assemble(None, true);
-                self.model.factorise(&mut self.matrix, 0.0);
+                self.model.factorise(&mut self.matrix, DAMPING);
             }
-            let moved = self.descend(forces, f64::INFINITY);
+            let moved = self.descend(forces, false);
             self.watch(true);
             if moved < REST {
                 return;
@@ -233,14 +271,15 @@ impl<'a> Shape<'a> {
     }
 
     /// One step with the factor that is there, to a lower energy. Returns the farthest that a place has moved.
-    fn descend(&mut self, forces: Vec<f64>, cap: f64) -> f64 {
+    fn descend(&mut self, forces: Vec<f64>, is_capped: bool) -> f64 {
         let parts = self.model.solve(&self.matrix, &forces, None, &self.request);
         let slope = -self.model.along(&parts, &forces, &self.request);
         if slope.is_nan() || slope >= 0.0 {
             return 0.0;
         }
         let direction = self.direction(parts);
-        let mut length = self.longest(&direction).min(self.longest_within(&direction, cap));
+        let within_caps = if is_capped { self.longest_within_caps(&direction) } else { 1.0 };
+        let mut length = self.longest(&direction).min(within_caps);
         let before = self.own_energy();
         let of_watched = self.points.jacobians(&direction.parts);
         for _ in 0..HALVINGS {
@@ -283,22 +322,22 @@ impl<'a> Shape<'a> {
         sheet.map_or(of_nodes, |sheet| sheet.longest(&self.places, &direction.places, TAKEN, of_nodes))
     }
 
-    fn is_within(&self, direction: &Direction, cap: f64) -> bool {
-        let places = self.places.iter().zip(&self.before).zip(&direction.places);
-        places.into_iter().all(|((at, before), by)| (*at - *before + *by).length_squared() <= cap * cap)
+    fn is_within_caps(&self, direction: &Direction) -> bool {
+        self.moves(direction).all(|(moved, by, cap)| (moved + by).length_squared() <= cap * cap)
     }
 
-    /// The longest step up to 1 with which nothing has moved farther than the cap in this frame.
-    fn longest_within(&self, direction: &Direction, cap: f64) -> f64 {
-        if cap == f64::INFINITY {
-            return 1.0;
-        }
-        let places = self.places.iter().zip(&self.before).zip(&direction.places);
-        places.into_iter().fold(1.0, |most, ((at, before), by)| {
-            let moved = *at - *before;
+    /// The longest step up to 1 with which nothing has moved too far in this frame.
+    fn longest_within_caps(&self, direction: &Direction) -> f64 {
+        self.moves(direction).fold(1.0, |most, (moved, by, cap)| {
             let left = (cap * cap - moved.length_squared()).max(0.0);
-            first_root(left, -2.0 * moved.dot(*by), -by.length_squared(), most)
+            first_root(left, -2.0 * moved.dot(by), -by.length_squared(), most)
         })
+    }
+
+    /// How far each place has moved in this frame, its change in a step, and how far it may move.
+    fn moves(&self, direction: &Direction) -> impl Iterator<Item = (DVec2, DVec2, f64)> {
+        let moved = self.places.iter().zip(&self.before).map(|(&at, &before)| at - before);
+        moved.zip(&direction.places).zip(&self.caps).map(|((moved, &by), &cap)| (moved, by, cap))
     }
 
     /// What the handles change on the way to a target.

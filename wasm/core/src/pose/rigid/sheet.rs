@@ -11,6 +11,9 @@ use crate::weight::SparseWeights;
 /// A triangle takes part in the energy while its area is below this fraction of that at rest.
 const FLAT: f64 = 0.35;
 
+/// Greatest coordinate of a picture with its surroundings, in pixels.
+const MOST: f64 = 131_072.0;
+
 /// The triangles that move, in units of the [model](super::model::Model).
 #[derive(Debug, Clone)]
 pub(crate) struct Sheet {
@@ -41,7 +44,8 @@ pub(super) struct TriangleTerm {
 }
 
 impl Sheet {
-    /// Numbers are rounded to f32, as the page has them: so poses have the same bits everywhere.
+    /// Numbers are rounded to f32, as the page has them: so poses have the same bits everywhere. Meshes that lie beyond
+    /// any picture keep their places.
     pub(super) fn new(
         vertices: &[DVec2],
         triangles: &[[u32; 3]],
@@ -49,7 +53,9 @@ impl Sheet {
         sites: &[DVec2],
         unit: f64,
     ) -> Self {
-        let vertices: Vec<DVec2> = vertices.iter().map(|vertex| vertex.as_vec2().as_dvec2() / unit).collect();
+        let is_page = vertices.iter().all(|vertex| vertex.abs().max_element() <= MOST);
+        let place = |&vertex: &DVec2| if is_page { vertex.as_vec2().as_dvec2() / unit } else { vertex / unit };
+        let vertices: Vec<DVec2> = vertices.iter().map(place).collect();
         let (mut ends, mut reaches) = (Vec::with_capacity(vertices.len()), Vec::new());
         for (at, &vertex) in vertices.iter().enumerate() {
             reaches.extend(weights.row(at).map(|(site, weight)| Reach {
