@@ -205,7 +205,7 @@ fn symmetric_pose_has_a_symmetric_result() {
     let mirror = |p: DVec2| DVec2::new(400.0 - p.x, p.y);
     for p in spread(2000) {
         if let (Some(here), Some(there)) = (solution.map(&pose, p), solution.map(&pose, mirror(p))) {
-            assert!(mirror(here.posed).distance(there.posed) <= 1e-6, "{p}");
+            assert!(mirror(here.posed).distance(there.posed) <= 1e-4, "{p}");
         }
     }
 }

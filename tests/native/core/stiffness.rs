@@ -118,7 +118,7 @@ fn mirrored_scene_has_the_mirrored_pose() {
     let [(one, one_pose), (other, other_pose)] = [&left, &right].map(pose_of);
     for p in spread(2000) {
         if let (Some(here), Some(there)) = (one.map(&one_pose, p), other.map(&other_pose, mirrored(p))) {
-            assert!(mirrored(here.posed).distance(there.posed) <= 1e-6, "{p}: {} and {}", here.posed, there.posed);
+            assert!(mirrored(here.posed).distance(there.posed) <= 1e-4, "{p}: {} and {}", here.posed, there.posed);
         }
     }
 }

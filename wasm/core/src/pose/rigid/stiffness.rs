@@ -20,7 +20,7 @@ use crate::{
 
 /// The factor of a stiff point. A stiff disc in a bend then has less than a hundredth of its energy. With five times as
 /// much, it has even less, but the picture around it bends and folds more.
-const MOST: f64 = 200.0;
+const MOST: f64 = 300.0;
 /// A part has the greatest stiffness of its centroid and of points at this distance from it, as a fraction of its
 /// width. With 0, a disc of a twentieth of the picture keeps up to 6 % of its energy: it is hardly wider than a part.
 const REACH: f64 = 0.5;
