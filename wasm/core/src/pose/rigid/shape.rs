@@ -12,11 +12,12 @@
 use glam::{DMat2, DVec2};
 
 use super::{
-    super::numeric::Blocks,
+    super::{motion::turn, numeric::Blocks},
     freedom::{Freedom, Parts},
     model::{Model, Request},
     points::Points,
 };
+use crate::bone::best_rotation;
 
 /// The share of its area that a step can take from a triangle, or from a node.
 const TAKEN: f64 = 0.8;
@@ -142,23 +143,23 @@ impl<'a> Shape<'a> {
         self.watch(false);
     }
 
-    /// Finds how far each place may move in this frame.
+    /// Moves the picture as a whole, by the rigid motion nearest to that of the handles. Finds how far each place may move
+    /// in this frame.
     fn begin_frame(&mut self, target: &[Parts]) {
         self.before.clone_from(&self.places);
-        let driven = self.driven(target);
-        let most = CAP * self.length_of(&driven);
+        let most = CAP * self.way_to(target);
         let handles = || self.model.freedom().iter().enumerate().filter(|(_, freedom)| **freedom != Freedom::Whole);
-        let mean = |of: &[Parts]| handles().map(|(site, _)| of[site][0]).sum::<DVec2>() / handles().count().max(1) as f64;
-        let (centre, by) = (mean(&self.parts), mean(&driven));
-        let (mut turn, mut width) = (0.0, 0.0);
-        for (site, _) in handles() {
-            let from = self.parts[site][0] - centre;
-            turn += from.perp_dot(driven[site][0]);
-            width += from.length_squared();
-        }
-        let turn = if width > 0.0 { turn / width } else { 0.0 };
-        let cap = |place: &DVec2| most.max(RIGID_CAP * (by + turn * (*place - centre).perp()).length());
-        self.caps = self.places.iter().map(cap).collect();
+        let places = |of: &[Parts]| handles().map(|(site, _)| of[site][0]).collect::<Vec<DVec2>>();
+        let (from, to) = (places(&self.parts), places(target));
+        let mean = |places: &[DVec2]| places.iter().sum::<DVec2>() / places.len().max(1) as f64;
+        let (centre, moved, turn) = (mean(&from), mean(&to), turn(best_rotation(&from, &to)));
+        let place = |at: DVec2| moved + turn.rotate(at - centre);
+        let linear = DMat2::from_cols(turn, turn.perp());
+        self.parts.iter_mut().for_each(|[at, x, y]| [*at, *x, *y] = [place(*at), turn.rotate(*x), turn.rotate(*y)]);
+        self.places.iter_mut().for_each(|at| *at = place(*at));
+        self.jacobians.iter_mut().chain(&mut self.watched_jacobians).for_each(|j| *j = linear * *j);
+        let ways = self.places.iter().zip(&self.before);
+        self.caps = ways.map(|(at, before)| most.max(RIGID_CAP * at.distance(*before))).collect();
     }
 
     /// Moves the handles to their target.
