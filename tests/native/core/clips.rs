@@ -61,10 +61,10 @@ impl Scene {
         self.solution.posed_vertices(&playback.pose(time, self.project.pose.blend).expect("finite"))
     }
 
-    /// The largest step of a vertex, and of a handle, between frames: plain, and along the clip. Frames that are plain.
+    /// The largest step of a vertex between frames, plain and along the clip, and of a handle.
     fn steps(&self) -> Steps {
         let mut playback = self.playback();
-        let mut steps = Steps { plain: 0.0, along: 0.0, handles: 0.0, same: 0, frames: 0 };
+        let mut steps = Steps { plain: 0.0, along: 0.0, handles: 0.0 };
         let mut before: Option<[Vec<DVec2>; 3]> = None;
         for frame in 0..=(DURATION * RATE) as i32 {
             let time = f64::from(frame) / RATE;
@@ -76,8 +76,6 @@ impl Scene {
                 steps.along = steps.along.max(step(1));
                 steps.handles = steps.handles.max(step(2));
             }
-            steps.frames += 1;
-            steps.same += usize::from(here[0] == here[1]);
             before = Some(here);
         }
         steps
@@ -89,8 +87,6 @@ struct Steps {
     plain: f64,
     along: f64,
     handles: f64,
-    same: usize,
-    frames: usize,
 }
 
 fn farthest(a: &[DVec2], b: &[DVec2]) -> f64 {
@@ -207,16 +203,13 @@ fn clips_that_repeat_do_not_jump_at_their_seam() {
 }
 
 #[test]
-fn frames_are_plain_poses_where_nothing_jumps() {
-    for (name, scene) in [("turn", square_that_turns()), ("swap", handles_that_swap())] {
+fn frames_follow_their_handles() {
+    // The far corners of the square that turns move 5.7 times as far as its handles.
+    for (name, scene, most) in [("turn", square_that_turns(), 6.0), ("swap", handles_that_swap(), 3.0)] {
         let steps = scene.steps();
         eprintln!("{name}: {steps:.2?}");
-        assert_eq!(steps.same, steps.frames, "{name}: {steps:?}");
+        assert!(steps.along <= most * steps.handles, "{name}: {steps:?}");
     }
-    // Before the jump, too.
-    let (scene, time) = (middle_that_passes(), 0.2);
-    let mut playback = scene.playback();
-    assert!(scene.frame(&mut playback, time) == scene.plain(&playback, time));
 }
 
 #[test]
@@ -230,6 +223,4 @@ fn scrubbing_shows_the_frames_of_playing() {
     for at in (0..times.len()).map(|k| (k * 31 + 60) % times.len()) {
         assert!(scene.frame(&mut scrubbed, times[at]) == played[at], "at {} s", times[at]);
     }
-    let plain = times.iter().zip(&played).filter(|&(&time, played)| scene.plain(&playback, time) == *played).count();
-    assert!((10..60).contains(&plain), "{plain} of {} frames are plain", times.len());
 }

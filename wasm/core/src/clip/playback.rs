@@ -1,6 +1,6 @@
 //! Poses of a solution along a clip: each continues the one before, as in a drag.
 //!
-//! The clip is followed from its beginning in steps of 1/30 s. So a pose depends only on the clip and the time, not on
+//! The clip is followed from its beginning in steps of 1/60 s. So a pose depends only on the clip and the time, not on
 //! earlier requests. A clip that repeats is first followed for two seconds before its beginning, which then continues
 //! that end. So it does not jump at its seam if rounds end in the same pose.
 //!
@@ -17,13 +17,14 @@ use crate::{
     project::{Blend, Clip, Handle},
 };
 
-/// Steps per second. Twice as many take twice the time, and poses differ little.
-const STEPS_PER_SECOND: f64 = 30.0;
+/// Steps per second: the frame rate of most screens, and a multiple of most films' frame rates. With half as many, frames
+/// between them would move twice as far.
+const STEPS_PER_SECOND: f64 = 60.0;
 
 /// Steps before the seam that lead to the beginning of a clip that repeats: two seconds, over several rounds if it is
 /// shorter. With more, the first frame of a clip takes longer after each edit. With one round, a strip whose end turns
 /// in a second and a half jumps at its seam.
-const LEADING_STEPS: usize = 60;
+const LEADING_STEPS: usize = 120;
 
 /// Memory for motions of continued steps, in bytes.
 const MEMORY: usize = 64 << 20;

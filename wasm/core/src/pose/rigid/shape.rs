@@ -152,7 +152,13 @@ impl<'a> Shape<'a> {
         let places = |of: &[Parts]| handles().map(|(site, _)| of[site][0]).collect::<Vec<DVec2>>();
         let (from, to) = (places(&self.parts), places(target));
         let mean = |places: &[DVec2]| places.iter().sum::<DVec2>() / places.len().max(1) as f64;
-        let (centre, moved, turn) = (mean(&from), mean(&to), turn(best_rotation(&from, &to)));
+        let (centre, moved) = (mean(&from), mean(&to));
+        // Handles that have come together turn quickly as they pass: the picture does not.
+        let rest: Vec<DVec2> = handles().map(|(site, _)| self.model.rest()[site]).collect();
+        let spread = |places: &[DVec2], mean: DVec2| places.iter().map(|at| at.distance_squared(mean)).sum::<f64>();
+        let (now, at_rest) = (spread(&from, centre), spread(&rest, mean(&rest)));
+        let trust = if at_rest > now { now / at_rest } else { 1.0 };
+        let turn = turn(trust * best_rotation(&from, &to));
         let place = |at: DVec2| moved + turn.rotate(at - centre);
         let linear = DMat2::from_cols(turn, turn.perp());
         self.parts.iter_mut().for_each(|[at, x, y]| [*at, *x, *y] = [place(*at), turn.rotate(*x), turn.rotate(*y)]);
