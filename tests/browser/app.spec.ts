@@ -252,6 +252,7 @@ test('a shared picture opens, without a network too', async ({ page, context }) 
   await expect(page).toHaveTitle('größe 1.png – c2warp');
   await expect(page).toHaveURL(server.home);
   // A reload restores it as any work, and takes no file again.
+  await expect.poll(() => editor.storedWork()).toMatchObject({ picture: 'größe 1.png' });
   await page.reload();
   await expect(editor.status).toContainText('80 × 80 px');
   await expect(notice(page)).toBeHidden();

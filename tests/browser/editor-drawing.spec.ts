@@ -107,6 +107,9 @@ test('a drawing is exported as SVG, as the command bends it, also after a reload
     0.05,
   );
 
+  await expect
+    .poll(() => editor.storedWork())
+    .toMatchObject({ picture: 'house.svg', handles: PROJECT.handles });
   await page.reload();
   await expect(editor.status).toContainText('1024 × 1024 px');
   await expect(editor.solved).toContainText('2,024 mesh points');

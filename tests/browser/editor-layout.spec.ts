@@ -406,6 +406,8 @@ for (const theme of ['auto', 'light', 'dark'])
         });
       }, selectors);
     const check = async (selectors: string) => {
+      // Some surfaces are loaded at their first use.
+      await expect(warp.locator(selectors).first()).toBeVisible();
       const found = await look(selectors);
       expect(found.length, selectors).toBeGreaterThan(0);
       for (const { name, round, ...rest } of found) {

@@ -82,6 +82,7 @@ test('recent work is listed with thumbnails, and reopens after a reload', async 
     await expect(editor.handles).toHaveCount(1);
   }
   await expect.poll(() => storedRecent(page)).toEqual(['gingerbread.png', 'one.png', 'two.png']);
+  await expect.poll(() => editor.storedWork()).toMatchObject({ picture: 'three.png', step: 'Add handle' });
   await page.reload();
   await expect(page).toHaveTitle('• three.png – c2warp');
   await editor.button('Open recent work').click();

@@ -1,6 +1,7 @@
 //! Tests of what outputs may replace: neither an input nor another output, by any name. And of interrupted runs.
 
 use std::fs::{self, File};
+use std::io::Read;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -250,8 +251,10 @@ fn ignored_signals_stay_ignored() {
     let run = command(folder.path(), "animate scene.c2warp.json --fps 60 -o film.png");
     // As `nohup` does.
     let mut nohup = Command::new("sh");
-    nohup.current_dir(folder.path()).args(["-c", "trap '' HUP; exec \"$0\" \"$@\""]).arg(run.get_program());
-    let mut run = nohup.args(run.get_args()).spawn().unwrap();
+    nohup.current_dir(folder.path()).args(["-c", "trap '' HUP; echo; exec \"$0\" \"$@\""]).arg(run.get_program());
+    let mut run = nohup.args(run.get_args()).stdout(Stdio::piped()).spawn().unwrap();
+    // An empty line: the shell ignores the signal now.
+    run.stdout.as_mut().unwrap().read_exact(&mut [0]).unwrap();
     let begun = Instant::now();
     while run.try_wait().unwrap().is_none() && begun.elapsed() < Duration::from_secs(60) {
         let _ = Command::new("kill").args(["-HUP", &run.id().to_string()]).stderr(Stdio::null()).status();
