@@ -2,6 +2,7 @@
 
 use c2warp::{
     Picture, ResampleOptions, Solution,
+    clip::Playback,
     deform::HandlePose,
     project::{Blend, Clip, Displacement, Ease, Handle, Key, Looping, PoseMode, Project, Rotation, Track},
     raster,
@@ -46,13 +47,16 @@ fn distance(solution: &Solution, rig: &Rig, found: &[DVec2], exact: &[DVec2]) ->
     corners.map(|(&a, &b)| found[a as usize].distance(exact[b as usize])).fold(0.0, f64::max)
 }
 
-/// The same at a frame of a clip.
-fn greatest_error(project: &Project, solution: &Solution, rig: &Rig, clip: usize, frame: u32) -> f64 {
+/// The same in all frames of a clip, which must be those of [`Playback`].
+fn errors_along(project: &Project, solution: &Solution, rig: &Rig, clip: usize) -> Vec<f64> {
     let (known, played) = (&project.clips[clip], &rig.clips()[clip]);
-    let mut project = project.clone();
-    known.apply(known.duration * f64::from(frame) / f64::from(played.last_frame), &mut project.handles);
-    let exact = solution.posed_vertices(&solution.pose(&project).expect("a valid scene"));
-    distance(solution, rig, &rig.posed_vertices(clip, f64::from(frame)), &exact)
+    let mut playback = Playback::new(solution.poser().clone(), known.clone(), project.handles.clone());
+    let mut error_at = |frame: u32| {
+        let time = known.duration * f64::from(frame) / f64::from(played.last_frame);
+        let exact = solution.posed_vertices(&playback.pose(time, project.pose.blend).expect("a valid scene"));
+        distance(solution, rig, &rig.posed_vertices(clip, f64::from(frame)), &exact)
+    };
+    (0..=played.last_frame).map(&mut error_at).collect()
 }
 
 #[test]
@@ -86,9 +90,8 @@ fn vertices_stay_close_in_all_frames_and_files_are_small() {
         let rig = baked(&project, &solution);
         let file = rig.to_bytes().expect("a valid scene");
         assert!(Rig::from_bytes(&file).expect("a valid scene") == rig, "{scene}");
-        for (clip, played) in rig.clips().iter().enumerate() {
-            for frame in 0..=played.last_frame {
-                let error = greatest_error(&project, &solution, &rig, clip, frame);
+        for clip in 0..rig.clips().len() {
+            for (frame, error) in errors_along(&project, &solution, &rig, clip).into_iter().enumerate() {
                 assert!(error <= CLOSE, "{scene}: {error} px at frame {frame}");
             }
         }
@@ -181,12 +184,24 @@ fn baked_posable(project: &Project, solution: &Solution) -> Rig {
     read
 }
 
-/// Drags of each handle by a tenth of the longer side: the greatest errors, in pixels, from the largest.
-fn errors_of_drags(project: &mut Project, solution: &Solution, rig: &Rig) -> Vec<f64> {
+/// The triangles that a pose turns over.
+fn folded(solution: &Solution, posed: &[DVec2]) -> usize {
+    let area = |triangle: &[u32; 3], places: &[DVec2]| {
+        let [a, b, c] = triangle.map(|vertex| places[vertex as usize]);
+        (b - a).perp_dot(c - a)
+    };
+    let is_sample = |&&vertex: &&u32| (vertex as usize) < solution.samples();
+    let moving = solution.triangles().iter().filter(|triangle| triangle.iter().filter(is_sample).count() == 3);
+    moving.filter(|triangle| area(triangle, posed) * area(triangle, solution.vertices()) < 0.0).count()
+}
+
+/// Drags of each handle by a fraction of the longer side that hardly fold anything: the greatest errors, in pixels, from
+/// the largest.
+fn errors_of_drags(project: &mut Project, solution: &Solution, rig: &Rig, reach: f64) -> Vec<f64> {
     let poser = rig.poser().expect("a rig with a solver");
     let handles = rig.handles().expect("a rig that is posable").to_vec();
     assert_eq!(handles, project.handles);
-    let reach = f64::from(project.image.width.max(project.image.height)) / 10.0;
+    let reach = reach * f64::from(project.image.width.max(project.image.height));
     let mut errors = Vec::new();
     for handle in 0..handles.len() {
         for direction in 0..4 {
@@ -194,33 +209,61 @@ fn errors_of_drags(project: &mut Project, solution: &Solution, rig: &Rig) -> Vec
             let by = reach * DVec2::from_angle(f64::from(direction) * 1.6 + 0.3);
             project.handles[handle].shape.posed_mut().iter_mut().for_each(|place| *place += by);
             let exact = solution.posed_vertices(&solution.pose(project).expect("a valid scene"));
+            // A picture that is forced to fold has many poses of nearly the same energy.
+            if folded(solution, &exact) > 10 {
+                continue;
+            }
             let poses: Vec<HandlePose> = project.handles.iter().map(HandlePose::from).collect();
             let motions = poser.motions(&poses).expect("the same handles");
             errors.push(distance(solution, rig, &rig.vertices_posed_with(&motions), &exact));
         }
     }
     project.handles = handles;
+    assert!(errors.len() >= 2 * project.handles.len(), "{} drags fold hardly anything: {errors:?}", errors.len());
     errors.sort_by(|a, b| b.total_cmp(a));
     errors
 }
 
 #[test]
 fn handles_are_posed_by_the_solver_in_the_rigid_mode() {
-    for (scene, blend, fix_boundary) in [
-        ("gingerbread", Blend::Rigid, false),
-        ("strip", Blend::Linear, false),
-        ("islands", Blend::Rigid, false),
-        ("tower", Blend::Linear, false),
-        ("portrait", Blend::Rigid, false),
-        ("road", Blend::Linear, true),
+    for (scene, blend, fix_boundary, reach) in [
+        ("gingerbread", Blend::Rigid, false, 0.1),
+        ("strip", Blend::Linear, false, 0.1),
+        ("islands", Blend::Rigid, false, 0.1),
+        ("tower", Blend::Linear, false, 0.1),
+        // Its handles are close to one another, and to the held outline.
+        ("portrait", Blend::Rigid, false, 0.02),
+        ("road", Blend::Linear, true, 0.05),
     ] {
         let (mut project, solution) = moving_as(scene, PoseMode::Rigid, blend, fix_boundary);
         let rig = baked_posable(&project, &solution);
-        // The rigid mode has several minima. Next to where a pose jumps, as among bars in a held outline, it may end a
-        // little elsewhere.
-        let errors = errors_of_drags(&mut project, &solution, &rig);
+        // Next to where the pose from rest jumps, or a triangle is nearly flat, it may end a little elsewhere.
+        let errors = errors_of_drags(&mut project, &solution, &rig, reach);
         assert!(errors[0] <= 0.5 && errors[errors.len() / 5] <= CLOSE, "{scene}: {errors:?}");
     }
+}
+
+#[test]
+fn drags_of_a_rig_are_those_of_its_project() {
+    let (mut project, solution) = moving("gingerbread", PoseMode::Rigid, Blend::Linear);
+    let rig = baked_posable(&project, &solution);
+    let poser = rig.poser().expect("the rigid mode");
+    let rest = project.handles[0].shape.rest()[0];
+    let numbers = |project: &Project| project.handles.iter().map(HandlePose::from).collect::<Vec<_>>();
+    let mut exact = solution.pose(&project).expect("a valid scene");
+    let mut found = poser.motions(&numbers(&project)).expect("the same handles");
+    for step in 0..20 {
+        project.handles[0].shape.posed_mut()[0] = rest + 2.0 * f64::from(step) * DVec2::new(0.8, 0.6);
+        exact = solution.poser().follow(&exact, &project.handles).expect("a valid scene");
+        found = poser.followed(&found, &numbers(&project)).expect("the same handles");
+        let error = distance(&solution, &rig, &rig.vertices_posed_with(&found), &solution.posed_vertices(&exact));
+        assert!(error <= CLOSE, "{error} px in step {step}");
+    }
+    let exact = solution.poser().settle(&exact, &project.handles).expect("a valid scene");
+    let settled = poser.settled(&found, &numbers(&project)).expect("the same handles");
+    let error = distance(&solution, &rig, &rig.vertices_posed_with(&settled), &solution.posed_vertices(&exact));
+    assert!(error <= CLOSE, "{error} px at rest");
+    assert!(poser.followed(&found[1..], &numbers(&project)).is_err());
 }
 
 #[test]
@@ -231,7 +274,7 @@ fn automatic_rotations_are_posed_by_the_solver() {
         let (mut project, solution) = moving(scene, mode, Blend::Rigid);
         project.handles.iter_mut().for_each(|handle| handle.rotation = Rotation::Auto);
         let rig = baked_posable(&project, &solution);
-        let errors = errors_of_drags(&mut project, &solution, &rig);
+        let errors = errors_of_drags(&mut project, &solution, &rig, 0.1);
         assert!(errors[0] <= CLOSE, "{scene}: {errors:?}");
     }
 }
@@ -256,7 +299,8 @@ fn published_rig_is_posed_as_when_baked() {
     };
     let expected: Vec<DVec2> = places.lines().skip(1).map(place).collect();
     assert_eq!(found.len(), expected.len());
-    assert!(found.iter().zip(&expected).all(|(a, b)| a.distance(*b) <= CLOSE));
+    let errors: Vec<f64> = found.iter().zip(&expected).map(|(a, b)| a.distance(*b)).collect();
+    assert!(errors.iter().all(|&error| error <= CLOSE), "{errors:?}");
 }
 
 #[test]

@@ -33,7 +33,7 @@ use super::{
 use crate::{
     cell_borders::BorderPiece,
     error::Error,
-    pose::{Motion, Poser, StiffnessField, Strain},
+    pose::{Motion, Poser, StiffnessField},
     project::{Blend, Handle, Project},
     weight::SparseWeights,
 };
@@ -143,11 +143,8 @@ impl PosedPicture {
     /// rest.
     #[must_use]
     pub fn shape(&self) -> Option<Vec<f64>> {
-        let numbers = |&Motion { angle, strain, translation, depth }: &Motion| {
-            [angle, strain.xx, strain.xy, strain.yy, translation.x, translation.y, depth]
-        };
         let pose = self.present.as_ref()?.pose.as_ref()?;
-        Some(pose.motions().iter().flat_map(numbers).collect())
+        Some(pose.motions().iter().flat_map(Motion::numbers).collect())
     }
 
     /// Shows a pose by the numbers of [`shape`](Self::shape).
@@ -159,13 +156,7 @@ impl PosedPicture {
         if motions.len() != self.poser.sites() || !rest.is_empty() || !shape.iter().all(|number| number.is_finite()) {
             return Err(Error::PoseOfAnotherSolution);
         }
-        let motion = |&[angle, xx, xy, yy, x, y, depth]: &[f64; 7]| Motion {
-            angle,
-            strain: Strain { xx, xy, yy },
-            translation: DVec2::new(x, y),
-            depth,
-        };
-        self.show(self.poser.pose_of(motions.iter().map(motion).collect(), blend))
+        self.show(self.poser.pose_of(motions.iter().map(Motion::from_numbers).collect(), blend))
     }
 
     fn present_or_rest(&self, blend: Blend) -> Pose {

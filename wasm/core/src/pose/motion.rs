@@ -28,6 +28,19 @@ pub struct Motion {
 const MIN_STRETCH_RATIO: f64 = 0.1;
 
 impl Motion {
+    /// Angle; strain xx, xy, yy; translation x, y; depth.
+    #[must_use]
+    pub fn numbers(&self) -> [f64; 7] {
+        let Self { angle, strain, translation, depth } = *self;
+        [angle, strain.xx, strain.xy, strain.yy, translation.x, translation.y, depth]
+    }
+
+    /// The motion of [`numbers`](Self::numbers).
+    #[must_use]
+    pub fn from_numbers(&[angle, xx, xy, yy, x, y, depth]: &[f64; 7]) -> Self {
+        Self { angle, strain: Strain { xx, xy, yy }, translation: DVec2::new(x, y), depth }
+    }
+
     /// A rotation and a scale above 0: the motion of a point.
     pub(crate) fn similarity(angle: f64, scale: f64, translation: DVec2, depth: f64) -> Self {
         Self { angle, strain: Strain::uniform(scale), translation, depth }

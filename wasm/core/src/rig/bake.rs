@@ -53,6 +53,8 @@ struct Drawn {
     triangles: Vec<[u32; 3]>,
     /// Triangles of the static background.
     behind: u32,
+    /// Lengths of runs of triangles: alternately beyond the samples, and between them.
+    runs: Vec<u32>,
 }
 
 pub(super) fn bake(
@@ -75,7 +77,7 @@ pub(super) fn bake(
         rounded_clip([&drawn.skin, &stored], sequence, blend, orders, progress)
     };
     let clips = sequences.iter().map(clip).collect::<Result<_, _>>()?;
-    let rounded = poses.map(|poses| poses.rounded([&drawn.skin, &stored], blend)).transpose()?;
+    let rounded = poses.map(|poses| poses.rounded(&drawn, &mesh, &stored, blend)).transpose()?;
     let (shares, posing) = rounded.unwrap_or_default();
     // Shares name the handles in the order in which they were solved.
     let handles = solution.poser().as_solved(&project.handles).map_err(not_posed)?;
@@ -127,7 +129,14 @@ impl<'a> Poses<'a> {
         Ok(Some(Self { kind, probes }))
     }
 
-    fn rounded(&self, skins: [&Skin; 2], blend: Blend) -> Result<(Option<Shares>, Option<Posing>), BakeError> {
+    fn rounded(
+        &self,
+        drawn: &Drawn,
+        mesh: &Mesh,
+        stored: &Skin,
+        blend: Blend,
+    ) -> Result<(Option<Shares>, Option<Posing>), BakeError> {
+        let skins = [&drawn.skin, stored];
         let too_far = || BakeError::TooFar { clip: String::new() };
         match &self.kind {
             PosesKind::Shares(shares) => {
@@ -138,9 +147,11 @@ impl<'a> Poses<'a> {
                 Ok((Some(found.ok_or_else(too_far)?), None))
             }
             PosesKind::Solver { poser, handles, side } => {
-                let rounded = |fineness: u8| Posing::of(poser, handles, PosingBits::of(fineness, *side));
+                let rounded =
+                    |fineness: u8| Posing::of(poser, handles, PosingBits::of(fineness, *side), drawn.runs.clone());
                 let is_close = |posing: &Posing| {
-                    let poser = posing.poser();
+                    let mut poser = posing.poser();
+                    poser.set_mesh(&mesh.at_rest(), &posing.between(&mesh.triangles), &stored.weights);
                     let motions = |handles: &[Handle]| poser.motions(handles).expect("handles with a pose");
                     self.error(skins, blend, SHARE_TOLERANCE, motions) <= SHARE_TOLERANCE
                 };
@@ -178,7 +189,7 @@ fn whole(picture: &RigPicture) -> Drawn {
     (0..4).for_each(|_| weights.push_row(std::iter::empty()));
     let vertices = vec![DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
     let skin = Skin { vertices: vertices.clone(), weights, rest: Arc::from([]) };
-    Drawn { at_rest: vertices, skin, triangles: vec![[0, 1, 2], [0, 2, 3]], behind: 0 }
+    Drawn { at_rest: vertices, skin, triangles: vec![[0, 1, 2], [0, 2, 3]], behind: 0, runs: vec![2] }
 }
 
 /// The vertices are numbered by their first use.
@@ -187,6 +198,15 @@ fn drawn(solution: &Solution) -> Drawn {
     let (around, vertices) = (background.vertices(), solution.vertices());
     let moved = solution.triangles().iter().map(|corners| corners.map(|corner| corner + around.len() as u32));
     let mut triangles: Vec<[u32; 3]> = background.triangles().iter().copied().chain(moved).collect();
+    let samples = around.len()..around.len() + solution.samples();
+    let is_between = |triangle: &[u32; 3]| triangle.iter().all(|&corner| samples.contains(&(corner as usize)));
+    let mut runs = vec![0];
+    for triangle in &triangles {
+        if is_between(triangle) != (runs.len() % 2 == 0) {
+            runs.push(0);
+        }
+        *runs.last_mut().expect("the first run") += 1;
+    }
     let mut numbers = vec![None; around.len() + vertices.len()];
     let mut order: Vec<usize> = Vec::new();
     for corner in triangles.iter_mut().flatten() {
@@ -207,7 +227,7 @@ fn drawn(solution: &Solution) -> Drawn {
     };
     let rest = Arc::clone(solution.poser().rest());
     let skin = Skin { vertices: in_order(&solution.displaced_vertices()), weights, rest };
-    Drawn { at_rest: in_order(vertices), skin, triangles, behind: background.triangles().len() as u32 }
+    Drawn { at_rest: in_order(vertices), skin, triangles, behind: background.triangles().len() as u32, runs }
 }
 
 /// The mesh and its weights with the coarsest steps that keep vertices in place. Steps are tested in some frames of all

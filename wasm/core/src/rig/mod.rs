@@ -201,7 +201,10 @@ impl Rig {
     /// The solver that poses the handles. `None` if no solver is needed, or if the rig cannot be posed.
     #[must_use]
     pub fn poser(&self) -> Option<RigPoser> {
-        self.posing.as_ref().map(RigPoser::new)
+        let mut poser = RigPoser::new(self.posing.clone()?);
+        let weights = self.mesh.skin(&self.weights).weights;
+        poser.set_mesh(&self.vertices(), &self.mesh.triangles, &weights).ok()?;
+        Some(poser)
     }
 
     /// The vertices with the handles posed as given, in the order of [`handles`](Self::handles). `None` for other

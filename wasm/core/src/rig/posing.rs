@@ -23,8 +23,8 @@ use crate::{
     weight::Influence,
 };
 
-/// The format of the section. Readers skip sections of other formats.
-const FORMAT: u8 = 1;
+/// The format of the section. Readers skip sections of later formats. Format 1 has no runs, and nodes of two levels.
+const FORMAT: u8 = 2;
 /// The finest steps.
 const MOST_BITS: u8 = 24;
 /// The greatest logarithm to the base 2 of an area or a flow.
@@ -38,6 +38,8 @@ pub(super) struct Posing {
     pub(super) sources: Sources,
     bits: PosingBits,
     parts: PoserParts,
+    /// Lengths of runs of the rig's triangles: alternately beyond the samples, and between them. Empty if unknown.
+    runs: Vec<u32>,
 }
 
 /// Numbers are multiples of 2 to the power of minus these.
@@ -83,11 +85,26 @@ impl PosingBits {
 
 impl Posing {
     /// `None` without handles, and for the rigid mode without a picture between the sites.
-    pub(super) fn of(poser: &Poser, handles: &[Handle], bits: PosingBits) -> Option<Self> {
+    pub(super) fn of(poser: &Poser, handles: &[Handle], bits: PosingBits, runs: Vec<u32>) -> Option<Self> {
         let parts = (!handles.is_empty()).then(|| poser.parts())??;
         let rounded = Rounding { bits, parts: &parts };
         let parts = rounded.parts()?;
-        Some(Self { sources: Sources::new(handles, poser.skeleton()), bits, parts })
+        let runs = if parts.rigid.is_some() { runs } else { Vec::new() };
+        Some(Self { sources: Sources::new(handles, poser.skeleton()), bits, parts, runs })
+    }
+
+    /// The triangles of the rig between samples.
+    pub(super) fn between(&self, triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+        let mut left = triangles;
+        let mut between = Vec::new();
+        for (run, &length) in self.runs.iter().enumerate() {
+            let (run_of, others) = left.split_at((length as usize).min(left.len()));
+            if run % 2 == 1 {
+                between.extend_from_slice(run_of);
+            }
+            left = others;
+        }
+        between
     }
 
     /// Poses the handles.
@@ -97,7 +114,7 @@ impl Posing {
     }
 
     pub(super) fn write(&self, to: &mut Writer) {
-        let Self { sources, bits, parts } = self;
+        let Self { sources, bits, parts, runs } = self;
         to.byte(FORMAT);
         to.count(sources.handles.len());
         to.count(parts.rest.len());
@@ -116,6 +133,8 @@ impl Posing {
         write_pairs(parts.adjacent.iter().copied(), to);
         if let Some(rigid) = &parts.rigid {
             self.write_rigid(rigid, to);
+            to.count(runs.len());
+            runs.iter().for_each(|&length| to.varint(length));
         }
     }
 
@@ -132,8 +151,7 @@ impl Posing {
             [columns, rows].iter().for_each(|&&side| to.varint(side));
             values.iter().for_each(|&value| to.byte(value));
         }
-        // Formats before had nodes of a coarse level only, and of a fine level only.
-        [0, nodes.len(), 0].into_iter().for_each(|count| to.count(count));
+        to.count(nodes.len());
         let nodes = || nodes.iter();
         write_places(&nodes().map(|node| steps_of(node.at, bits.node)).collect::<Vec<_>>(), to);
         write_logs(nodes().map(|node| node.area), bits.log, to);
@@ -151,7 +169,8 @@ impl Posing {
         names: Option<&[String]>,
         sites: Option<usize>,
     ) -> Result<Option<Self>, RigError> {
-        if from.byte()? != FORMAT {
+        let format = from.byte()?;
+        if !(1..=FORMAT).contains(&format) {
             return Ok(None);
         }
         let (handles, count) = (from.count(1)?, from.count(3)?);
@@ -194,16 +213,19 @@ impl Posing {
         let pseudo_edges = pairs.into_iter().zip(flows).map(|([i, j], flow)| (i, j, flow)).collect();
         let adjacent = from.count(2)?;
         let adjacent = read_pairs(from, adjacent, handles)?;
-        let rigid = if is_rigid == 1 { Some(read_rigid(from, &mut sources, bits, count)?) } else { None };
+        let rigid = if is_rigid == 1 { Some(read_rigid(from, format, &mut sources, bits, count)?) } else { None };
+        let runs = if is_rigid == 1 && format > 1 { from.count(1)? } else { 0 };
+        let runs = (0..runs).map(|_| from.varint()).collect::<Result<_, _>>()?;
         let parts = PoserParts { rest, kinds, harmonic, pseudo_edges, adjacent, rigid };
         let is_whole = Poser::from_parts(&parts, &sources.skeleton, &sources.handles).is_some();
         from.expect(is_whole, "contradict one another")?;
-        Ok(Some(Self { sources, bits, parts }))
+        Ok(Some(Self { sources, bits, parts, runs }))
     }
 }
 
 fn read_rigid(
     from: &mut Reader<'_>,
+    format: u8,
     sources: &mut Sources,
     bits: PosingBits,
     sites: usize,
@@ -220,8 +242,8 @@ fn read_rigid(
     from.expect(has_mask < 2, "have an unknown kind of stiffness")?;
     let mask = if has_mask == 1 { Some(read_mask(from)?) } else { None };
     let stiffness = StiffnessField::of(mask, &sources.handles);
-    let levels = [from.count(5)?, from.count(5)?, from.count(5)?];
-    let count = levels.iter().sum();
+    let coarse = if format == 1 { from.count(5)? } else { 0 };
+    let count = coarse + from.count(5)? + if format == 1 { from.count(5)? } else { 0 };
     from.expect(from.has(Some(count)), "end too early")?;
     let places = read_places(from, count)?;
     let areas = read_logs(from, count, bits.log)?;
@@ -252,7 +274,7 @@ fn read_rigid(
             node.influences[0].gradient[axis] = left;
         }
     }
-    nodes.drain(..levels[0]);
+    nodes.drain(..coarse);
     Ok(RigidParts { links, nodes, stiffness })
 }
 
