@@ -3,7 +3,7 @@
 use glam::{DMat2, DVec2};
 
 use super::{
-    energy::{Local, energy},
+    energy::{Law, Local, energy},
     freedom::{Freedom, Parts},
     model::Request,
 };
@@ -12,6 +12,7 @@ use crate::pose::numeric::{Pattern, Slot};
 /// Places with the sites that move them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Points {
+    law: Law,
     points: Vec<Point>,
     terms: Vec<Term>,
     /// Where the block of each pair of terms with unknowns is.
@@ -49,6 +50,11 @@ pub(super) struct Layout<'a> {
 }
 
 impl Points {
+    /// No places yet.
+    pub(super) fn new(law: Law) -> Self {
+        Self { law, ..Self::default() }
+    }
+
     /// Adds a place by its terms: site, factors of its parts in the place, and in the Jacobian.
     pub(super) fn add(
         &mut self,
@@ -100,7 +106,7 @@ impl Points {
     }
 
     pub(super) fn energy(&self, jacobians: &[DMat2], request: &Request<'_>, epsilon: f64) -> f64 {
-        let of = |((area, unscale), &j): ((f64, f64), &DMat2)| area * energy(unscale * j, epsilon);
+        let of = |((area, unscale), &j): ((f64, f64), &DMat2)| area * energy(unscale * j, epsilon, self.law);
         self.each(|point, terms| (point.area, request.unscale(terms))).zip(jacobians).map(of).sum()
     }
 
@@ -109,7 +115,7 @@ impl Points {
         let mut jacobians = jacobians.iter();
         let visit = |point: &Point, terms: &[Term]| {
             let (unscale, j) = (request.unscale(terms), *jacobians.next().expect("one for each"));
-            let gradient = unscale * Local::gradient(unscale * j, epsilon);
+            let gradient = unscale * Local::gradient(unscale * j, epsilon, self.law);
             terms.iter().for_each(|term| term.add_force(point.area, gradient, request, forces));
         };
         self.each(visit).for_each(drop);
@@ -132,7 +138,7 @@ impl Points {
             let mut slots = self.slots[first_slot..point.slots as usize].iter();
             first_slot = point.slots as usize;
             let (unscale, j) = (request.unscale(terms), *jacobians.next().expect("one for each"));
-            let local = Local::of(unscale * j, epsilon, is_projected);
+            let local = Local::of(unscale * j, epsilon, self.law, is_projected);
             let mut gradient = unscale * local.gradient;
             if let Some(driven) = driven {
                 gradient += unscale * unscale * local.change(jacobian(terms, driven));

@@ -13,6 +13,7 @@ use glam::{DMat2, DVec2};
 
 use super::{
     super::{motion::turn, numeric::Blocks},
+    energy::Law,
     freedom::{Freedom, Parts},
     model::{Model, Request},
     points::Points,
@@ -43,8 +44,6 @@ const HALVINGS: usize = 12;
 const REST: f64 = 1e-4;
 /// Most steps until it rests. Few shapes need over ten.
 const MOST_STEPS: usize = 40;
-/// Most times that the flat triangles are found anew.
-const MOST_ROUNDS: usize = 3;
 
 /// The sheet in one shape.
 pub(super) struct Shape<'a> {
@@ -59,9 +58,7 @@ pub(super) struct Shape<'a> {
     before: Vec<DVec2>,
     /// How far each place may move in this frame.
     caps: Vec<f64>,
-    /// Triangles that take part in the energy.
-    watched: Vec<u32>,
-    /// The same as points, with their Jacobians.
+    /// Triangles that take part in the energy, with their Jacobians.
     points: Points,
     watched_jacobians: Vec<DMat2>,
     matrix: Blocks,
@@ -89,14 +86,13 @@ impl<'a> Shape<'a> {
             before: places.clone(),
             caps: Vec::new(),
             places,
-            watched: Vec::new(),
-            points: Points::default(),
+            points: Points::new(Law::Flatness),
             watched_jacobians: Vec::new(),
             matrix: model.zeros(),
             epsilon: 0.0,
             parts,
         };
-        shape.watch(false);
+        shape.watch();
         shape
     }
 
@@ -119,12 +115,10 @@ impl<'a> Shape<'a> {
             + self.model.link_energy(parts)
     }
 
-    /// Finds the triangles to watch. Those that are watched can be kept.
-    fn watch(&mut self, keeps: bool) {
+    /// Finds the triangles to watch.
+    fn watch(&mut self) {
         if let Some(sheet) = self.model.sheet() {
-            let kept: &[u32] = if keeps { &self.watched } else { &[] };
-            self.watched = sheet.flattened(&self.places, kept);
-            self.model.points_of(&self.watched, &mut self.points);
+            self.model.points_of(&sheet.flattened(&self.places), &mut self.points);
             self.watched_jacobians = self.points.jacobians(&self.parts);
         }
         let dets = self.jacobians.iter().chain(&self.watched_jacobians).map(DMat2::determinant);
@@ -140,7 +134,7 @@ impl<'a> Shape<'a> {
             let forces = self.forces();
             self.descend(forces, true);
         }
-        self.watch(false);
+        self.watch();
     }
 
     /// Moves the picture as a whole, by the rigid motion nearest to that of the handles. Finds how far each place may move
@@ -182,7 +176,7 @@ impl<'a> Shape<'a> {
             if length == 1.0 {
                 return;
             }
-            self.watch(false);
+            self.watch();
         }
     }
 
@@ -217,19 +211,6 @@ impl<'a> Shape<'a> {
 
     /// Moves until the picture rests. The handles stay.
     pub(super) fn settle(&mut self) {
-        for _ in 0..MOST_ROUNDS {
-            self.settle_with_watched();
-            // Triangles that are no longer flat are left out at last.
-            let watched = std::mem::take(&mut self.watched);
-            self.watch(false);
-            if self.watched == watched {
-                return;
-            }
-        }
-    }
-
-    /// Moves until the picture rests. A triangle that comes and goes would change the energy forever, so it stays.
-    fn settle_with_watched(&mut self) {
         for _ in 0..MOST_STEPS {
             let mut forces = self.assemble(None, false);
             if !self.model.factorise(&mut self.matrix, DAMPING) {
@@ -237,7 +218,7 @@ impl<'a> Shape<'a> {
                 self.model.factorise(&mut self.matrix, DAMPING);
             }
             let moved = self.descend(forces, false);
-            self.watch(true);
+            self.watch();
             if moved < REST {
                 return;
             }

@@ -5,11 +5,8 @@
 
 use glam::DVec2;
 
-use super::{freedom::Parts, shape::first_root};
+use super::{energy::FLAT, freedom::Parts, shape::first_root};
 use crate::weight::SparseWeights;
-
-/// A triangle takes part in the energy while its area is below this fraction of that at rest.
-const FLAT: f64 = 0.35;
 
 /// Greatest coordinate of a picture with its surroundings, in pixels.
 const MOST: f64 = 131_072.0;
@@ -110,12 +107,11 @@ impl Sheet {
         self.ends.iter().map(place).collect()
     }
 
-    /// The triangles that are flattened or folded, and those of an ascending list.
-    pub(super) fn flattened(&self, places: &[DVec2], kept: &[u32]) -> Vec<u32> {
-        let mut kept = kept.iter().copied().peekable();
+    /// The triangles that are flattened or folded.
+    pub(super) fn flattened(&self, places: &[DVec2]) -> Vec<u32> {
         let is_flat = |&t: &u32| {
             let area = doubled_area(corners(self.triangles[t as usize], places)) / self.rest[t as usize];
-            kept.next_if_eq(&t).is_some() || area < FLAT || area.is_nan()
+            area < FLAT || area.is_nan()
         };
         (0..self.triangles.len() as u32).filter(is_flat).collect()
     }
