@@ -15,8 +15,8 @@ use crate::{
 /// Accuracy of a pose that is opened again, in pixels.
 const NEAR: f64 = 0.25;
 
-/// Drags the head of the figure around an arm and below it. Returns the project with its shape, its solution, and the pose
-/// at rest.
+/// Drags the head of the figure around an arm and below it. Returns the project with its shape, its solution, and the
+/// pose at rest.
 fn dragged() -> (Project, Solution, Pose) {
     let (mut project, solution) = figure();
     let mut pose = solution.pose(&project).unwrap();

@@ -113,8 +113,8 @@ impl PosedPicture {
         self.0.set_shape(samples.collect()).map_err(|error| to_js(&error))
     }
 
-    /// The shape of the present pose: samples × 8. It is empty if the handles alone determine it: if no vertex is farther
-    /// than `within` pixels from its place in the pose without a shape. The present pose must be that of `poses`.
+    /// The shape of the present pose: samples × 8. It is empty if no vertex is farther than `within` pixels from its
+    /// place in the pose without a shape. The present pose must be that of `poses`.
     ///
     /// # Errors
     /// As for [`set_pose`](Self::set_pose).

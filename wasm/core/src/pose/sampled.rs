@@ -1,8 +1,8 @@
 //! The shape in which a drag has left the picture: samples of a pose, and a pose from samples.
 //!
-//! In the rigid mode, the same handles allow several poses at rest. Samples tell which of them it is. They are only the
-//! start of the way to a pose at rest. So a project opens as it was even after its sites have changed, and nonsense in a
-//! file ends in the pose from rest.
+//! In the rigid mode, the same handles allow several poses at rest. Samples tell which of them it is. They are only
+//! the start of the way to a pose at rest. So a project opens as it was even after its sites have changed, and
+//! nonsense in a file ends in the pose from rest.
 //!
 //! Each sample belongs to the site nearest to it. The other sites start with harmonic averages of the samples' maps, over
 //! the links between sites. So limbs that are close but not connected do not mix.
@@ -50,8 +50,8 @@ impl Poser {
         }))
     }
 
-    /// The motions at the samples of a shape, and averages between them. Sites without a path to a sample have the motions
-    /// from rest.
+    /// The motions at the samples of a shape, and averages between them. Sites without a path to a sample have the
+    /// motions from rest.
     fn start(
         &self,
         rigid: &Rigid,
@@ -121,8 +121,8 @@ impl Poser {
         known
     }
 
-    /// Samples of motions, rounded. Those at handles come first, then some that are spread over the picture, and at last
-    /// those where averages of the others are worst. `None` in the harmonic mode.
+    /// Samples of motions, rounded. Those at handles come first, then some that are spread over the picture, and at
+    /// last those where averages of the others are worst. `None` in the harmonic mode.
     pub(crate) fn samples_of(&self, motions: &[Motion]) -> Option<Vec<ShapeSample>> {
         let rigid = self.rigid.as_ref()?;
         let exact = |site: usize| {

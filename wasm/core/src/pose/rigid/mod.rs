@@ -215,8 +215,8 @@ impl Rigid {
         self.settled(rest, shape, self.from_rest(rest, target), target)
     }
 
-    /// The pose at rest near other motions, whose handles may be elsewhere, unless that from rest is much better. `start`
-    /// takes the pose from rest.
+    /// The pose at rest near other motions, whose handles may be elsewhere, unless that from rest is much better.
+    /// `start` takes the pose from rest.
     pub(super) fn from_start(
         &self,
         rest: &[DVec2],
