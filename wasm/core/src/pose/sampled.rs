@@ -46,7 +46,7 @@ impl Poser {
         }
         let target = self.target(handles)?;
         Ok(self.rigid(target, |rigid, target| {
-            rigid.from_start(&self.rest, target, |from_rest| self.start(rigid, shape, target, from_rest))
+            rigid.rest_near(&self.rest, target, |from_rest| self.start(rigid, shape, target, from_rest))
         }))
     }
 

@@ -217,7 +217,7 @@ impl Rigid {
 
     /// The pose at rest near other motions, whose handles may be elsewhere, unless that from rest is much better.
     /// `start` takes the pose from rest.
-    pub(super) fn from_start(
+    pub(super) fn rest_near(
         &self,
         rest: &[DVec2],
         target: &Target,
