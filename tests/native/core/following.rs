@@ -14,7 +14,7 @@ use crate::scenes::{project, solved};
 const FARTHEST: f64 = 3.0;
 
 /// Returns a gingerbread figure whose hands, head and feet are handles.
-fn figure() -> (Project, Solution) {
+pub(crate) fn figure() -> (Project, Solution) {
     let handles = [(200.0, 52.0), (68.0, 144.0), (332.0, 144.0), (124.0, 356.0), (276.0, 356.0)].map(DVec2::from);
     let smaller = |ring: Vec<DVec2>| ring.into_iter().map(|p| p * 0.4).collect();
     let rings: outlines::Rings = outlines::gingerbread().into_iter().map(smaller).collect();
@@ -25,15 +25,15 @@ fn figure() -> (Project, Solution) {
     (project, solution)
 }
 
-fn posed(solution: &Solution, pose: &Pose) -> Vec<DVec2> {
+pub(crate) fn posed(solution: &Solution, pose: &Pose) -> Vec<DVec2> {
     solution.posed_vertices(pose)[..solution.samples()].to_vec()
 }
 
-fn farthest(a: &[DVec2], b: &[DVec2]) -> f64 {
+pub(crate) fn farthest(a: &[DVec2], b: &[DVec2]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
 }
 
-fn folds(solution: &Solution, posed: &[DVec2]) -> usize {
+pub(crate) fn folds(solution: &Solution, posed: &[DVec2]) -> usize {
     let area = |places: &[DVec2], [a, b, c]: [u32; 3]| {
         let [a, b, c] = [a, b, c].map(|vertex| places[vertex as usize]);
         (b - a).perp_dot(c - a)
@@ -43,7 +43,14 @@ fn folds(solution: &Solution, posed: &[DVec2]) -> usize {
 }
 
 /// Drags a handle along a line. Returns the greatest ratio of a vertex to the handle, and the last pose.
-fn drag(solution: &Solution, handles: &mut [Handle], index: usize, to: DVec2, frames: u32, from: Pose) -> (f64, Pose) {
+pub(crate) fn drag(
+    solution: &Solution,
+    handles: &mut [Handle],
+    index: usize,
+    to: DVec2,
+    frames: u32,
+    from: Pose,
+) -> (f64, Pose) {
     let start = handles[index].shape.posed()[0];
     let (mut pose, mut worst) = (from, 0.0_f64);
     let mut before = posed(solution, &pose);

@@ -28,6 +28,7 @@ mod reuse;
 mod rig;
 mod rigid;
 mod scenes;
+mod shape;
 mod static_background;
 mod stiffness;
 mod suggested;

@@ -9,7 +9,7 @@ use c2warp::{
         Bounds, Correspondence, FoldLimit, GroupMember, GroupTransform, GroupWay, HandleWay, Lead, PictureMesh, Turn,
     },
     pose::Poser,
-    project::{Blend, Displacement, Project, handles_from_json},
+    project::{Blend, Displacement, Project, ShapeSample, handles_from_json},
     weight::SparseWeights,
 };
 use glam::DVec2;
@@ -89,18 +89,38 @@ impl PosedPicture {
         Ok(pose.packed())
     }
 
-    /// The present pose in full precision, for [`show_shape`](Self::show_shape); `undefined` at rest.
-    pub fn shape(&self) -> Option<Vec<f64>> {
-        self.0.shape()
+    /// The present pose in full precision, for [`show_motions`](Self::show_motions); `undefined` at rest.
+    pub fn motion_numbers(&self) -> Option<Vec<f64>> {
+        self.0.motion_numbers()
     }
 
-    /// Shows a pose that [`shape`](Self::shape) returned. Returns the motions, as [`set_pose`](Self::set_pose).
+    /// Shows a pose by the numbers of [`motion_numbers`](Self::motion_numbers). Returns the motions, as
+    /// [`set_pose`](Self::set_pose).
     ///
     /// # Errors
-    /// For a shape of another solution. The present pose then remains.
-    pub fn show_shape(&mut self, shape: &[f64], rigid: bool) -> Result<Vec<f32>, JsValue> {
-        let pose = self.0.show_shape(shape, blend(rigid)).map_err(|error| to_js(&error))?;
+    /// For numbers of another solution. The present pose then remains.
+    pub fn show_motions(&mut self, numbers: &[f64], rigid: bool) -> Result<Vec<f32>, JsValue> {
+        let pose = self.0.show_motions(numbers, blend(rigid)).map_err(|error| to_js(&error))?;
         Ok(pose.packed())
+    }
+
+    /// Sets the shape in which a drag has left the picture: samples × 8, as in a project. Only later poses change.
+    ///
+    /// # Errors
+    /// For an invalid shape. The picture then does not change.
+    pub fn set_shape(&mut self, samples: &[f64]) -> Result<(), JsValue> {
+        let samples = samples.as_chunks::<8>().0.iter().copied().map(ShapeSample::from_numbers);
+        self.0.set_shape(samples.collect()).map_err(|error| to_js(&error))
+    }
+
+    /// The shape of the present pose: samples × 8. It is empty if no vertex is farther than `within` pixels from its
+    /// place in the pose without a shape. The present pose must be that of `poses`.
+    ///
+    /// # Errors
+    /// As for [`set_pose`](Self::set_pose).
+    pub fn shape(&self, poses: &[f64], rigid: bool, within: f64) -> Result<Vec<f64>, JsValue> {
+        let shape = self.0.shape(&read(poses)?, blend(rigid), within).map_err(|error| to_js(&error))?;
+        Ok(shape.iter().flat_map(ShapeSample::numbers).collect())
     }
 
     /// Vertices × 2: the posed mesh.

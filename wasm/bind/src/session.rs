@@ -112,7 +112,7 @@ impl Session {
             return Err(with_code("there is no solution yet", "engine"));
         };
         let start = now_ms();
-        let pose = solution.poser().pose(&project.handles, project.pose.blend).map_err(|error| to_js(&error))?;
+        let pose = solution.pose(project).map_err(|error| to_js(&error))?;
         let mut ms = *ms;
         ms.pose = now_ms() - start;
         let report = Inspection { report: solution.report(&pose), ms };
@@ -347,7 +347,7 @@ impl Session {
         let solution = self.solver.shared_solution().expect("it has just been solved");
         let pose = match moment {
             Some(moment) => moment.pose(&solution, project)?,
-            None => solution.poser().pose(&project.handles, project.pose.blend)?,
+            None => solution.pose(project)?,
         };
         Ok((solution, pose))
     }

@@ -30,12 +30,12 @@ impl SolvedSites {
         (site != NONE).then_some(site as usize)
     }
 
-    /// The pose of a project's handles.
+    /// The pose of a project's handles, in its shape.
     ///
     /// # Errors
     /// The errors of [`Poser::pose`].
     pub(crate) fn pose(&self, project: &Project) -> Result<Pose, Error> {
-        self.poser.pose(&project.handles, project.pose.blend)
+        self.poser.pose_from(&project.shape, &project.handles, project.pose.blend)
     }
 
     /// # Errors

@@ -7,6 +7,7 @@
  */
 import type { HiddenCorners, Turns } from '../document/handle';
 import type { Clip, Project } from '../document/project';
+import type { Shape } from '../document/shape';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
@@ -119,6 +120,8 @@ export interface Pose {
   /** For each handle, which of its corners lie behind another part of the picture. */
   readonly hidden: HiddenCorners;
 
+  /** The shape for the project file; undefined if the handles alone determine the pose. */
+  shape(): Shape | undefined;
   /** Triangles × 3: those of the creases. */
   creasedTriangles(): Uint32Array<ArrayBuffer>;
   /** Where a point of the original goes; null outside the mesh. */

@@ -16,6 +16,7 @@ import {
 } from '../document/handle';
 import { projectPoses } from '../document/handle_poses';
 import type { Clip, Displacement, Handle, Project, Stiffness } from '../document/project';
+import { type Shape, shapeNumbers, shapeOf } from '../document/shape';
 import { followedHandles, placeKey } from '../document/solved';
 import { stiffnessOf } from '../document/stiffness';
 import { followedPoses, groupWay, handleWay } from '../document/ways';
@@ -46,6 +47,8 @@ class WasmPicture implements PosedPicture {
   /** The displacement of the picture in the module, and the last requested places of its vertices. */
   #displaced: Displacement | undefined;
   #places: { readonly of: Displacement; readonly places: Places } | undefined;
+  /** The shape in the module. */
+  #shape: Shape | undefined;
   #restOutline: Float32Array<ArrayBuffer> | undefined;
   #stiffness: { readonly of: StiffPlaces; readonly values: Float32Array<ArrayBuffer> } | undefined;
 
@@ -61,7 +64,7 @@ class WasmPicture implements PosedPicture {
     return this.#module.bytes;
   }
 
-  /** Gives the module the stiffness and the displacement of a project, on which its poses depend. */
+  /** Gives the module the stiffness, the displacement and the shape of a project, on which its poses depend. */
   #prepared(project: Project): ModulePicture {
     const places = stiffPlaces(project);
     if (!isSame(this.#stiff, places)) {
@@ -77,6 +80,8 @@ class WasmPicture implements PosedPicture {
       // Its answers are those of another displacement now.
       this.#present = null;
     }
+    if (this.#shape !== project.shape) this.#module.set_shape(shapeNumbers(project.shape));
+    this.#shape = project.shape;
     return this.#module;
   }
 
@@ -132,7 +137,9 @@ class WasmPicture implements PosedPicture {
     const playback = createModulePlayback(this.#prepared(project), { ...clip, tracks }, handles);
     return {
       pose: (posed, time) =>
-        this.#posed(new WasmPose(this, posed, projectPoses(this.#solved, posed), { moment: { playback, time } })),
+        this.#posed(
+          new WasmPose(this, posed, projectPoses(this.#solved, posed), { moment: { playback, time } }),
+        ),
       free: () => playback.free(),
     };
   }
@@ -262,6 +269,9 @@ class WasmPicture implements PosedPicture {
 
 type Motions = Float32Array<ArrayBuffer>;
 
+/** A pose that is nowhere farther from the one that the handles determine needs no shape. */
+const SHAPE_PX = 0.25;
+
 /** How a pose is found: without history unless a key is there. */
 interface Way {
   /** A time of a clip. */
@@ -277,7 +287,7 @@ class WasmPose implements Pose {
   readonly project: Project;
   readonly handles: Float64Array;
   /** The motions in full precision, once they are found. */
-  #shape: Float64Array | undefined;
+  #numbers: Float64Array | undefined;
   #way: Way;
   motions = new Float32Array();
   #positions: Float32Array<ArrayBuffer> | undefined;
@@ -295,9 +305,9 @@ class WasmPose implements Pose {
   /** Gives the module this pose. Returns the motions. */
   show(module: ModulePicture): Motions {
     const rigid = isRigid(this.project);
-    if (this.#shape) return module.show_shape(this.#shape, rigid);
+    if (this.#numbers) return module.show_motions(this.#numbers, rigid);
     const motions = this.#find(module, rigid);
-    this.#shape = module.shape();
+    this.#numbers = module.motion_numbers();
     // Else each frame of a drag would keep all frames before.
     this.#way = {};
     return motions;
@@ -310,6 +320,10 @@ class WasmPose implements Pose {
     if (!before) return module.set_pose(this.handles, rigid);
     this.#picture.holding(before);
     return settles ? module.settle_pose(this.handles, rigid) : module.follow_pose(this.handles, rigid);
+  }
+
+  shape(): Shape | undefined {
+    return shapeOf(this.#module.shape(this.handles, isRigid(this.project), SHAPE_PX));
   }
 
   get places(): Places | null {

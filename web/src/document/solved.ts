@@ -3,9 +3,9 @@
  *
  * Names of handles change no solution: handles of a kind at the same rest position are the same handle.
  *
- * Changes of the pose, the clips, the blend, the edges, the stiffness or the displacement need no new solve. Other
- * settings do, and so do handles that are placed or removed. While a newer solve runs, the picture follows the handles
- * of the last solution.
+ * Changes of the pose, the shape, the clips, the blend, the edges, the stiffness or the displacement need no new
+ * solve. Other settings do, and so do handles that are placed or removed. While a newer solve runs, the picture
+ * follows the handles of the last solution.
  */
 import type { Clip, Handle, Project } from './project';
 
@@ -21,10 +21,11 @@ export function settingsKey(project: Project): string {
     clips: ___,
     stiffness: ____,
     displacement: _____,
+    shape: ______,
     pose,
     ...settings
   } = project;
-  const { blend: ______, ...bending } = pose ?? {};
+  const { blend: _______, ...bending } = pose ?? {};
   return JSON.stringify([settings, bending]);
 }
 

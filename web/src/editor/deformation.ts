@@ -9,6 +9,7 @@
 import type { HiddenCorners, Turns } from '../document/handle';
 import type { PosesAt } from '../document/moment';
 import type { Clip, Project } from '../document/project';
+import type { Shape } from '../document/shape';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, Placement } from '../geometry/place';
@@ -68,6 +69,8 @@ export interface FrameCount {
 }
 
 export interface Deformation {
+  /** The shape in which a project comes to rest after a drag; undefined if its handles alone determine that. */
+  shapeLeft(project: Project): Shape | undefined;
   /** The poses of handles at a time of a clip, in seconds. */
   posesAt: PosesAt;
   /** The frames of a clip, or of a part of it in seconds, at a rate in frames a second. */

@@ -85,6 +85,12 @@ export const testPicture = (name = 'cat.png'): Picture => ({
 
 /** Moves everything by the mean move of the handles. Handles beyond x = 1,000 fold one triangle each. */
 class PlaneDeformation implements Deformation {
+  /** Drags below y = 1,000 leave a shape. */
+  shapeLeft({ handles }: Project) {
+    const lowest = Math.max(...handles.map((handle) => anchor(handle)[1]));
+    return lowest > 1000 ? [[0, 0, lowest, lowest, 1, 0, 0, 1]] : undefined;
+  }
+
   /** Linear between keys, whatever their ease. */
   posesAt(clip: Clip, handles: readonly Handle[], time: number): readonly HandlePose[] {
     return handles.map((handle) => {

@@ -8,6 +8,7 @@ import { openDocument } from '../document/document';
 import type { HiddenCorners, Turns } from '../document/handle';
 import { atMoment, type PosesAt } from '../document/moment';
 import type { Clip, Project } from '../document/project';
+import type { Shape } from '../document/shape';
 import { solveKey } from '../document/solved';
 import type {
   CellBorders,
@@ -96,11 +97,17 @@ export class SolutionDeformation implements Deformation {
     return this.#last;
   }
 
-  /** The pose in which a drag of a project has come to rest. It replaces that of the last frame. */
-  settle(project: Project): Pose | null {
+  /** The pose that depends on the project only. It replaces that of the last frame of a drag. */
+  rest(project: Project): Pose | null {
     const pose = this.pose(project);
-    if (pose && this.#frames.has(pose)) this.#know(project, () => this.#picture.settled(pose));
+    if (pose && this.#frames.has(pose)) this.#know(project, () => this.#picture.pose(project));
     return this.#last;
+  }
+
+  shapeLeft(project: Project): Shape | undefined {
+    const pose = this.pose(project);
+    if (pose?.project !== project || !this.#frames.has(pose)) return project.shape;
+    return this.#picture.settled(pose).shape();
   }
 
   /** The picture does not change until a pose can be computed. */
@@ -242,7 +249,7 @@ export class SolutionDeformation implements Deformation {
   }
 }
 
-/** Whether a project differs from another one in the poses of its handles only. */
+/** Whether a project differs from another one in the poses of its handles and the shape only. */
 const isFrameAfter = (before: Project, project: Project): boolean =>
   solveKey(before) === solveKey(project) && before.stiffness === project.stiffness;
 

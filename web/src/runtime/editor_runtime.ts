@@ -350,7 +350,7 @@ export class EditorRuntime {
     if (!moves || this.#frames?.seen) this.#element.render();
   }
 
-  /** Lets the picture come to rest after the last frame of a drag. */
+  /** Shows the pose that depends on the project only, after the last frame of a drag or a step. */
   #rest(state: EditorState): void {
     const project = projectOf(state);
     const { shown } = state.solution;
@@ -358,7 +358,7 @@ export class EditorRuntime {
     this.#rested = project;
     const deformation = this.#solver.deformationOf(shown);
     const last = deformation.pose(project);
-    const pose = deformation.settle(project);
+    const pose = deformation.rest(project);
     const now = performance.now();
     if (last && pose && pose !== last && !state.media.still) this.#glide.begin(last, pose, now);
   }

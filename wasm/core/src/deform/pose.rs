@@ -12,7 +12,7 @@ use super::dual::{Dual, Sums, half_turn, mapped};
 use crate::{
     error::Error,
     pose::{DisplacementField, Motion, Poser},
-    project::{Blend, Handle},
+    project::{Blend, Handle, ShapeSample},
     weight::{Influence, SparseWeights},
 };
 
@@ -58,6 +58,25 @@ impl Poser {
     /// - [`Error::PoserBytes`] if the poser was read from bytes whose bars contradict its handles.
     pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
         Ok(self.pose_of(self.motions(handles)?, blend))
+    }
+
+    /// The pose of handles in the shape in which a drag has left the picture: see
+    /// [`Project::shape`](crate::project::Project::shape). In the harmonic mode and for a shape without samples, same as
+    /// [`pose`](Self::pose).
+    ///
+    /// # Errors
+    /// The errors of [`pose`](Self::pose).
+    pub fn pose_from(&self, shape: &[ShapeSample], handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
+        Ok(self.pose_of(self.motions_from(shape, handles)?, blend))
+    }
+
+    /// The shape of a pose, for [`pose_from`](Self::pose_from). In the harmonic mode, it has no samples.
+    ///
+    /// # Errors
+    /// [`Error::PoseOfAnotherSolution`].
+    pub fn shape_of(&self, pose: &Pose) -> Result<Vec<ShapeSample>, Error> {
+        self.check_own(pose)?;
+        Ok(self.samples_of(&pose.motions).unwrap_or_default())
     }
 
     /// The next frame of a drag: the pose of handles that have moved a little since `pose`, which this poser made. Nothing

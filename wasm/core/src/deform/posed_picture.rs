@@ -34,7 +34,7 @@ use crate::{
     cell_borders::BorderPiece,
     error::Error,
     pose::{Motion, Poser, StiffnessField},
-    project::{Blend, Handle, Project},
+    project::{Blend, Handle, Project, ShapeSample, check_shape},
     weight::SparseWeights,
 };
 
@@ -60,6 +60,8 @@ pub struct PosedPicture {
     pub(super) poser: Poser,
     /// The solved handles.
     pub(super) handles: Vec<Handle>,
+    /// The shape in which a drag has left the picture.
+    shape: Vec<ShapeSample>,
     folding: FoldingMesh,
     adjacency: Adjacency,
     background: Option<Bounds>,
@@ -110,8 +112,18 @@ impl PosedPicture {
         let background = Bounds::new(&mesh.background);
         let adjacency = Adjacency::new(&mesh.triangles);
         let order = Order::default();
-        let mut picture =
-            Self { mesh, poser, handles, folding, adjacency, background, displaced: None, present: None, order };
+        let mut picture = Self {
+            mesh,
+            poser,
+            handles,
+            shape: Vec::new(),
+            folding,
+            adjacency,
+            background,
+            displaced: None,
+            present: None,
+            order,
+        };
         if picture.poser.displacement().is_some() {
             picture.displace();
         }
@@ -139,21 +151,43 @@ impl PosedPicture {
         self.show(pose)
     }
 
+    /// Sets the shape in which a drag has left the picture. Only later poses change.
+    ///
+    /// # Errors
+    /// [`Error::Project`] for an invalid shape. The picture then does not change.
+    pub fn set_shape(&mut self, shape: Vec<ShapeSample>) -> Result<(), Error> {
+        check_shape(&shape)?;
+        self.shape = shape;
+        Ok(())
+    }
+
+    /// The shape of the present pose. It is empty if the handles alone determine it: if no vertex is farther than
+    /// `within` pixels from its place in the pose without a shape.
+    ///
+    /// # Errors
+    /// As for [`set_pose`](Self::set_pose).
+    pub fn shape(&self, poses: &[HandlePose], blend: Blend, within: f64) -> Result<Vec<ShapeSample>, Error> {
+        let Some(Present { pose: Some(pose), posed, .. }) = &self.present else { return Ok(Vec::new()) };
+        let plain = self.blend_vertices(&self.poser.pose(&self.posed_handles(poses)?, blend)?);
+        let is_plain = plain.iter().zip(posed).all(|(plain, posed)| plain.distance(*posed) <= within);
+        if is_plain { Ok(Vec::new()) } else { self.poser.shape_of(pose) }
+    }
+
     /// The present pose as numbers, seven for each site: angle; strain xx, xy, yy; translation x, y; depth. `None` at
     /// rest.
     #[must_use]
-    pub fn shape(&self) -> Option<Vec<f64>> {
+    pub fn motion_numbers(&self) -> Option<Vec<f64>> {
         let pose = self.present.as_ref()?.pose.as_ref()?;
         Some(pose.motions().iter().flat_map(Motion::numbers).collect())
     }
 
-    /// Shows a pose by the numbers of [`shape`](Self::shape).
+    /// Shows a pose by the numbers of [`motion_numbers`](Self::motion_numbers).
     ///
     /// # Errors
     /// [`Error::PoseOfAnotherSolution`] for another number of sites, and numbers that are not finite.
-    pub fn show_shape(&mut self, shape: &[f64], blend: Blend) -> Result<&Pose, Error> {
-        let (motions, rest) = shape.as_chunks::<7>();
-        if motions.len() != self.poser.sites() || !rest.is_empty() || !shape.iter().all(|number| number.is_finite()) {
+    pub fn show_motions(&mut self, numbers: &[f64], blend: Blend) -> Result<&Pose, Error> {
+        let (motions, rest) = numbers.as_chunks::<7>();
+        if motions.len() != self.poser.sites() || !rest.is_empty() || !numbers.iter().all(|number| number.is_finite()) {
             return Err(Error::PoseOfAnotherSolution);
         }
         self.show(self.poser.pose_of(motions.iter().map(Motion::from_numbers).collect(), blend))
@@ -222,7 +256,7 @@ impl PosedPicture {
 
     /// Any pose of the picture.
     fn pose(&self, poses: &[HandlePose], blend: Blend) -> Result<Pose, Error> {
-        self.poser.pose(&self.posed_handles(poses)?, blend)
+        self.poser.pose_from(&self.shape, &self.posed_handles(poses)?, blend)
     }
 
     pub(super) fn posed_handles(&self, poses: &[HandlePose]) -> Result<Vec<Handle>, Error> {

@@ -11,6 +11,7 @@
 //! - `motion`, `strain`: T_i as logarithms, blended as sums (eq. 4): handles × virtual sites, microseconds.
 //! - `automatic`: rotations that the user did not set (section VI).
 //! - `rigid`: the rigid mode, instead of eq. 4: one to four milliseconds for 150 virtual sites.
+//! - `sampled`: the start of the rigid mode from the shape in which a drag has left the picture.
 //! - `unwrap`: whole turns.
 //!
 //! `displacement` moves points before the sites do.
@@ -28,6 +29,7 @@ mod poser_bytes;
 #[cfg(feature = "rig")]
 mod poser_parts;
 mod rigid;
+mod sampled;
 mod solved_handle;
 mod strain;
 mod unwrap;

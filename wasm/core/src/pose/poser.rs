@@ -151,7 +151,7 @@ impl Poser {
     }
 
     /// The motions of the rigid mode; in the harmonic mode, those of the target.
-    fn rigid(&self, target: Target, pose: impl FnOnce(&Rigid, &Target) -> Vec<Motion>) -> Vec<Motion> {
+    pub(super) fn rigid(&self, target: Target, pose: impl FnOnce(&Rigid, &Target) -> Vec<Motion>) -> Vec<Motion> {
         let Some(rigid) = self.rigid.as_ref().filter(|_| !self.rest.is_empty()) else { return target.motions };
         let mut motions = pose(rigid, &target);
         let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
@@ -161,7 +161,7 @@ impl Poser {
     }
 
     /// What the handles request: the harmonic pose.
-    fn target(&self, given: &[Handle]) -> Result<Target, Error> {
+    pub(super) fn target(&self, given: &[Handle]) -> Result<Target, Error> {
         let handles = &*self.as_solved(given)?;
         for (handle, &SolvedHandle { shape: solved, .. }) in handles.iter().zip(&self.solved) {
             if let Some(posed) = ShapeKind::of(&handle.shape).into_iter().find(|&kind| kind != solved) {

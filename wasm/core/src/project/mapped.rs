@@ -24,6 +24,7 @@ impl Project {
             clips,
             stiffness,
             displacement,
+            shape,
             format: _,
             fill: _,
             samples: _,
@@ -43,6 +44,7 @@ impl Project {
             rings.iter_mut().flatten().for_each(at);
             *feather = (*feather * map.matrix2.determinant().abs().sqrt()).min(MOST_FEATHER_PX);
         }
+        shape.iter_mut().for_each(|sample| *sample = sample.mapped(map));
         handles.iter_mut().for_each(|handle| handle.shape.each_position(at));
         clips.iter_mut().for_each(|clip| clip.each_posed(|_| true, at));
         project

@@ -48,6 +48,7 @@ mod rotation;
 mod schema;
 mod shape;
 mod shape_kind;
+mod shape_sample;
 mod spline;
 mod stiffness;
 #[cfg(test)]
@@ -72,6 +73,8 @@ pub use self::pose::{Blend, PoseMode, PoseSpec};
 pub use self::rotation::Rotation;
 pub use self::shape::Shape;
 pub use self::shape_kind::ShapeKind;
+pub use self::shape_sample::ShapeSample;
+pub(crate) use self::shape_sample::check as check_shape;
 pub(crate) use self::spline::Spline;
 pub use self::stiffness::Stiffness;
 pub(crate) use self::stiffness::bilinear;
@@ -140,6 +143,13 @@ pub struct Project {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "schema", schemars(with = "Displacement", default, transform = self::schema::without_default))]
     pub displacement: Option<Displacement>,
+    /// The shape in which a drag has left the picture, as up to 64 samples: eight numbers for each. They are x and y at
+    /// rest, x and y posed, and the linear part of the map there: its images of (1, 0) and (0, 1). In rigid mode, the
+    /// same handles allow several shapes at rest, and the picture takes the one near the samples. The default is the
+    /// shape that depends on the handles alone.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 8]>", default, length(max = self::shape_sample::MOST_SAMPLES)))]
+    pub shape: Vec<ShapeSample>,
 }
 
 fn default_samples() -> u32 {
@@ -207,6 +217,7 @@ impl Project {
             clips: Vec::new(),
             stiffness: None,
             displacement: None,
+            shape: Vec::new(),
         }
     }
 
@@ -214,7 +225,7 @@ impl Project {
     ///
     /// # Errors
     /// For the first number out of range or not finite, bar or polygon with too few points, empty or duplicate id,
-    /// track without a handle, and mask or displacement whose size and values differ.
+    /// track without a handle, mask or displacement whose size and values differ, and shape with too many samples.
     pub fn check(&self) -> Result<(), ProjectError> {
         let Self { format: Format::V1, image, domain, samples, weighting, pose, handles, clips, .. } = self;
         image.check(&Path::Top.key("image"))?;
@@ -225,7 +236,8 @@ impl Project {
         check_handles(handles)?;
         clip::check(clips, handles)?;
         self.stiffness.as_ref().map_or(Ok(()), |stiffness| stiffness.check(&Path::Top.key("stiffness")))?;
-        self.displacement.as_ref().map_or(Ok(()), Displacement::check)
+        self.displacement.as_ref().map_or(Ok(()), Displacement::check)?;
+        check_shape(&self.shape)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Tests of the format: reading, writing, and error messages.
 
-use glam::DVec2;
+use glam::{DAffine2, DMat2, DVec2};
 
 use super::*;
 
@@ -168,7 +168,7 @@ fn errors_name_the_key() {
         (
             r#""fix_boundary""#,
             r#""fixBoundary""#,
-            "fixBoundary: unknown key; expected one of format, image, domain, fill, samples, weighting, pose, fix_boundary, edges, loose_parts, handles, clips, stiffness, displacement",
+            "fixBoundary: unknown key; expected one of format, image, domain, fill, samples, weighting, pose, fix_boundary, edges, loose_parts, handles, clips, stiffness, displacement, shape",
         ),
         (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
         (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),
@@ -470,6 +470,53 @@ fn a_displacement_is_written_as_it_is_read() {
     assert_eq!(project.displacement, Some(Displacement::new(4, 4, values)));
     assert_eq!(project.to_json(), text);
     assert_eq!(Project::from_json(FULL).unwrap().displacement, None);
+}
+
+/// The full project with a shape.
+fn with_shape(shape: &str) -> String {
+    FULL.replacen("\n  ]\n}\n", &format!("\n  ],\n  \"shape\": {shape}\n}}\n"), 1)
+}
+
+#[test]
+fn a_shape_is_written_as_it_is_read() {
+    let text = with_shape("[\n    [1, 2, 3.5, -4, 0.5, 0, 0, 2],\n    [5, 6, 7, 8, 1, 0, 0, 1]\n  ]");
+    let project = Project::from_json(&text).unwrap();
+    assert_eq!(project.to_json(), text);
+    assert_eq!(project.shape[0], ShapeSample::new([1.0, 2.0], [3.5, -4.0], DMat2::from_diagonal([0.5, 2.0].into())));
+    assert_eq!(Project::from_json(FULL).unwrap().shape, []);
+    assert_eq!(Project::from_json(&with_shape("[]")).unwrap().to_json(), FULL);
+}
+
+#[test]
+fn errors_in_a_shape_name_the_sample() {
+    let many = format!("[{}]", vec!["[1, 2, 3, 4, 1, 0, 0, 1]"; 65].join(", "));
+    for (shape, message) in [
+        ("{}", "shape: expected a list of samples, found an object"),
+        ("[7]", "shape[0]: expected a sample of eight numbers, found 7"),
+        ("[[1, 2, 3, 4, 1, 0, 0]]", "shape[0]: expected a sample of eight numbers, found 7"),
+        ("[[1, 2, 3, \"4\", 1, 0, 0, 1]]", "shape[0][3]: expected a number, found \"4\""),
+        ("[[1, 2, 3, 4, 1e13, 0, 0, 1]]", "shape[0][4]: expected a number from −1e12 to 1e12, found 10000000000000"),
+        (&many, "shape: expected at most 64 samples, found 65"),
+    ] {
+        assert_eq!(Project::from_json(&with_shape(shape)).unwrap_err().to_string(), message);
+    }
+    let mut project = Project::from_json(FULL).unwrap();
+    project.shape = vec![ShapeSample::new([1.0, 2.0], [f64::NAN, 0.0], DMat2::IDENTITY)];
+    let message = "shape[0][2]: expected a number from −1e12 to 1e12, found NaN";
+    assert_eq!(project.check().unwrap_err().to_string(), message);
+}
+
+#[test]
+fn a_shape_is_mapped_with_its_picture() {
+    let turn = DMat2::from_cols_array(&[0.0, 1.0, -1.0, 0.0]);
+    let mut project = Project::from_json(FULL).unwrap();
+    project.shape = vec![ShapeSample::new([10.0, 20.0], [30.0, 50.0], turn)];
+    let map = DAffine2::from_scale_angle_translation([2.0, 3.0].into(), 0.0, [5.0, 7.0].into());
+    let mapped = project.mapped(&map, (512, 768)).shape[0];
+    assert_eq!((mapped.rest, mapped.posed), ([25.0, 67.0].into(), [65.0, 157.0].into()));
+    let p = DVec2::new(12.0, 27.0);
+    let expected = map.transform_point2(project.shape[0].place(p));
+    assert!(mapped.place(map.transform_point2(p)).distance(expected) < 1e-12);
 }
 
 #[test]

@@ -42,6 +42,15 @@ pub(super) fn finite(at: &Path<'_>, number: f64) -> Result<(), ProjectError> {
     if number.is_finite() { Ok(()) } else { at.refuse(format_args!("expected a finite number, found {number}")) }
 }
 
+/// Checks that a number is finite, and so are products with it.
+pub(super) fn bounded(at: &Path<'_>, number: f64) -> Result<(), ProjectError> {
+    if number.abs() <= MAX_POSED {
+        return Ok(());
+    }
+    let found = DisplayNumber(number);
+    at.refuse(format_args!("expected a number from −{MAX_POSED:e} to {MAX_POSED:e}, found {found}"))
+}
+
 /// Checks that both coordinates of a point are finite.
 pub(super) fn point(at: &Path<'_>, point: DVec2) -> Result<(), ProjectError> {
     finite(&at.index(0), point.x)?;
@@ -61,13 +70,7 @@ pub(super) fn corners(at: &Path<'_>, corners: &[DVec2], least: usize) -> Result<
     points(at, corners, least)?;
     corners.iter().enumerate().try_for_each(|(index, corner)| {
         let at = at.index(index);
-        corner.to_array().into_iter().enumerate().try_for_each(|(axis, number)| {
-            if number.abs() <= MAX_POSED {
-                return Ok(());
-            }
-            let found = DisplayNumber(number);
-            at.index(axis).refuse(format_args!("expected a number from −{MAX_POSED:e} to {MAX_POSED:e}, found {found}"))
-        })
+        corner.to_array().into_iter().enumerate().try_for_each(|(axis, number)| bounded(&at.index(axis), number))
     })
 }
 

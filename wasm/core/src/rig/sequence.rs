@@ -58,7 +58,7 @@ impl MotionSequence {
 
     fn still(project: &Project, solution: &Solution) -> Result<Self, BakeError> {
         let refused = |reason| BakeError::Pose { clip: String::new(), seconds: 0.0, reason };
-        let motions = solution.poser().motions(&project.handles).map_err(refused)?;
+        let motions = solution.pose(project).map_err(refused)?.motions().to_vec();
         Ok(Self { name: String::new(), duration: 0.0, looping: Looping::None, frames: vec![motions] })
     }
 

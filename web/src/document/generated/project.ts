@@ -30,6 +30,8 @@ export interface Project {
   readonly stiffness?: Stiffness;
   /** How a brush has moved places of the picture at rest, before the handles pose them: a displacement field. The default is a picture that no brush has moved. */
   readonly displacement?: Displacement;
+  /** The shape in which a drag has left the picture, as up to 64 samples: eight numbers for each. They are x and y at rest, x and y posed, and the linear part of the map there: its images of (1, 0) and (0, 1). In rigid mode, the same handles allow several shapes at rest, and the picture takes the one near the samples. The default is the shape that depends on the handles alone. */
+  readonly shape?: readonly (readonly number[])[];
 }
 
 /** The version of the format. */

@@ -2,6 +2,7 @@
 import { type Document, isSameWork } from '../../document/document';
 import * as history from '../../document/history';
 import { absorbed, atMoment, type IsFree } from '../../document/moment';
+import { withShape } from '../../document/shape';
 import type { Crossing } from '../crossing';
 import { endGuarding } from '../fold_guard';
 import type { DocumentState, EditorState } from '../state';
@@ -19,10 +20,12 @@ export const guardEnded = (state: EditorState): EditorState => ({
   guard: endGuarding(state.guard),
 });
 
-/** Ends the open step. */
+/** Ends the open step. The picture keeps the shape in which the drag has left it. */
 export function committed(state: EditorState): EditorState {
   const { history: steps } = state.document;
-  const present = steps.open ? landed(state, steps.open.value, steps.present) : steps.present;
+  const present = steps.open
+    ? shapeKept(state, landed(state, steps.open.value, steps.present))
+    : steps.present;
   return withHistory(state, history.commit(history.update(steps, present), isSameWork));
 }
 
@@ -34,6 +37,14 @@ export function landed(state: EditorState, before: Document, after: Document): D
   if (state.timeline.open) return absorbed(before, after, isFreeIn(state, before));
   const { moment: _, ...own } = after;
   return after.moment && after !== before ? own : after;
+}
+
+/** A document after a drag, with the shape in which the picture comes to rest. The poses of clips have no shape. */
+export function shapeKept({ solution }: EditorState, document: Document): Document {
+  const deformation = solution.shown?.deformation;
+  if (!deformation || document.moment) return document;
+  const project = withShape(document.project, deformation.shapeLeft(document.project));
+  return project === document.project ? document : { ...document, project };
 }
 
 /** Answers for the clip that a document has. */

@@ -6,6 +6,7 @@ import { type Document, fileProject, handleById, isSameWork } from '../../docume
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
 import type { Handle, PoseMode } from '../../document/project';
+import { withoutStaleShape } from '../../document/shape';
 import { say, type Wording } from '../../texts/wording';
 import { cancelPress, forgetTakenCorners, isPressing, restoreDrawing } from '../../tools/machine';
 import type { Emit } from '../effects';
@@ -13,7 +14,7 @@ import { openClip } from '../open_clip';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import type { Work } from '../work';
 import { withTimeline } from './clip_slice';
-import { guardEnded, landed, withDocument, withHistory } from './document_slice';
+import { guardEnded, landed, shapeKept, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { announce } from './notices';
 import { ownPose } from './playback';
@@ -65,7 +66,10 @@ export function step(
   return next.document.history === state.document.history ? next : announce(next, label);
 }
 
-/** Commits a change unless it changes nothing. Consecutive changes with the same key form one undo step. */
+/**
+ * Commits a change unless it changes nothing. Consecutive changes with the same key form one undo step: they move
+ * handles little by little, as a drag does.
+ */
 export function commitStep(
   state: EditorState,
   label: Wording,
@@ -73,7 +77,9 @@ export function commitStep(
   emit: Emit,
   key: string | null = null,
 ): EditorState {
-  const changed = landed(state, documentOf(state), document);
+  const before = documentOf(state);
+  const landing = landed(state, before, document);
+  const changed = key === null ? withoutStaleShape(before, landing) : shapeKept(state, landing);
   const next = history.step(state.document.history, label, changed, isSameWork, key);
   if (next === state.document.history) return state;
   const stepped = withDocument(ownPose(state, emit), { history: next, travelled: null });
@@ -87,7 +93,9 @@ export function poseForPage(state: EditorState, handles: readonly Handle[], emit
   const posed = handles.filter(({ id }) => !held.includes(id));
   if (posed.length === 0) return state;
   const ids = new Set([...state.document.posedByPage, ...posed.map(({ id }) => id)]);
-  const amended = history.amend(state.document.history, (document) => putHandles(document, posed));
+  const amended = history.amend(state.document.history, (document) =>
+    withoutStaleShape(document, putHandles(document, posed)),
+  );
   return edited(withDocument(state, { history: amended, posedByPage: [...ids] }), 'pose', emit);
 }
 

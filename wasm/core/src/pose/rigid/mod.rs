@@ -194,24 +194,58 @@ impl Rigid {
             shape.approach(&parts_of(model, &target.motions), &flat.into_parts());
             return motions_of(model, target, &shape.into_parts());
         }
+        self.carry(rest, &mut shape, motions, target);
+        motions_of(model, target, &shape.into_parts())
+    }
+
+    /// Moves the handles of a shape from their motions to a target, in as many frames as the way needs.
+    fn carry(&self, rest: &[DVec2], shape: &mut Shape<'_>, motions: &[Motion], target: &Target) {
+        let model = self.model(rest);
         let way = model.unit() * shape.way_to(&parts_of(model, &target.motions));
         let frames = (way / (LEAP * extent(rest))).ceil().clamp(1.0, f64::from(WAY));
         for motions in target.way_from(motions, frames as u32) {
             shape.follow(&parts_of(model, &motions));
         }
-        motions_of(model, target, &shape.into_parts())
     }
 
     /// The pose in which a drag comes to rest: the nearest one at rest, unless that from rest is much better.
     pub(super) fn settle(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
-        let energy = |motions: &[Motion]| Shape::new(model, target.request(), parts_of(model, motions)).energy();
-        let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
+        let shape = Shape::new(model, target.request(), parts_of(model, motions));
+        self.settled(rest, shape, self.from_rest(rest, target), target)
+    }
+
+    /// The pose at rest near other motions, whose handles may be elsewhere, unless that from rest is much better.
+    /// `start` takes the pose from rest.
+    pub(super) fn rest_near(
+        &self,
+        rest: &[DVec2],
+        target: &Target,
+        start: impl FnOnce(&[Motion]) -> Option<Vec<Motion>>,
+    ) -> Vec<Motion> {
+        let (model, from_rest) = (self.model(rest), self.from_rest(rest, target));
+        let Some(motions) = start(&from_rest) else { return from_rest };
+        let mut shape = Shape::new(model, target.request(), parts_of(model, &motions));
+        self.carry(rest, &mut shape, &motions, target);
+        self.settled(rest, shape, from_rest, target)
+    }
+
+    fn settled(&self, rest: &[DVec2], mut shape: Shape<'_>, from_rest: Vec<Motion>, target: &Target) -> Vec<Motion> {
+        let model = self.model(rest);
         shape.settle();
         let near = motions_of(model, target, &shape.into_parts());
-        let from_rest = self.from_rest(rest, target);
-        let is_better = energy(&near) > KEPT * energy(&from_rest);
-        if is_better { from_rest } else { near }
+        let energy = |motions: &[Motion]| Shape::new(model, target.request(), parts_of(model, motions)).energy();
+        // A start from a file may be so far away that its energy is not a number.
+        if energy(&near) <= KEPT * energy(&from_rest) { near } else { from_rest }
+    }
+
+    /// Places between sites, each with the site that moves it most.
+    pub(super) fn places(&self) -> impl Iterator<Item = (DVec2, usize)> {
+        let nodes = self.quadrature.iter().flat_map(Quadrature::nodes);
+        nodes.filter_map(|Node { at, influences, .. }| {
+            let most = influences.iter().max_by(|one, other| one.weight.total_cmp(&other.weight));
+            Some((at, most?.site))
+        })
     }
 
     fn model(&self, rest: &[DVec2]) -> &Model {
@@ -273,7 +307,12 @@ fn motions_of(model: &Model, target: &Target, parts: &[Parts]) -> Vec<Motion> {
             motion.translation = model.unit() * (place - rest);
         }
         if matches!(freedom, Freedom::Whole | Freedom::Across(_)) || (*freedom == Freedom::Linear && is_free) {
+            let of_target = motion.angle;
             (motion.angle, motion.strain) = polar(DMat2::from_cols(x, y));
+            if !is_free {
+                // A bone's sites turn as often as the bone.
+                motion.angle += TAU * libm::round((of_target - motion.angle) / TAU);
+            }
         }
     }
     motions

@@ -8,6 +8,7 @@ mod grids;
 mod handle;
 mod layout;
 mod settings;
+mod shape_sample;
 mod value;
 
 use serde::Serialize;
@@ -21,7 +22,7 @@ use self::value::Value;
 use super::path::Path;
 use super::{
     Clip, Displacement, DomainSpec, FillSpec, Format, Handle, ImageRef, LooseParts, PoseSpec, Project, ProjectError,
-    SAMPLES, Stiffness, Weighting, default_samples, handle as handles, image,
+    SAMPLES, ShapeSample, Stiffness, Weighting, default_samples, handle as handles, image,
 };
 
 /// Whether a value is the default, which files leave out.
@@ -55,6 +56,7 @@ impl Project {
             "clips",
             "stiffness",
             "displacement",
+            "shape",
         ])?;
         let project = Self {
             format,
@@ -71,6 +73,7 @@ impl Project {
             clips: project.value_or("clips", Vec::new(), |value| value.list("a list of clips", Clip::read))?,
             stiffness: project.optional("stiffness").map(Stiffness::read).transpose()?,
             displacement: project.optional("displacement").map(Displacement::read).transpose()?,
+            shape: project.value_or("shape", Vec::new(), |value| value.list("a list of samples", ShapeSample::read))?,
         };
         project.check()?;
         Ok(project)
