@@ -12,6 +12,8 @@ use c2warp::{
 use c2warp_tests::{Random, Scene};
 use glam::DVec2;
 
+use crate::scenes::area_ratios;
+
 /// Pixels.
 const CLOSE: f64 = 0.1;
 
@@ -184,15 +186,9 @@ fn baked_posable(project: &Project, solution: &Solution) -> Rig {
     read
 }
 
-/// The triangles that a pose turns over.
+/// The number of triangles that a pose turns over.
 fn folded(solution: &Solution, posed: &[DVec2]) -> usize {
-    let area = |triangle: &[u32; 3], places: &[DVec2]| {
-        let [a, b, c] = triangle.map(|vertex| places[vertex as usize]);
-        (b - a).perp_dot(c - a)
-    };
-    let is_sample = |&&vertex: &&u32| (vertex as usize) < solution.samples();
-    let moving = solution.triangles().iter().filter(|triangle| triangle.iter().filter(is_sample).count() == 3);
-    moving.filter(|triangle| area(triangle, posed) * area(triangle, solution.vertices()) < 0.0).count()
+    area_ratios(solution, posed).into_iter().filter(|&ratio| ratio < 0.0).count()
 }
 
 /// Drags of each handle by a fraction of the longer side that hardly fold anything: the greatest errors, in pixels, from

@@ -2,8 +2,8 @@
 
 use c2warp::{
     Error, Picture, Solution,
-    deform::PictureMesh,
-    project::{DomainSpec, ImageRef, Project, Support},
+    deform::{PictureMesh, Pose},
+    project::{DomainSpec, ImageRef, PoseMode, Project, Support},
     solve,
 };
 use glam::DVec2;
@@ -132,5 +132,28 @@ pub(crate) fn mesh_of(solution: &Solution) -> PictureMesh {
         samples: solution.samples(),
         weights: solution.weights().clone(),
         background: Vec::new(),
+    }
+}
+
+/// The area of each triangle between samples, as a fraction of that at rest.
+pub(crate) fn area_ratios(solution: &Solution, posed: &[DVec2]) -> Vec<f64> {
+    let area = |triangle: &[u32; 3], places: &[DVec2]| {
+        let [a, b, c] = triangle.map(|vertex| places[vertex as usize]);
+        (b - a).perp_dot(c - a)
+    };
+    let is_between = |triangle: &&[u32; 3]| triangle.iter().all(|&vertex| (vertex as usize) < solution.samples());
+    let ratio = |triangle: &[u32; 3]| area(triangle, posed) / area(triangle, solution.vertices());
+    solution.triangles().iter().filter(is_between).map(ratio).collect()
+}
+
+/// How far a pose may be from that of the mirrored scene, in pixels. Flat triangles take part in the energy of the rigid
+/// mode, and their diagonals are not symmetric. `None` if some are nearly folded: the pose then has others beside it.
+pub(crate) fn symmetric_within(mode: PoseMode, solution: &Solution, pose: &Pose) -> Option<f64> {
+    let flattest = area_ratios(solution, &solution.posed_vertices(pose)).into_iter().fold(f64::INFINITY, f64::min);
+    match mode {
+        PoseMode::Rigid if flattest <= 0.25 => None,
+        PoseMode::Rigid if flattest <= 0.5 => Some(1.0),
+        // Rounding, and its amplification.
+        _ => Some(1e-6),
     }
 }
