@@ -132,7 +132,9 @@ class WasmPicture implements PosedPicture {
     const playback = createModulePlayback(this.#prepared(project), { ...clip, tracks }, handles);
     return {
       pose: (posed, time) =>
-        this.#posed(new WasmPose(this, posed, projectPoses(this.#solved, posed), { moment: { playback, time } })),
+        this.#posed(
+          new WasmPose(this, posed, projectPoses(this.#solved, posed), { moment: { playback, time } }),
+        ),
       free: () => playback.free(),
     };
   }

@@ -11,7 +11,7 @@ use glam::{DMat2, DVec2};
 use super::dual::{Dual, Sums, half_turn, mapped};
 use crate::{
     error::Error,
-    pose::{DisplacementField, Motion, Poser},
+    pose::{DisplacementField, Motion, Poser, Strain},
     project::{Blend, Handle},
     weight::{Influence, SparseWeights},
 };
@@ -60,8 +60,33 @@ impl Poser {
         Ok(self.pose_of(self.motions(handles)?, blend))
     }
 
-    /// The next frame of a drag: the pose of handles that have moved a little since `pose`, which this poser made. Nothing
-    /// moves much farther than they do. In the harmonic mode, same as [`pose`](Self::pose).
+    /// The next frame of a drag: `handles` have moved a little since `pose`, which this poser made. Nothing moves much
+    /// farther than they do. The result depends on `pose`, while [`pose`](Self::pose) depends on the handles only and
+    /// may jump. In the harmonic mode, both are the same.
+    ///
+    /// Positions are in image pixels, rotations in degrees. `handles` are all solved handles, in any order, as for
+    /// [`pose`](Self::pose). The blend is that of the frame before. Cost: some milliseconds; a step across more than a
+    /// twentieth of the picture is divided.
+    ///
+    /// ```
+    /// # use c2warp::{Picture, solve};
+    /// # use c2warp::project::{Blend, Handle, Project};
+    /// # let rgba = vec![255; 40 * 30 * 4];
+    /// let mut handles = [Handle::point("left", [5.0, 15.0]), Handle::point("right", [35.0, 15.0])];
+    /// let project = Project::for_picture(40, 30).with_handles(handles.clone());
+    /// let solution = solve(&project, &Picture::new(40, 30, &rgba)?)?;
+    /// let poser = solution.poser();
+    /// let mut pose = poser.pose(&handles, Blend::Linear)?;
+    /// for frame in 1..=10 {
+    ///     handles[1] = Handle::point("right", [35.0, 15.0]).posed_at([[35.0, 15.0 - f64::from(frame)]]);
+    ///     pose = poser.follow(&pose, &handles)?;
+    /// }
+    /// assert_eq!(solution.map(&pose, [35.0, 15.0].into()).unwrap().posed, [35.0, 5.0].into());
+    /// // The end of the drag.
+    /// let pose = poser.settle(&pose, &handles)?;
+    /// assert_eq!(solution.map(&pose, [35.0, 15.0].into()).unwrap().posed, [35.0, 5.0].into());
+    /// # Ok::<(), c2warp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// The errors of [`pose`](Self::pose), and [`Error::PoseOfAnotherSolution`].
@@ -71,13 +96,33 @@ impl Poser {
     }
 
     /// The pose in which a drag comes to rest: the nearest one at rest, or that of [`pose`](Self::pose) if it is much
-    /// better. In the harmonic mode, same as [`pose`](Self::pose).
+    /// better. In the harmonic mode, same as [`pose`](Self::pose). See the example of [`follow`](Self::follow).
+    ///
+    /// `handles` are those of the last frame, in any order. Cost: 10 to 20 frames.
     ///
     /// # Errors
     /// The errors of [`follow`](Self::follow).
     pub fn settle(&self, pose: &Pose, handles: &[Handle]) -> Result<Pose, Error> {
         self.check_own(pose)?;
         Ok(self.pose_of(self.settled(&pose.motions, handles)?, pose.blend()))
+    }
+
+    /// The pose with a given [shape](Pose::shape), with the same bits.
+    ///
+    /// # Errors
+    /// [`Error::PoseOfAnotherSolution`] for another number of sites, and numbers that are not finite.
+    pub fn pose_of_shape(&self, shape: &[f64], blend: Blend) -> Result<Pose, Error> {
+        let (motions, rest) = shape.as_chunks::<7>();
+        if motions.len() != self.sites() || !rest.is_empty() || !shape.iter().all(|number| number.is_finite()) {
+            return Err(Error::PoseOfAnotherSolution);
+        }
+        let motion = |&[angle, xx, xy, yy, x, y, depth]: &[f64; 7]| Motion {
+            angle,
+            strain: Strain { xx, xy, yy },
+            translation: DVec2::new(x, y),
+            depth,
+        };
+        Ok(self.pose_of(motions.iter().map(motion).collect(), blend))
     }
 
     fn check_own(&self, pose: &Pose) -> Result<(), Error> {
@@ -234,6 +279,16 @@ impl Pose {
                     .map(|value| value as f32)
             })
             .collect()
+    }
+
+    /// The motions in full precision: sites × 7, angle; strain xx, xy, yy; translation x, y; depth. Angles are in
+    /// radians, translations in image pixels. [`Poser::pose_of_shape`] reads them.
+    #[must_use]
+    pub fn shape(&self) -> Vec<f64> {
+        let numbers = |&Motion { angle, strain, translation, depth }: &Motion| {
+            [angle, strain.xx, strain.xy, strain.yy, translation.x, translation.y, depth]
+        };
+        self.motions.iter().flat_map(numbers).collect()
     }
 
     /// The motion of each site, in the order of the sites.

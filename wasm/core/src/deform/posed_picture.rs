@@ -33,7 +33,7 @@ use super::{
 use crate::{
     cell_borders::BorderPiece,
     error::Error,
-    pose::{Motion, Poser, StiffnessField, Strain},
+    pose::{Motion, Poser, StiffnessField},
     project::{Blend, Handle, Project},
     weight::SparseWeights,
 };
@@ -139,33 +139,18 @@ impl PosedPicture {
         self.show(pose)
     }
 
-    /// The present pose as numbers, seven for each site: angle; strain xx, xy, yy; translation x, y; depth. `None` at
-    /// rest.
+    /// The [shape](Pose::shape) of the present pose; `None` at rest.
     #[must_use]
     pub fn shape(&self) -> Option<Vec<f64>> {
-        let numbers = |&Motion { angle, strain, translation, depth }: &Motion| {
-            [angle, strain.xx, strain.xy, strain.yy, translation.x, translation.y, depth]
-        };
-        let pose = self.present.as_ref()?.pose.as_ref()?;
-        Some(pose.motions().iter().flat_map(numbers).collect())
+        self.present.as_ref()?.pose.as_ref().map(Pose::shape)
     }
 
-    /// Shows a pose by the numbers of [`shape`](Self::shape).
+    /// Shows a pose by its [shape](Pose::shape).
     ///
     /// # Errors
-    /// [`Error::PoseOfAnotherSolution`] for another number of sites, and numbers that are not finite.
+    /// The errors of [`Poser::pose_of_shape`].
     pub fn show_shape(&mut self, shape: &[f64], blend: Blend) -> Result<&Pose, Error> {
-        let (motions, rest) = shape.as_chunks::<7>();
-        if motions.len() != self.poser.sites() || !rest.is_empty() || !shape.iter().all(|number| number.is_finite()) {
-            return Err(Error::PoseOfAnotherSolution);
-        }
-        let motion = |&[angle, xx, xy, yy, x, y, depth]: &[f64; 7]| Motion {
-            angle,
-            strain: Strain { xx, xy, yy },
-            translation: DVec2::new(x, y),
-            depth,
-        };
-        self.show(self.poser.pose_of(motions.iter().map(motion).collect(), blend))
+        self.show(self.poser.pose_of_shape(shape, blend)?)
     }
 
     fn present_or_rest(&self, blend: Blend) -> Pose {
