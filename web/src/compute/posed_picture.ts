@@ -85,8 +85,8 @@ export interface PosedPicture {
 
 /**
  * A picture along a clip, without the jumps of the rigid mode between frames. Poses depend only on the time, so
- * scrubbing and playing show the same frames. Where nothing jumps they are those of the handles. Holds memory of the
- * module until {@link Playback.free}.
+ * scrubbing and playing show the same frames. Where nothing jumps, they come to rest in those of the handles. Holds
+ * memory of the module until {@link Playback.free}.
  */
 export interface Playback {
   /**
