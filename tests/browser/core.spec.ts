@@ -14,7 +14,7 @@ import { expect, test } from './fixtures';
 
 const url = (path: string) => new URL(`../../${path}`, import.meta.url);
 const MANUAL = readFileSync(url('web/docs/core.md'), 'utf8');
-const [NODE_EXAMPLE = '', WORKER_EXAMPLE = '', WEIGHTS_EXAMPLE = ''] = [
+const [NODE_EXAMPLE = '', WORKER_EXAMPLE = '', WEIGHTS_EXAMPLE = '', DRAG_EXAMPLE = ''] = [
   ...MANUAL.matchAll(/^```js\n(.*?)^```$/gms),
 ].map(([, example = '']) => example);
 const [, PAGE_EXAMPLE = ''] = /^```html\n(.*?)^```$/ms.exec(MANUAL) ?? [];
@@ -150,13 +150,17 @@ test('in Node its results are those of the command, and the examples run', async
   const module = pathToFileURL(join(folder, 'node_modules/c2warp/web/dist/core/node.js')).href;
   const picture = `${baseURL}/samples/gingerbread.png`;
   expectAsCommand(await results({ module, picture, project: PROJECT, points: POINTS, options: {} }));
-  writeFileSync(join(folder, 'example.mjs'), NODE_EXAMPLE.replace('warper.dispose();', WEIGHTS_EXAMPLE));
+  writeFileSync(
+    join(folder, 'example.mjs'),
+    NODE_EXAMPLE.replace('warper.dispose();', WEIGHTS_EXAMPLE + DRAG_EXAMPLE),
+  );
   const { status, stdout, stderr } = spawnSync(process.execPath, ['example.mjs'], {
     cwd: folder,
     encoding: 'utf8',
   });
   expect(`${stderr}${status}`).toBe('0');
   expect(stdout.trim().split('\n').length).toBeGreaterThan(1);
+  expect(stdout.match(/triangles to draw/g)).toHaveLength(12);
   const { width, height } = decode(PICTURE);
   expect(decode(readFileSync(join(folder, 'bent.png')))).toMatchObject({ width, height, channels: 4 });
 });
@@ -175,6 +179,56 @@ test('in a page its results are those of the command, with a worker and without'
   };
   for (const options of [{}, { worker: false }]) {
     expectAsCommand(await page.evaluate(results, { ...input, options }));
+  }
+});
+
+/** The meshes of a followed drag and of its end. The page evaluates this function as well. */
+async function dragged({ module, picture, project, options }: Input) {
+  const { createWarper }: typeof Core = await import(module);
+  const warper = await createWarper(await (await fetch(picture)).arrayBuffer(), options);
+  try {
+    let posed = (await warper.solve(project)).pose();
+    const meshes: number[][] = [];
+    const show = async () => meshes.push(Array.from((await posed.mesh()).positions));
+    await show();
+    for (let frame = 1; frame <= 20; frame++) {
+      const hand = [160 + 37 * frame, 420 + 9 * frame] as const;
+      posed = await posed.follow({ 'left-hand': { posed: hand } });
+      await show();
+    }
+    posed = await posed.settled();
+    await show();
+    return meshes;
+  } finally {
+    warper.dispose();
+  }
+}
+
+test('a drag has the same bits in Node and in a page, and no frame jumps', async ({
+  page,
+  request,
+  baseURL,
+}) => {
+  await installPackage(request);
+  const picture = `${baseURL}/samples/gingerbread.png`;
+  const input = { picture, project: PROJECT, points: [] };
+  const node = pathToFileURL(join(folder, 'node_modules/c2warp/web/dist/core/node.js')).href;
+  const meshes = await dragged({ ...input, module: node, options: {} });
+  const step = Math.hypot(37, 9);
+  for (const [frame, mesh] of meshes.slice(1, -1).entries()) {
+    const before = meshes[frame] ?? [];
+    const moved = (at: number) => (mesh[at] ?? 0) - (before[at] ?? 0);
+    const ways = Array.from({ length: mesh.length / 2 }, (_, k) =>
+      Math.hypot(moved(2 * k), moved(2 * k + 1)),
+    );
+    const most = ways.reduce((a, b) => Math.max(a, b));
+    expect(most, `frame ${frame}`).toBeGreaterThan(0.9 * step);
+    expect(most, `frame ${frame}`).toBeLessThan(3 * step);
+  }
+  await page.goto('/strict/');
+  for (const options of [{}, { worker: false }]) {
+    const module = `${baseURL}/core/core.js`;
+    expect(await page.evaluate(dragged, { ...input, module, options })).toEqual(meshes);
   }
 });
 

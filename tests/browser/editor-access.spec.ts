@@ -57,10 +57,16 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   },
 };
 
-/** Pushes the upright head below the arms, so that the picture folds. */
+/** Pushes the upright head below the arms, so that the picture folds. In the Rigid mode it would give way. */
 const fold = (editor: Editor): Promise<void> =>
   editor.page.locator('c2-warp').evaluate((element) => {
-    (element as C2Warp).updateHandle('head', { rotation: 0, posed: [512, 1100] });
+    const warp = element as C2Warp;
+    const { project } = warp;
+    if (!project || typeof project === 'string') throw new Error('a project is open');
+    const handles = project.handles.map((handle) =>
+      handle.id === 'head' ? { ...handle, rotation: 0, posed: [512, 1100] } : handle,
+    );
+    warp.project = { ...project, pose: { ...project.pose, mode: 'harmonic' }, handles } as typeof project;
   });
 
 /** Returns the violations that axe finds, one line per element. */

@@ -233,6 +233,8 @@ test('past half a turn the group keeps turning, in the harmonic mode too', async
 
 test('the selection stays rigid where the guard stops a turn', async ({ page }) => {
   const editor = await opened(page, []);
+  // In the Rigid mode, a turned head does not fold.
+  await editor.waitForSolve(() => editor.button('Elastic').click());
   await editor.switch('Stop at folds').click();
   await select(page);
   const before = await handles(editor);

@@ -30,8 +30,8 @@ export const BUDGETS = [
     files: ['player/c2warp-player.js', 'player/module_poser.js', 'player/pose_bg.wasm'],
     most: 120,
   },
-  { name: 'core in Node, without the solver', files: ['core/node.js'], most: 28 },
-  { name: 'core in pages, without the solver', files: ['core/core.js'], most: 18 },
+  { name: 'core in Node, without the solver', files: ['core/node.js'], most: 29 },
+  { name: 'core in pages, without the solver', files: ['core/core.js'], most: 19 },
   { name: 'script of the command', files: ['core/command.js'], most: 1 },
 ];
 

@@ -19,12 +19,12 @@ const NEAR: f64 = 0.25;
 /// pose at rest.
 fn dragged() -> (Project, Solution, Pose) {
     let (mut project, solution) = figure();
-    let mut pose = solution.pose(&project).unwrap();
+    let mut pose = solution.pose(&project).expect("a valid scene");
     for to in [(300.0, 60.0), (330.0, 250.0), (200.0, 250.0)].map(DVec2::from) {
         pose = drag(&solution, &mut project.handles, 0, to, 60, pose).1;
     }
-    let pose = solution.poser().settle(&pose, &project.handles).unwrap();
-    project.shape = solution.poser().shape_of(&pose).unwrap();
+    let pose = solution.poser().settle(&pose, &project.handles).expect("a valid scene");
+    project.shape = solution.poser().shape_of(&pose).expect("a valid scene");
     (project, solution, pose)
 }
 
@@ -38,12 +38,12 @@ fn without_shape(project: &Project) -> Project {
 fn a_project_opens_in_the_shape_that_a_drag_left() {
     let (project, solution, pose) = dragged();
     let shown = posed(&solution, &pose);
-    let plain = posed(&solution, &solution.pose(&without_shape(&project)).unwrap());
+    let plain = posed(&solution, &solution.pose(&without_shape(&project)).expect("a valid scene"));
     assert!(farthest(&shown, &plain) > 20.0, "the drag ends in the pose from rest");
     let text = project.to_json();
     assert!(text.len() - without_shape(&project).to_json().len() < 4096);
-    let read = Project::from_json(&text).unwrap();
-    let opened = posed(&solution, &solution.pose(&read).unwrap());
+    let read = Project::from_json(&text).expect("a valid scene");
+    let opened = posed(&solution, &solution.pose(&read).expect("a valid scene"));
     assert!(farthest(&shown, &opened) <= NEAR, "{}", farthest(&shown, &opened));
 }
 
@@ -60,22 +60,22 @@ fn strip() -> Project {
 
 /// The posed places of points along the middle of the strip.
 fn middle(project: &Project) -> Vec<DVec2> {
-    let solution = solved(project).unwrap();
-    let pose = solution.pose(project).unwrap();
-    (6..35).map(|k| solution.map(&pose, DVec2::new(f64::from(10 * k), 200.0)).unwrap().posed).collect()
+    let solution = solved(project).expect("a valid scene");
+    let pose = solution.pose(project).expect("a valid scene");
+    (6..35).map(|k| solution.map(&pose, DVec2::new(f64::from(10 * k), 200.0)).expect("a valid scene").posed).collect()
 }
 
 #[test]
 fn a_shape_outlives_another_density_and_an_added_handle() {
     let mut project = strip();
-    let solution = solved(&project).unwrap();
-    let pose = solution.pose(&project).unwrap();
+    let solution = solved(&project).expect("a valid scene");
+    let pose = solution.pose(&project).expect("a valid scene");
     let flip = DMat2::from_diagonal([1.0, -1.0].into());
     let flipped = |place: DVec2| flip * place + DVec2::new(0.0, 400.0);
     let plain = middle(&project);
     let other: Vec<DVec2> = plain.iter().copied().map(flipped).collect();
     assert!(farthest(&plain, &other) > 100.0, "the strip is not bent");
-    let shape = solution.poser().shape_of(&pose).unwrap();
+    let shape = solution.poser().shape_of(&pose).expect("a valid scene");
     let mirrored = |sample: ShapeSample| {
         ShapeSample::new(flipped(sample.rest), flipped(sample.posed), flip * sample.linear * flip)
     };
@@ -100,7 +100,7 @@ fn a_shape_outlives_another_density_and_an_added_handle() {
 #[test]
 fn nonsense_in_a_shape_ends_in_the_pose_from_rest() {
     let (project, solution, _) = dragged();
-    let plain = posed(&solution, &solution.pose(&without_shape(&project)).unwrap());
+    let plain = posed(&solution, &solution.pose(&without_shape(&project)).expect("a valid scene"));
     let edited = |edit: fn(&mut ShapeSample)| {
         let mut project = project.clone();
         project.shape.iter_mut().for_each(edit);
@@ -114,9 +114,9 @@ fn nonsense_in_a_shape_ends_in_the_pose_from_rest() {
         ("flat", edited(|sample| sample.linear = DMat2::ZERO)),
         ("outside", edited(|sample| sample.rest = DVec2::splat(-1e12))),
     ] {
-        let pose = solution.pose(&project).unwrap();
+        let pose = solution.pose(&project).expect("a valid scene");
         let opened = posed(&solution, &pose);
-        assert_eq!(pose.motions(), solution.pose(&project).unwrap().motions(), "{name}");
+        assert_eq!(pose.motions(), solution.pose(&project).expect("a valid scene").motions(), "{name}");
         assert_eq!(folds(&solution, &opened), 0, "{name}");
         assert!(farthest(&opened, &plain) <= NEAR, "{name}: {}", farthest(&opened, &plain));
     }
@@ -126,7 +126,7 @@ fn nonsense_in_a_shape_ends_in_the_pose_from_rest() {
 fn harmonic_mode_ignores_the_shape() {
     let (mut project, ..) = dragged();
     project.pose.mode = PoseMode::Harmonic;
-    let solution = solved(&project).unwrap();
-    let plain = solution.poser().pose(&project.handles, Blend::Linear).unwrap();
-    assert_eq!(solution.pose(&project).unwrap().motions(), plain.motions());
+    let solution = solved(&project).expect("a valid scene");
+    let plain = solution.poser().pose(&project.handles, Blend::Linear).expect("a valid scene");
+    assert_eq!(solution.pose(&project).expect("a valid scene").motions(), plain.motions());
 }

@@ -6,34 +6,11 @@ use c2warp::{
     Canvas, Drawing, Error, Extent, Picture, ResampleOptions, Solution,
     clip::{FrameTimes, Playback},
     deform::Pose,
-    project::{Blend, Clip, Project, clip_from_json},
+    project::{Blend, Clip, Project},
 };
 use wasm_bindgen::prelude::*;
 
 use crate::frame_times::times;
-
-/// A time of a clip.
-#[derive(Debug)]
-pub(crate) struct Moment {
-    /// As JSON.
-    pub(crate) clip: String,
-    /// In seconds.
-    pub(crate) time: f64,
-}
-
-impl Moment {
-    /// `None` unless both are given.
-    pub(crate) fn new(clip_json: Option<String>, time: Option<f64>) -> Option<Self> {
-        clip_json.zip(time).map(|(clip, time)| Self { clip, time })
-    }
-
-    /// The pose of a solution's handles at this time, along the way from the clip's beginning.
-    pub(crate) fn pose(&self, solution: &Solution, project: &Project) -> Result<Pose, Error> {
-        let clip = clip_from_json(&self.clip, &project.handles)?;
-        let mut playback = Playback::new(solution.poser().clone(), clip, project.handles.clone());
-        playback.pose(self.time, project.pose.blend)
-    }
-}
 
 /// The options for the frames of a clip.
 #[derive(Debug, Clone, Copy)]

@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::*;
 use crate::{
     Session,
     error::to_js,
-    filming::Moment,
+    history::History,
     posed_picture::{flat, pairs},
 };
 
@@ -21,18 +21,12 @@ impl Session {
     /// The posed positions of rest points: points × 3 numbers posed x, posed y, growth of areas. NaN outside the
     /// domain.
     ///
-    /// `points` are pairs of coordinates. With a clip as JSON and a time, the clip poses the handles.
+    /// `points` are pairs of coordinates. Without a history, the pose depends on the handles only.
     ///
     /// # Errors
     /// The errors of [`begin`](Self::begin) and [`advance`](Self::advance), and an error for handles without a pose.
-    pub fn map(
-        &mut self,
-        project_json: &str,
-        points: &[f64],
-        clip_json: Option<String>,
-        time: Option<f64>,
-    ) -> Result<Vec<f64>, JsValue> {
-        let (solution, pose) = self.posed(project_json, clip_json, time)?;
+    pub fn map(&mut self, project_json: &str, points: &[f64], history: Option<History>) -> Result<Vec<f64>, JsValue> {
+        let (solution, pose) = self.posed(project_json, history)?;
         let mapped = pairs(points).into_iter().map(|p| solution.map(&pose, p));
         Ok(mapped.flat_map(|at| at.map_or([f64::NAN; 3], |at| [at.posed.x, at.posed.y, at.det])).collect())
     }
@@ -45,10 +39,9 @@ impl Session {
         &mut self,
         project_json: &str,
         points: &[f64],
-        clip_json: Option<String>,
-        time: Option<f64>,
+        history: Option<History>,
     ) -> Result<Vec<f64>, JsValue> {
-        let (solution, pose) = self.posed(project_json, clip_json, time)?;
+        let (solution, pose) = self.posed(project_json, history)?;
         let rest = solution.rest_points(&pose, &pairs(points));
         Ok(rest.into_iter().flat_map(|rest| rest.map_or([f64::NAN; 2], |rest| rest.to_array())).collect())
     }
@@ -57,13 +50,8 @@ impl Session {
     ///
     /// # Errors
     /// The errors of [`map`](Self::map).
-    pub fn posed_mesh(
-        &mut self,
-        project_json: &str,
-        clip_json: Option<String>,
-        time: Option<f64>,
-    ) -> Result<PosedMesh, JsValue> {
-        let (solution, pose) = self.posed(project_json, clip_json, time)?;
+    pub fn posed_mesh(&mut self, project_json: &str, history: Option<History>) -> Result<PosedMesh, JsValue> {
+        let (solution, pose) = self.posed(project_json, history)?;
         Ok(PosedMesh {
             positions: flat(solution.posed_vertices(&pose).into_iter()),
             triangles: solution.drawn_triangles(&pose).concat(),
@@ -119,11 +107,10 @@ impl Session {
     fn posed(
         &mut self,
         project_json: &str,
-        clip_json: Option<String>,
-        time: Option<f64>,
+        history: Option<History>,
     ) -> Result<(Arc<c2warp::Solution>, Pose), JsValue> {
         let project = read(project_json)?;
-        self.try_pose(&project, Moment::new(clip_json, time).as_ref()).map_err(|error| to_js(&error))
+        self.try_pose(&project, history).map_err(|error| to_js(&error))
     }
 }
 

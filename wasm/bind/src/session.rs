@@ -20,7 +20,8 @@ use crate::{
     drawing::{Canvas, Drawing},
     error::{to_js, with_code},
     fill::Fill,
-    filming::{FilmOptions, Filming, Moment},
+    filming::{FilmOptions, Filming},
+    history::History,
     json::json,
     solution::Solution,
 };
@@ -147,8 +148,8 @@ impl Session {
 
     /// Prepares to draw the warped picture at full quality. Solves first if necessary.
     ///
-    /// Its size is that of the picture times `scale`, unless the canvas differs. `pixelated` is for pixel art. With a
-    /// clip as JSON and a time in seconds, the clip poses the handles, following its path from the beginning.
+    /// Its size is that of the picture times `scale`, unless the canvas differs. `pixelated` is for pixel art. Without
+    /// a history, the pose depends on the handles only.
     ///
     /// # Errors
     /// The errors of [`Session::begin`] and [`Session::advance`], and one for a result that is empty or too large.
@@ -158,12 +159,26 @@ impl Session {
         scale: f64,
         canvas: Canvas,
         pixelated: bool,
-        clip_json: Option<String>,
-        time: Option<f64>,
+        history: Option<History>,
     ) -> Result<Drawing, JsValue> {
-        let moment = Moment::new(clip_json, time);
-        let drawing = self.try_draw(project_json, options(scale, canvas, pixelated), moment.as_ref());
+        let drawing = self.try_draw(project_json, options(scale, canvas, pixelated), history);
         drawing.map(Drawing::from).map_err(|error| to_js(&error))
+    }
+
+    /// Continues the pose of a project as in a drag, to the handles of the project `next_json`. With `settles`, the
+    /// pose comes to rest there. Returns the [shape](c2warp::deform::Pose::shape) of the pose, for
+    /// [`History::of_shape`]. Solves first if necessary.
+    ///
+    /// # Errors
+    /// The errors of [`map`](Self::map), and one for a project with other handles.
+    pub fn next_pose(
+        &mut self,
+        project_json: &str,
+        history: Option<History>,
+        next_json: &str,
+        settles: bool,
+    ) -> Result<Vec<f64>, JsValue> {
+        self.try_next_pose(project_json, history, next_json, settles).map_err(|error| to_js(&error))
     }
 
     /// Prepares to draw the frames of a film of a clip, given as JSON. `rate` is in frames a second. Without `from` and
@@ -326,30 +341,44 @@ impl Session {
         &mut self,
         project_json: &str,
         options: ResampleOptions,
-        moment: Option<&Moment>,
+        history: Option<History>,
     ) -> Result<c2warp::Drawing, Error> {
         let project = Project::from_json(project_json)?;
         let options = ResampleOptions { edges: project.edges, ..options };
         // Invalid scales are rejected before the solve, because it takes time.
         raster::warped_size(self.width, self.height, options.scale)?;
         self.try_solve_filled(&project)?;
-        let (solution, pose) = self.try_pose(&project, moment)?;
+        let (solution, pose) = self.try_pose(&project, history)?;
         solution.drawing(&Picture::new(self.width, self.height, &self.rgba)?, &pose, options)
     }
 
-    /// The solution of a project and its pose, at a moment of a clip if one is given.
+    /// The solution of a project and its pose, which continues a history if one is given.
     pub(crate) fn try_pose(
         &mut self,
         project: &Project,
-        moment: Option<&Moment>,
+        history: Option<History>,
     ) -> Result<(Arc<c2warp::Solution>, Pose), Error> {
         self.try_solve(project)?;
         let solution = self.solver.shared_solution().expect("it has just been solved");
-        let pose = match moment {
-            Some(moment) => moment.pose(&solution, project)?,
+        let pose = match history {
+            Some(history) => history.pose(&solution, project)?,
             None => solution.pose(project)?,
         };
         Ok((solution, pose))
+    }
+
+    fn try_next_pose(
+        &mut self,
+        project_json: &str,
+        history: Option<History>,
+        next_json: &str,
+        settles: bool,
+    ) -> Result<Vec<f64>, Error> {
+        let [project, next] = [Project::from_json(project_json)?, Project::from_json(next_json)?];
+        let (solution, pose) = self.try_pose(&project, history)?;
+        let poser = solution.poser();
+        let next = if settles { poser.settle(&pose, &next.handles) } else { poser.follow(&pose, &next.handles) }?;
+        Ok(next.motion_numbers())
     }
 
     fn try_film(&mut self, project_json: &str, clip_json: &str, film: FilmOptions) -> Result<Filming, Error> {

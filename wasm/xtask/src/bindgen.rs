@@ -46,6 +46,7 @@ const LATER: &[&str] = &[
     "session_map",
     "session_inverse",
     "session_posed_mesh",
+    "session_next_pose",
     "session_weights",
     "session_distances",
     "session_path",
@@ -53,6 +54,7 @@ const LATER: &[&str] = &[
     "drawing_",
     "fill_",
     "filming_",
+    "history_",
     "pointweights_",
     "posedmesh_",
 ];

@@ -129,7 +129,7 @@ export class Engine {
   async draw(project: Project, options: DrawingOptions, moment: ClipMoment | null = null): Promise<Drawing> {
     const picture = this.#picture;
     const at = moment && { clip: JSON.stringify(moment.clip), time: moment.time };
-    const size = await this.#ask('draw', { project: problemText(project), moment: at, ...options });
+    const size = await this.#ask('draw', { project: problemText(project), history: at, ...options });
     return new Drawing(this.#link, size, () => picture === this.#picture);
   }
 

@@ -67,6 +67,8 @@ const BROKE = {
   map: 'points',
   inverse: 'points',
   'posed-mesh': 'solve',
+  'next-pose': 'solve',
+  'clip-poses': 'solve',
   weights: 'points',
   distances: 'points',
   path: 'solve',

@@ -56,9 +56,15 @@ export interface DrawingSize {
 /** Points × 2: x and y. */
 export type Points = Float64Array<ArrayBuffer>;
 
-interface PosedRequest {
+/** A pose that continues others, in full precision: sites × 7, as in `Pose::motion_numbers` of the Rust core. */
+export interface SiteMotions {
+  readonly motions: Float64Array<ArrayBuffer>;
+}
+
+export interface PosedRequest {
   readonly project: string;
-  readonly moment: Moment | null;
+  /** Null: the pose depends on the handles of the project only. */
+  readonly history: Moment | SiteMotions | null;
 }
 
 /** Name of a request → [body, response]. Projects are sent as JSON text. */
@@ -100,6 +106,16 @@ export interface Messages {
   /** The rest points that are drawn at places. NaN where nothing is drawn. */
   inverse: [request: PosedRequest & { readonly points: Points }, response: Points];
   'posed-mesh': [request: PosedRequest, response: PosedMesh];
+  /** Continues a pose to the handles of the project `next`, as in a drag. `settles`: it comes to rest there. */
+  'next-pose': [
+    request: PosedRequest & { readonly next: string; readonly settles: boolean },
+    response: SiteMotions['motions'],
+  ];
+  /** The poses of handles at a moment, in the layout of `document/handle_poses`. The handles are JSON. */
+  'clip-poses': [
+    request: { readonly handles: string; readonly moment: Moment },
+    response: Float64Array<ArrayBuffer>,
+  ];
   /** The weights of rest points, in rows. */
   weights: [request: { readonly project: string; readonly points: Points }, response: PointWeights];
   /** The distances from a place to rest points, in pixels. Infinite where no path leads, NaN outside the domain. */

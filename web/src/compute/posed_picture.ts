@@ -20,7 +20,7 @@ export interface PosedPicture {
   /**
    * The picture posed as in a project, and as stiff. Handles of the solution that the project lacks, or has with other
    * corners, keep the pose that they were solved with. Handles that are not solved yet move nothing.
-   * @param before The frame before in a drag, which the pose continues. Without it, the pose depends on the project only.
+   * @param before The frame before in a drag, which the pose continues. Without it, the project decides alone.
    * @throws C2WarpError if no such pose exists, such as a bar of no length. Show the last pose then.
    */
   pose(project: Project, before?: Pose): Pose;
@@ -86,8 +86,8 @@ export interface PosedPicture {
 
 /**
  * A picture along a clip, without the jumps of the rigid mode between frames. Poses depend only on the time, so
- * scrubbing and playing show the same frames. Where nothing jumps they are those of the handles. Holds memory of the
- * module until {@link Playback.free}.
+ * scrubbing and playing show the same frames. Where nothing jumps, they come to rest in those of the handles. Holds
+ * memory of the module until {@link Playback.free}.
  */
 export interface Playback {
   /**

@@ -11,8 +11,10 @@ import { engineError } from './engine_error';
 import init, {
   __wbg_reset_state,
   Canvas,
+  ClipPoses,
   type Drawing,
   type Filming,
+  History,
   join_later,
   Session,
   type Solution,
@@ -27,6 +29,7 @@ import type {
   Moment,
   Reply,
   Request,
+  SiteMotions,
 } from './messages';
 import { nextTask, Queue } from './queue';
 import type { Report, SolutionData, Stage } from './solution';
@@ -154,8 +157,8 @@ export class SolverService {
         // Its arrival has stopped a solve.
         return done(null);
       case 'draw': {
-        const { project, moment, scale, area, pixelated } = request.body;
-        const drawn = session.draw(project, scale, CANVASES[area], pixelated, ...clipAndTime(moment));
+        const { project, history, scale, area, pixelated } = request.body;
+        const drawn = session.draw(project, scale, CANVASES[area], pixelated, historyOf(history));
         return done(this.#begun(id, drawn));
       }
       case 'film': {
@@ -196,21 +199,33 @@ export class SolverService {
         this.#drawings.delete(request.body.drawing);
         return done(null);
       case 'map': {
-        const { project, moment, points } = request.body;
-        const mapped = session.map(project, points, ...clipAndTime(moment)) as Float64Array<ArrayBuffer>;
+        const { project, history, points } = request.body;
+        const mapped = session.map(project, points, historyOf(history)) as Float64Array<ArrayBuffer>;
         return done(mapped, [mapped.buffer]);
       }
       case 'inverse': {
-        const { project, moment, points } = request.body;
-        const rest = session.inverse(project, points, ...clipAndTime(moment)) as Float64Array<ArrayBuffer>;
+        const { project, history, points } = request.body;
+        const rest = session.inverse(project, points, historyOf(history)) as Float64Array<ArrayBuffer>;
         return done(rest, [rest.buffer]);
       }
       case 'posed-mesh': {
-        const { project, moment } = request.body;
-        const mesh = session.posed_mesh(project, ...clipAndTime(moment));
+        const { project, history } = request.body;
+        const mesh = session.posed_mesh(project, historyOf(history));
         const { positions, triangles, folds } = mesh;
         mesh.free();
         return done({ positions, triangles, folds }, [positions.buffer, triangles.buffer, folds.buffer]);
+      }
+      case 'next-pose': {
+        const { project, history, next, settles } = request.body;
+        const motions = session.next_pose(project, historyOf(history), next, settles);
+        return done(motions as SiteMotions['motions'], [motions.buffer]);
+      }
+      case 'clip-poses': {
+        const { handles, moment } = request.body;
+        const clip = new ClipPoses(moment.clip, handles);
+        const poses = clip.at(moment.time);
+        clip.free();
+        return done(poses as Float64Array<ArrayBuffer>, [poses.buffer]);
       }
       case 'weights': {
         const rows = session.weights(request.body.project, request.body.points);
@@ -301,7 +316,11 @@ const ENDS_FILLS: readonly string[] = ['fill', 'picture', 'stop'] satisfies read
 /** Requests that end a running solve. */
 const ENDS_SOLVES: readonly string[] = ['solve', 'picture', 'stop'] satisfies readonly (keyof Messages)[];
 
-const clipAndTime = (moment: Moment | null) => [moment?.clip, moment?.time] as const;
+/** The module takes it over. */
+function historyOf(history: Moment | SiteMotions | null): History | undefined {
+  if (!history) return undefined;
+  return 'motions' in history ? History.of_motions(history.motions) : History.of_clip(history.clip, history.time);
+}
 
 const sizeOf = (film: number, { width, height, frames, endlessly }: Filming): FilmSize => ({
   film,

@@ -98,7 +98,10 @@ describe('a posed picture', () => {
     const playback = picture.playback(clip, solved);
     const plain = picture.pose(moved('right', 3, -4));
     const along = playback.pose(moved('right', 3, -4), 0.5);
-    expect(along.positions).toEqual(plain.positions);
+    // Frames of a clip follow one another. At rest, they are the pose of the handles.
+    expect(picture.settled(along).positions).toEqual(plain.positions);
+    const lag = along.positions.map((value, k) => Math.abs(value - (plain.positions[k] ?? 0)));
+    expect(Math.max(...lag)).toBeLessThan(5 / 2);
     // Each pose answers for itself, whichever came last.
     expect(playback.pose(moved('right', 6, -8), 2).map([48, 32])?.posed[0]).toBeCloseTo(54, 4);
     expect(along.map([48, 32])?.posed[0]).toBeCloseTo(51, 4);

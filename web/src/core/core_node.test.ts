@@ -1,9 +1,12 @@
 import { readFileSync } from 'node:fs';
 import { deflateSync } from 'node:zlib';
-import { encode } from 'fast-png';
+import { decode, encode } from 'fast-png';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { Session } from '../compute/generated/c2warp';
+import { initSync, PosedPicture as ModulePicture, Session } from '../compute/generated/c2warp';
+import { copiedOut } from '../compute/solver_service';
+import { createPosedPicture } from '../compute/wasm_picture';
 import { createWarper, encodePng, type Warper } from '../core_node';
+import { type Handle, type Project, posedHandle } from '../document/project';
 import type { C2WarpError } from '../error';
 import { pngChunk } from '../io/png_chunk';
 
@@ -17,6 +20,39 @@ const HANDLES = [
 ] as const;
 const PROJECT = { handles: HANDLES, samples: 500 };
 
+/** The hand is raised by 100 pixels in a second. */
+const WAVE = {
+  name: 'wave',
+  duration: 1,
+  loop: 'none',
+  tracks: [
+    {
+      handle: 'left-hand',
+      keys: [
+        { time: 0, posed: [124, 516], ease: 'linear' },
+        { time: 1, posed: [124, 416], ease: 'linear' },
+      ],
+    },
+  ],
+} as const;
+const GINGERBREAD_HAND = [124, 516] as const;
+const GINGERBREAD = { ...JSON.parse(file('gingerbread.c2warp.json').toString('utf8')), clips: [WAVE] };
+const FRAMES = 20;
+
+/** The hand in a frame of a drag across the figure. */
+const placeOf = (frame: number): readonly [number, number] => {
+  const [x, y] = GINGERBREAD_HAND;
+  return [x + ((900 - x) * frame) / FRAMES, y + ((600 - y) * frame) / FRAMES];
+};
+const dragged = (frame: number) => ({ 'left-hand': { posed: placeOf(frame) } });
+
+/** The longest way of a vertex, in pixels. */
+const mostMoved = (from: Float32Array, to: Float32Array) =>
+  Array.from({ length: from.length / 2 }, (_, k) => {
+    const [x, y] = [2 * k, 2 * k + 1].map((at) => (to[at] ?? 0) - (from[at] ?? 0));
+    return Math.hypot(x ?? 0, y ?? 0);
+  }).reduce((most, way) => Math.max(most, way), 0);
+
 const open: Warper[] = [];
 
 async function warper(picture: Parameters<typeof createWarper>[0] = pixels()): Promise<Warper> {
@@ -29,6 +65,18 @@ afterEach(() => {
   for (const warper of open.splice(0)) warper[Symbol.dispose]();
   vi.restoreAllMocks();
 });
+
+/** The picture of a solution as a page has it. */
+async function pagePicture(project: Project) {
+  const { width, height, data } = decode(file('gingerbread.png'));
+  const session = new Session();
+  session.set_picture(width, height, new Uint8Array(data));
+  session.begin(JSON.stringify(project));
+  while (session.advance() !== undefined);
+  const picture = createPosedPicture(copiedOut(session.solution()), project);
+  session.free();
+  return picture;
+}
 
 const codeOf = async (work: Promise<unknown>) =>
   work.then(
@@ -168,6 +216,104 @@ describe('createWarper in Node', () => {
     expect(Array.from(posed)).toEqual([48, 20]);
     expect(() => solution.clip('down', 0)).toThrow('There is no clip "down".');
     expect(() => solution.clip('up', Number.NaN)).toThrow('seconds');
+  });
+
+  it('follows a drag without jumps, comes to rest, and is exactly at rest at home', async () => {
+    const solution = await (await warper(file('gingerbread.png'))).solve(GINGERBREAD);
+    const home = GINGERBREAD_HAND;
+    const step = Math.hypot(900 - home[0], 600 - home[1]) / FRAMES;
+    let posed = solution.pose();
+    const rest = (await posed.mesh()).positions;
+    let [followed, alone] = [rest, rest];
+    let [farthest, farthestAlone] = [0, 0];
+    for (let frame = 1; frame <= FRAMES; frame++) {
+      posed = await posed.follow(dragged(frame));
+      const next = (await posed.mesh()).positions;
+      farthest = Math.max(farthest, mostMoved(followed, next));
+      const jumping = (await solution.pose(dragged(frame)).mesh()).positions;
+      farthestAlone = Math.max(farthestAlone, mostMoved(alone, jumping));
+      [followed, alone] = [next, jumping];
+    }
+    expect(farthest).toBeLessThan(3 * step);
+    expect(farthest).toBeGreaterThan(0.9 * step);
+    // Without the frame before, this drag jumps.
+    expect(farthestAlone).toBeGreaterThan(3 * step);
+
+    const settled = await posed.settled();
+    const place = Float64Array.from(home);
+    expect(Array.from((await settled.map(place)).posed)).toEqual([900, 600]);
+    const { positions } = await settled.mesh();
+    expect(mostMoved(positions, followed)).toBeGreaterThan(0.1);
+    const again = await settled.settled();
+    expect(mostMoved((await again.mesh()).positions, positions)).toBeLessThan(0.01);
+
+    for (let frame = FRAMES - 1; frame >= 0; frame--) posed = await posed.follow(dragged(frame));
+    expect((await (await posed.settled()).mesh()).positions).toEqual(rest);
+  }, 30_000);
+
+  it('follows poses with the bits of the page', async () => {
+    const shapes = { core: [] as Float64Array[], page: [] as Float64Array[] };
+    const [next, shape] = [Session.prototype.next_pose, ModulePicture.prototype.motion_numbers];
+    vi.spyOn(Session.prototype, 'next_pose').mockImplementation(function (this: Session, ...given) {
+      shapes.core.push(next.apply(this, given).slice());
+      return shapes.core.at(-1)?.slice() ?? new Float64Array();
+    });
+    vi.spyOn(ModulePicture.prototype, 'motion_numbers').mockImplementation(function (this: ModulePicture) {
+      const found = shape.call(this);
+      if (found) shapes.page.push(found.slice());
+      return found;
+    });
+    const own = await warper(file('gingerbread.png'));
+    const solution = await own.solve(GINGERBREAD);
+    let posed = await solution.clip('wave', 0.4).follow({ head: { depth: 1 } });
+    for (let frame = 1; frame <= 5; frame++) posed = await posed.follow(dragged(frame));
+    await posed.settled();
+
+    const { clips, ...rest } = solution.project;
+    const project: Project = { ...rest, handles: solution.project.handles.map(posedHandle) };
+    initSync({ module: readFileSync(new URL('../compute/generated/c2warp_bg.wasm', import.meta.url)) });
+    const picture = await pagePicture(project);
+    const [clip] = clips ?? [];
+    if (!clip) throw new Error('the project has a clip');
+    const playback = picture.playback(clip, project);
+    const [x, y] = GINGERBREAD_HAND;
+    const at = (place: readonly [number, number], depth?: number): Project => {
+      const placed = (handle: Handle): Handle => {
+        if (handle.id === 'left-hand') return { ...handle, posed: place } as Handle;
+        return handle.id === 'head' && depth !== undefined ? { ...handle, depth } : handle;
+      };
+      return { ...project, handles: project.handles.map(placed) };
+    };
+    const moment = at([x, y - 40]);
+    let pose = picture.pose(at([x, y - 40], 1), playback.pose(moment, 0.4));
+    for (let frame = 1; frame <= 5; frame++) pose = picture.pose(at(placeOf(frame), 1), pose);
+    picture.settled(pose);
+    // The page also asked for the shape at the moment of the clip.
+    expect(shapes.core).toEqual(shapes.page.slice(1));
+    expect(shapes.core).toHaveLength(7);
+    picture.free();
+  });
+
+  it('follows in the Elastic mode as it poses, and rejects unknown handles', async () => {
+    const solution = await (await warper()).solve({ ...PROJECT, pose: { mode: 'harmonic' } });
+    const at = { left: { posed: [20, 30], rotation: 15, scale: 1.5 } } as const;
+    const start = solution.pose({ left: { posed: [10, 50] } });
+    const next = await start.follow(at);
+    const expected = await solution.pose(at).mesh();
+    expect(await next.mesh()).toEqual(expected);
+    expect(await (await next.settled()).mesh()).toEqual(expected);
+    // The handle that is left out stays.
+    const right = await next.follow({ right: { posed: [50, 50] } });
+    const { posed } = await right.map(Float64Array.of(16, 32, 48, 32));
+    expect(Array.from(posed)).toEqual([20, 30, 50, 50]);
+
+    await expect(next.follow({ nobody: {} })).rejects.toThrow('There is no handle "nobody".');
+    expect(await codeOf(next.follow({ nobody: {} }))).toBe('pose');
+    expect(await codeOf(next.follow({ left: { scale: -1 } }))).toBe('project');
+    const reason = new Error('enough');
+    const signal = AbortSignal.abort(reason);
+    expect(await next.follow({}, { signal }).catch((error) => error)).toBe(reason);
+    expect(await next.settled({ signal }).catch((error) => error)).toBe(reason);
   });
 
   it('rejects bad input with a code and continues', async () => {

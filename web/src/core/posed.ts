@@ -1,23 +1,54 @@
 /** A solution in one pose. It holds no resources. */
-import type { Moment, Points } from '../compute/messages';
+import type { Moment, Points, SiteMotions } from '../compute/messages';
 import type { PosedMesh } from '../compute/points';
+import { readPoses, withPose } from '../document/handle_poses';
+import { type HandleFile, type ProjectFile, posedHandle } from '../document/project';
+import { C2WarpError } from '../error';
 import type { Environment } from './environment';
 import type { Solver } from './solver';
-import type { Cancellable, MappedPoints, RestPoints, WarpedPicture, WarpOptions } from './types';
+import type { Cancellable, HandlePose, MappedPoints, RestPoints, WarpedPicture, WarpOptions } from './types';
 
 /** A solution in one pose of its handles. */
 export class PosedSolution {
   readonly #solver: Solver;
   readonly #environment: Environment;
-  readonly #project: string;
-  readonly #moment: Moment | null;
+  readonly #project: ProjectFile;
+  readonly #history: Moment | SiteMotions | null;
 
   /** @internal */
-  constructor(solver: Solver, environment: Environment, project: string, moment: Moment | null) {
+  constructor(
+    solver: Solver,
+    environment: Environment,
+    project: ProjectFile,
+    history: Moment | SiteMotions | null,
+  ) {
     this.#solver = solver;
     this.#environment = environment;
     this.#project = project;
-    this.#moment = moment;
+    this.#history = history;
+  }
+
+  /**
+   * The next frame of a drag: handles, by their ids, move a little from this pose. Other handles stay. No part of the
+   * picture moves much farther than they do. In the Elastic mode, same as {@link Solution.pose}.
+   *
+   * @throws C2WarpError with the code `pose` if a handle does not exist.
+   * @throws the errors of {@link map}.
+   */
+  async follow(
+    poses: Readonly<Record<string, HandlePose>>,
+    { signal }: Cancellable = {},
+  ): Promise<PosedSolution> {
+    return this.#next(posedBy(await this.#present(signal), poses), false, signal);
+  }
+
+  /**
+   * The pose in which a drag comes to rest, with the handles of this pose.
+   *
+   * @throws the errors of {@link map}.
+   */
+  async settled({ signal }: Cancellable = {}): Promise<PosedSolution> {
+    return this.#next(await this.#present(signal), true, signal);
   }
 
   /**
@@ -59,7 +90,7 @@ export class PosedSolution {
 
   /** The posed mesh, for your own renderer. @throws the errors of {@link map}. */
   mesh({ signal }: Cancellable = {}): Promise<PosedMesh> {
-    return this.#solver.ask('posed-mesh', { project: this.#project, moment: this.#moment }, signal);
+    return this.#solver.ask('posed-mesh', this.#request, signal);
   }
 
   /**
@@ -71,7 +102,7 @@ export class PosedSolution {
   async warp(options: WarpOptions = {}): Promise<WarpedPicture> {
     const { scale = 1, area = 'picture', pixelated = false, signal, onProgress } = options;
     const settings = { scale, area, pixelated };
-    const drawing = await this.#solver.draw(this.#project, this.#moment, settings, signal);
+    const drawing = await this.#solver.draw(this.#request, settings, signal);
     const { width, height, origin } = drawing;
     const rgba = new Uint8Array(width * height * 4);
     let at = 0;
@@ -84,5 +115,41 @@ export class PosedSolution {
     return { image: this.#environment.image({ width, height, rgba }), origin };
   }
 
-  #about = (points: Points) => ({ project: this.#project, moment: this.#moment, points });
+  #about = (points: Points) => ({ ...this.#request, points });
+
+  get #request() {
+    return { project: problemText(this.#project), history: this.#history };
+  }
+
+  /** The project with its handles as in this pose. */
+  async #present(signal: AbortSignal | undefined): Promise<ProjectFile> {
+    const [project, moment] = [this.#project, this.#history];
+    if (!moment || 'motions' in moment) return project;
+    const handles = JSON.stringify(project.handles);
+    const poses = readPoses(await this.#solver.ask('clip-poses', { handles, moment }, signal));
+    const posed = (handle: HandleFile, k: number) => {
+      const pose = poses[k];
+      return pose ? withPose(posedHandle(handle), pose) : handle;
+    };
+    return { ...project, handles: project.handles.map(posed) };
+  }
+
+  async #next(project: ProjectFile, settles: boolean, signal: AbortSignal | undefined) {
+    const next = problemText(project);
+    const motions = await this.#solver.ask('next-pose', { ...this.#request, next, settles }, signal);
+    return new PosedSolution(this.#solver, this.#environment, project, { motions });
+  }
 }
+
+/** Poses handles of a project, by their ids. @throws C2WarpError with the code `pose` if a handle does not exist. */
+export function posedBy(project: ProjectFile, poses: Readonly<Record<string, HandlePose>>): ProjectFile {
+  const unknown = Object.keys(poses).find((id) => project.handles.every((handle) => handle.id !== id));
+  if (unknown !== undefined) {
+    throw new C2WarpError('pose', `There is no handle ${JSON.stringify(unknown)}.`, { handles: [unknown] });
+  }
+  const handles = project.handles.map((handle) => ({ ...handle, ...poses[handle.id] }) as HandleFile);
+  return { ...project, handles };
+}
+
+/** Clips were checked with the solve, and only one of them is used for the pose. */
+export const problemText = ({ clips: _, ...problem }: ProjectFile): string => JSON.stringify(problem);

@@ -2,10 +2,10 @@
 import type { Moment, Points } from '../compute/messages';
 import type { PointWeights } from '../compute/points';
 import type { SolutionData } from '../compute/solution';
-import type { HandleFile, ProjectFile } from '../document/project';
+import type { ProjectFile } from '../document/project';
 import { C2WarpError } from '../error';
 import type { Environment } from './environment';
-import { PosedSolution } from './posed';
+import { PosedSolution, posedBy, problemText } from './posed';
 import type { Solver } from './solver';
 import type { Cancellable, HandlePose, Mesh, Point, Report, Sites, Study } from './types';
 
@@ -98,12 +98,7 @@ export class Solution {
    * @throws C2WarpError with the code `pose` if a handle does not exist.
    */
   pose(poses: Readonly<Record<string, HandlePose>> = {}): PosedSolution {
-    const unknown = Object.keys(poses).find((id) => this.project.handles.every((handle) => handle.id !== id));
-    if (unknown !== undefined) {
-      throw new C2WarpError('pose', `There is no handle ${JSON.stringify(unknown)}.`, { handles: [unknown] });
-    }
-    const handles = this.project.handles.map((handle) => ({ ...handle, ...poses[handle.id] }) as HandleFile);
-    return this.#posed({ ...this.project, handles }, null);
+    return this.#posed(posedBy(this.project, poses), null);
   }
 
   /**
@@ -121,12 +116,9 @@ export class Solution {
   }
 
   #posed(project: ProjectFile, moment: Moment | null): PosedSolution {
-    return new PosedSolution(this.#solver, this.#environment, problemText(project), moment);
+    return new PosedSolution(this.#solver, this.#environment, project, moment);
   }
 }
-
-/** Clips were checked with the solve, and only one of them is used for the pose. */
-const problemText = ({ clips: _, ...problem }: ProjectFile): string => JSON.stringify(problem);
 
 /** All rows of several batches. */
 function joined(batches: readonly PointWeights[]): PointWeights {

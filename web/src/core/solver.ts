@@ -4,10 +4,10 @@ import type { Link } from '../compute/link';
 import {
   type DrawingOptions,
   type Messages,
-  type Moment,
   type Name,
   needsLater,
   type Points,
+  type PosedRequest,
 } from '../compute/messages';
 import type { SolutionData } from '../compute/solution';
 import { C2WarpError, ENGINE } from '../error';
@@ -54,7 +54,7 @@ export class Solver {
     });
   }
 
-  async ask<N extends 'picture' | 'posed-mesh' | 'path' | 'study' | PointName>(
+  async ask<N extends 'picture' | 'posed-mesh' | 'next-pose' | 'clip-poses' | 'path' | 'study' | PointName>(
     name: N,
     body: Messages[N][0],
     signal?: AbortSignal,
@@ -84,14 +84,9 @@ export class Solver {
   }
 
   /** Prepares to draw. The caller must take all bands or release the drawing. */
-  async draw(
-    project: string,
-    moment: Moment | null,
-    options: DrawingOptions,
-    signal?: AbortSignal,
-  ): Promise<Drawing> {
+  async draw(posed: PosedRequest, options: DrawingOptions, signal?: AbortSignal): Promise<Drawing> {
     this.#check(signal);
-    const size = this.#sent('draw', { project, moment, ...options });
+    const size = this.#sent('draw', { ...posed, ...options });
     const drawing = size.then((size) => new Drawing(this.#link, size, () => true));
     return cancellable(drawing, signal, () => void drawing.then((late) => late.release()).catch(() => {}));
   }

@@ -79,8 +79,33 @@ impl Poser {
         Ok(self.samples_of(&pose.motions).unwrap_or_default())
     }
 
-    /// The next frame of a drag: the pose of handles that have moved a little since `pose`, which this poser made. Nothing
-    /// moves much farther than they do. In the harmonic mode, same as [`pose`](Self::pose).
+    /// The next frame of a drag: `handles` have moved a little since `pose`, which this poser made. Nothing moves much
+    /// farther than they do. The result depends on `pose`, while [`pose`](Self::pose) depends on the handles only and
+    /// may jump. In the harmonic mode, both are the same.
+    ///
+    /// Positions are in image pixels, rotations in degrees. `handles` are all solved handles, in any order, as for
+    /// [`pose`](Self::pose). The blend is that of the frame before. Cost: some milliseconds; a step across more than a
+    /// twentieth of the picture is divided.
+    ///
+    /// ```
+    /// # use c2warp::{Picture, solve};
+    /// # use c2warp::project::{Blend, Handle, Project};
+    /// # let rgba = vec![255; 40 * 30 * 4];
+    /// let mut handles = [Handle::point("left", [5.0, 15.0]), Handle::point("right", [35.0, 15.0])];
+    /// let project = Project::for_picture(40, 30).with_handles(handles.clone());
+    /// let solution = solve(&project, &Picture::new(40, 30, &rgba)?)?;
+    /// let poser = solution.poser();
+    /// let mut pose = poser.pose(&handles, Blend::Linear)?;
+    /// for frame in 1..=10 {
+    ///     handles[1] = Handle::point("right", [35.0, 15.0]).posed_at([[35.0, 15.0 - f64::from(frame)]]);
+    ///     pose = poser.follow(&pose, &handles)?;
+    /// }
+    /// assert_eq!(solution.map(&pose, [35.0, 15.0].into()).unwrap().posed, [35.0, 5.0].into());
+    /// // The end of the drag.
+    /// let pose = poser.settle(&pose, &handles)?;
+    /// assert_eq!(solution.map(&pose, [35.0, 15.0].into()).unwrap().posed, [35.0, 5.0].into());
+    /// # Ok::<(), c2warp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// The errors of [`pose`](Self::pose), and [`Error::PoseOfAnotherSolution`].
@@ -90,13 +115,27 @@ impl Poser {
     }
 
     /// The pose in which a drag comes to rest: the nearest one at rest, or that of [`pose`](Self::pose) if it is much
-    /// better. In the harmonic mode, same as [`pose`](Self::pose).
+    /// better. In the harmonic mode, same as [`pose`](Self::pose). See the example of [`follow`](Self::follow).
+    ///
+    /// `handles` are those of the last frame, in any order. Cost: 10 to 20 frames.
     ///
     /// # Errors
     /// The errors of [`follow`](Self::follow).
     pub fn settle(&self, pose: &Pose, handles: &[Handle]) -> Result<Pose, Error> {
         self.check_own(pose)?;
         Ok(self.pose_of(self.settled(&pose.motions, handles)?, pose.blend()))
+    }
+
+    /// The pose of [numbers](Pose::motion_numbers), with the same bits.
+    ///
+    /// # Errors
+    /// [`Error::PoseOfAnotherSolution`] for another number of sites, and numbers that are not finite.
+    pub fn pose_of_numbers(&self, numbers: &[f64], blend: Blend) -> Result<Pose, Error> {
+        let (motions, rest) = numbers.as_chunks::<7>();
+        if motions.len() != self.sites() || !rest.is_empty() || !numbers.iter().all(|number| number.is_finite()) {
+            return Err(Error::PoseOfAnotherSolution);
+        }
+        Ok(self.pose_of(motions.iter().map(Motion::from_numbers).collect(), blend))
     }
 
     fn check_own(&self, pose: &Pose) -> Result<(), Error> {
@@ -253,6 +292,13 @@ impl Pose {
                     .map(|value| value as f32)
             })
             .collect()
+    }
+
+    /// The motions in full precision: sites × 7, angle; strain xx, xy, yy; translation x, y; depth. Angles are in
+    /// radians, translations in image pixels. [`Poser::pose_of_numbers`] reads them.
+    #[must_use]
+    pub fn motion_numbers(&self) -> Vec<f64> {
+        self.motions.iter().flat_map(Motion::numbers).collect()
     }
 
     /// The motion of each site, in the order of the sites.

@@ -173,24 +173,18 @@ impl PosedPicture {
         if is_plain { Ok(Vec::new()) } else { self.poser.shape_of(pose) }
     }
 
-    /// The present pose as numbers, seven for each site: angle; strain xx, xy, yy; translation x, y; depth. `None` at
-    /// rest.
+    /// The [numbers](Pose::motion_numbers) of the present pose; `None` at rest.
     #[must_use]
     pub fn motion_numbers(&self) -> Option<Vec<f64>> {
-        let pose = self.present.as_ref()?.pose.as_ref()?;
-        Some(pose.motions().iter().flat_map(Motion::numbers).collect())
+        self.present.as_ref()?.pose.as_ref().map(Pose::motion_numbers)
     }
 
-    /// Shows a pose by the numbers of [`motion_numbers`](Self::motion_numbers).
+    /// Shows a pose by its [numbers](Pose::motion_numbers).
     ///
     /// # Errors
-    /// [`Error::PoseOfAnotherSolution`] for another number of sites, and numbers that are not finite.
+    /// The errors of [`Poser::pose_of_numbers`].
     pub fn show_motions(&mut self, numbers: &[f64], blend: Blend) -> Result<&Pose, Error> {
-        let (motions, rest) = numbers.as_chunks::<7>();
-        if motions.len() != self.poser.sites() || !rest.is_empty() || !numbers.iter().all(|number| number.is_finite()) {
-            return Err(Error::PoseOfAnotherSolution);
-        }
-        self.show(self.poser.pose_of(motions.iter().map(Motion::from_numbers).collect(), blend))
+        self.show(self.poser.pose_of_numbers(numbers, blend)?)
     }
 
     fn present_or_rest(&self, blend: Blend) -> Pose {

@@ -127,7 +127,7 @@ impl Poser {
     /// The errors of [`Poser::pose`].
     pub(crate) fn motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
         let target = self.target(handles)?;
-        Ok(self.rigid(target, |rigid, target| rigid.from_rest(&self.rest, target)))
+        Ok(self.rigid(target, |rigid, target| rigid.pose_from_rest(&self.rest, target)))
     }
 
     /// The motions of the next frame of a drag, from those of the frame before. In the harmonic mode, same as

@@ -7,7 +7,7 @@
 //!
 //! The energy has several minima, and a minimum can vanish while a handle moves, as a buckled sheet snaps. A pose that is
 //! a function of the handles alone would jump there. So a drag [follows](Rigid::follow) the frame before, and nothing
-//! moves much farther than the handles. Without a frame before, the sheet is pulled [from rest](Rigid::from_rest)
+//! moves much farther than the handles. Without a frame before, the sheet is pulled [from rest](Rigid::pose_from_rest)
 //! along a straight way.
 //!
 //! Cost: some 4 ms for a frame with 150 virtual sites, and 10 to 20 times as much from rest.
@@ -147,7 +147,7 @@ impl Rigid {
     }
 
     /// The pose of a target without a pose before it.
-    pub(super) fn from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
+    pub(super) fn pose_from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
         let mut shape = self.pulled_from_rest(rest, target);
         shape.settle();
         motions_of(self.model(rest), target, &shape.into_parts())
@@ -212,7 +212,7 @@ impl Rigid {
     pub(super) fn settle(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let shape = Shape::new(model, target.request(), parts_of(model, motions));
-        self.settled(rest, shape, self.from_rest(rest, target), target)
+        self.settled(rest, shape, self.pose_from_rest(rest, target), target)
     }
 
     /// The pose at rest near other motions, whose handles may be elsewhere, unless that from rest is much better.
@@ -223,7 +223,7 @@ impl Rigid {
         target: &Target,
         start: impl FnOnce(&[Motion]) -> Option<Vec<Motion>>,
     ) -> Vec<Motion> {
-        let (model, from_rest) = (self.model(rest), self.from_rest(rest, target));
+        let (model, from_rest) = (self.model(rest), self.pose_from_rest(rest, target));
         let Some(motions) = start(&from_rest) else { return from_rest };
         let mut shape = Shape::new(model, target.request(), parts_of(model, &motions));
         self.carry(rest, &mut shape, &motions, target);

@@ -122,6 +122,7 @@ impl Points {
     }
 
     /// Adds the second derivatives, and the forces once the driven parts have moved.
+    #[expect(clippy::too_many_arguments, reason = "it is called once, and each has another type")]
     pub(super) fn assemble(
         &self,
         values: &mut [f64],

@@ -132,7 +132,7 @@ impl<'a> Shape<'a> {
         self.carry(target);
         for _ in 0..CORRECTIONS {
             let forces = self.forces();
-            self.descend(forces, true);
+            self.descend(&forces, true);
         }
         self.watch();
     }
@@ -217,7 +217,7 @@ impl<'a> Shape<'a> {
                 forces = self.assemble(None, true);
                 self.model.factorise(&mut self.matrix, DAMPING);
             }
-            let moved = self.descend(forces, false);
+            let moved = self.descend(&forces, false);
             self.watch();
             if moved < REST {
                 return;
@@ -259,9 +259,9 @@ impl<'a> Shape<'a> {
     }
 
     /// One step with the factor that is there, to a lower energy. Returns the farthest that a place has moved.
-    fn descend(&mut self, forces: Vec<f64>, is_capped: bool) -> f64 {
-        let parts = self.model.solve(&self.matrix, &forces, None, &self.request);
-        let slope = -self.model.along(&parts, &forces, &self.request);
+    fn descend(&mut self, forces: &[f64], is_capped: bool) -> f64 {
+        let parts = self.model.solve(&self.matrix, forces, None, &self.request);
+        let slope = -self.model.along(&parts, forces, &self.request);
         if slope.is_nan() || slope >= 0.0 {
             return 0.0;
         }
