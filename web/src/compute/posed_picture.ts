@@ -47,20 +47,20 @@ export interface PosedPicture {
   foldCount(project: Project): number;
 
   /**
-   * The farthest pose on the way between two poses with at most `allowed` triangles in visible creases, within 2⁻⁸ of
-   * the way. Each handle moves straight and turns steadily. The pose of `from` is taken to be allowed.
+   * The farthest pose on the way from a pose with at most `allowed` triangles in visible creases, within 2⁻⁸ of the way.
+   * Each handle moves straight and turns steadily. The poses on the way continue `from`, which is taken to be allowed.
    */
-  foldLimit(from: Project, to: Project, turns: Turns, allowed: number): LimitedPose;
+  foldLimit(from: Pose, to: Project, allowed: number): LimitedPose;
 
   /** Like {@link foldLimit}, for handles that turn and scale together about one centre. */
-  groupFoldLimit(way: GroupWay, allowed: number): LimitedPose;
+  groupFoldLimit(from: Pose, way: GroupWay, allowed: number): LimitedPose;
 
   /**
-   * Vertices: how far each follows a move of the selected handles. 1 moves as far as they do, 0 stays.
+   * Vertices: how far each follows a move of the selected handles from a pose. 1 moves as far as they do, 0 stays.
    * Null if the solution lacks them.
    * @throws C2WarpError if no such pose exists.
    */
-  reach(project: Project, selection: readonly string[]): Float32Array<ArrayBuffer> | null;
+  reach(pose: Pose, selection: readonly string[]): Float32Array<ArrayBuffer> | null;
 
   /** Vertices: the number of sites that move each, as a fraction of `MOST_COVERAGE`. Always the same array. */
   coverage(): Float32Array<ArrayBuffer>;

@@ -10,7 +10,6 @@ import { copiedOut } from './solver_service';
 import { createPosedPicture } from './wasm_picture';
 
 const SIZE = 64;
-const TURNS = new Map<string, number>();
 
 const point = (id: string, x: number, y: number): Handle => ({
   id,
@@ -174,25 +173,30 @@ describe('a posed picture', () => {
     const pose = picture.pose(far);
     expect(pose.creases.length).toBeGreaterThan(0);
     expect(pose.creasedTriangles()).toHaveLength(3 * picture.foldCount(far));
-    const limit = picture.foldLimit(solved, far, TURNS, 0);
+    const start = picture.pose(solved);
+    const limit = picture.foldLimit(start, far, 0);
     expect(limit.fraction).toBeGreaterThan(0.1);
     expect(limit.fraction).toBeLessThan(1);
-    expect(picture.foldCount(limit.project)).toBe(0);
+    expect(picture.pose(limit.project, start).creases).toHaveLength(0);
     const [, held] = limit.project.handles;
-    expect(held?.kind === 'point' && held.posed[0]).toBeCloseTo(48 - 50 * limit.fraction, 2);
+    expect(held?.kind === 'point' && held.posed[0]).toBeCloseTo(48 - 50 * limit.fraction, 1);
     expect(limit.project.handles[0]).toBe(far.handles[0]);
     const near = moved('right', 1, 0);
-    expect(picture.foldLimit(solved, near, TURNS, 0)).toEqual({ project: near, fraction: 1 });
-    expect(picture.foldLimit(solved, near, TURNS, 0).project).toBe(near);
+    expect(picture.foldLimit(start, near, 0)).toEqual({ project: near, fraction: 1 });
+    expect(picture.foldLimit(start, near, 0).project).toBe(near);
   });
 
   it('stops handles that turn together at the same fraction', () => {
     const selection = ['left', 'right'];
-    const limit = picture.groupFoldLimit(
+    // The rigid mode turns them without a fold.
+    const pose = { ...solved.pose, mode: 'harmonic' as const };
+    const elastic = pictureOf({ ...solved, pose });
+    const limit = elastic.groupFoldLimit(
+      elastic.pose({ ...solved, pose }),
       {
-        origin: solved,
+        origin: { ...solved, pose },
         selection,
-        to: moved('left', 32, 0),
+        to: { ...moved('left', 32, 0), pose },
         start: { turn: 0, scale: 1 },
         end: { turn: 180, scale: 1 },
       },
@@ -204,13 +208,15 @@ describe('a posed picture', () => {
     const turned = limit.project.handles.filter(({ id }) => selection.includes(id)).map((h) => rotationOf(h));
     expect(turned[0]).toBeCloseTo(180 * limit.fraction, 2);
     expect(turned[1]).toBe(turned[0]);
+    elastic.free();
   });
 
   it('returns the reach of a selection, 1 at the handle and 0 at the others', () => {
-    const reach = picture.reach(solved, ['left']);
+    const pose = picture.pose(solved);
+    const reach = picture.reach(pose, ['left']);
     expect(Math.max(...(reach ?? []))).toBeCloseTo(1, 1);
     expect(Math.min(...(reach ?? []))).toBeCloseTo(0, 2);
-    expect(picture.reach(solved, ['nobody'])).toBeNull();
+    expect(picture.reach(pose, ['nobody'])).toBeNull();
   });
 
   it('bounds the picture at rest and posed', () => {

@@ -175,19 +175,19 @@ class WasmPicture implements PosedPicture {
     return this.#prepared(project).fold_count_of(projectPoses(this.#solved, project), isRigid(project));
   }
 
-  foldLimit(from: Project, to: Project, turns: Turns, allowed: number): LimitedPose {
-    const way = handleWay(this.#solved, from, to, turns);
+  foldLimit(from: Pose, to: Project, allowed: number): LimitedPose {
+    const way = handleWay(this.#solved, from.project, to, from.turns);
     return limited(
-      this.#prepared(to).fold_limit(way.from, way.to, way.turns, isRigid(to), allowed),
+      this.holding(from as WasmPose).fold_limit(way.from, way.to, way.turns, isRigid(to), allowed),
       to,
       way.apply,
     );
   }
 
-  groupFoldLimit({ origin, selection, to, start, end }: GroupWay, allowed: number): LimitedPose {
+  groupFoldLimit(from: Pose, { origin, selection, to, start, end }: GroupWay, allowed: number): LimitedPose {
     const way = groupWay(this.#solved, origin, selection, to);
     const group = [...way.pivot, start.turn, start.scale, end.turn, end.scale, ...way.scales];
-    const limit = this.#prepared(to).group_fold_limit(
+    const limit = this.holding(from as WasmPose).group_fold_limit(
       way.to,
       way.members,
       way.origins,
@@ -199,12 +199,14 @@ class WasmPicture implements PosedPicture {
     return limited(limit, to, way.apply);
   }
 
-  reach(project: Project, selection: readonly string[]): Float32Array<ArrayBuffer> | null {
+  reach(pose: Pose, selection: readonly string[]): Float32Array<ArrayBuffer> | null {
+    const { project } = pose;
     const selected = this.indicesOf(project, selection);
     if (selected.length === 0) return null;
     const { width, height } = project.image;
-    const poses = projectPoses(this.#solved, project);
-    return this.#prepared(project).reach(poses, isRigid(project), selected, Math.hypot(width, height));
+    const { handles } = pose as WasmPose;
+    const module = this.holding(pose as WasmPose);
+    return module.reach(handles, isRigid(project), selected, Math.hypot(width, height));
   }
 
   /** The indices in the solution of a project's handles. */

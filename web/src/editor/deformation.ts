@@ -52,6 +52,8 @@ export interface LimitedPose {
 
 /** The way of a group transform. Everything but the poses of the group is as in `to`. */
 export interface GroupWay {
+  /** The project that is shown: the way continues its pose. */
+  readonly from: Project;
   /** The project before anything was turned or scaled. */
   readonly origin: Project;
   /** Ids of the handles in the group. */

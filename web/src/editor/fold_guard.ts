@@ -64,7 +64,16 @@ export function guarded(
   const start = transform && startOf(guard, transform);
   const { project, fraction } =
     transform && start
-      ? folds.groupFoldLimit({ ...ofOrigin(transform), to: document.project, start, end: transform }, allowed)
+      ? folds.groupFoldLimit(
+          {
+            ...ofOrigin(transform),
+            from: present.project,
+            to: document.project,
+            start,
+            end: transform,
+          },
+          allowed,
+        )
       : folds.foldLimit(present.project, document.project, allowed);
   if (project === document.project)
     return { document, guard: { ...guard, holding: false, asked: null, reached: transform } };

@@ -197,15 +197,18 @@ export class SolutionDeformation implements Deformation {
   }
 
   foldCount(project: Project): number {
-    return this.#picture.foldCount(project);
+    const known = this.#poses.get(project);
+    return known ? known.creasedTriangles().length / 3 : this.#picture.foldCount(project);
   }
 
   foldLimit(from: Project, to: Project, allowed: number): LimitedPose {
-    return this.#picture.foldLimit(from, to, this.turns(from), allowed);
+    const pose = this.pose(from);
+    return pose ? this.#picture.foldLimit(pose, to, allowed) : { project: to, fraction: 1 };
   }
 
   groupFoldLimit(way: GroupWay, allowed: number): LimitedPose {
-    return this.#picture.groupFoldLimit(way, allowed);
+    const pose = this.pose(way.from);
+    return pose ? this.#picture.groupFoldLimit(pose, way, allowed) : { project: way.to, fraction: 1 };
   }
 
   bounds(project: Project): Box | null {
@@ -232,7 +235,8 @@ export class SolutionDeformation implements Deformation {
 
   /** Vertices: how far each follows a move of the selected handles; null if no such pose exists. */
   reach(project: Project, selection: readonly string[]): Float32Array | null {
-    return this.#picture.reach(project, selection);
+    const pose = this.pose(project);
+    return pose && this.#picture.reach(pose, selection);
   }
 
   stiffness(project: Project): Float32Array {

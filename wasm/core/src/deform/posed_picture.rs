@@ -359,12 +359,11 @@ impl PosedPicture {
             return Ok(Lead::Front);
         }
         let mut handles = self.posed_handles(poses)?;
-        let of_sites = |handles: &[Handle]| self.poser.pose(handles, Blend::Linear).map(|pose| depths(pose.motions()));
-        let by_depth = of_sites(&handles)?;
+        let by_depth = self.poser.depths(&handles)?;
         for (index, handle) in handles.iter_mut().enumerate() {
             handle.depth = f64::from(u8::from(selected.contains(&index)));
         }
-        let shares = of_sites(&handles)?;
+        let shares = self.poser.depths(&handles)?;
         Ok(lead(&self.mesh.triangles, &self.mesh.weights, &self.order.crossings, &by_depth, &shares))
     }
 
@@ -396,16 +395,20 @@ impl PosedPicture {
     /// # Errors
     /// The errors of [`set_pose`](Self::set_pose).
     pub fn fold_count_of(&self, poses: &[HandlePose], blend: Blend) -> Result<usize, Error> {
-        let posed = self.blend_vertices(&self.pose(poses, blend)?);
-        Ok(self.creases_of(&posed).iter().map(|crease| crease.triangles.len()).sum())
+        Ok(self.fold_count(&self.blend_vertices(&self.pose(poses, blend)?)))
+    }
+
+    fn fold_count(&self, posed: &[DVec2]) -> usize {
+        self.creases_of(posed).iter().map(|crease| crease.triangles.len()).sum()
     }
 
     pub(super) fn creases_of(&self, posed: &[DVec2]) -> Vec<Crease> {
         creases(posed, &self.folding.folded(posed).collect::<Vec<_>>())
     }
 
-    /// The farthest poses on the way between two poses with at most `allowed` triangles in visible creases. The start
-    /// counts as allowed; poses that cannot be computed do not.
+    /// The farthest poses on the way between two poses with at most `allowed` triangles in visible creases. All of them
+    /// continue the present pose, which is that of the start. The start counts as allowed; poses that cannot be computed
+    /// do not.
     #[must_use]
     pub fn fold_limit(&self, way: &HandleWay, blend: Blend, allowed: usize) -> FoldLimit {
         self.limit(way, blend, allowed)
@@ -418,11 +421,16 @@ impl PosedPicture {
     }
 
     fn limit(&self, way: &dyn Way, blend: Blend, allowed: usize) -> FoldLimit {
-        fold_limit(way, &mut |poses| self.fold_count_of(poses, blend).is_ok_and(|count| count <= allowed))
+        let before = self.present_or_rest(blend);
+        let count = |poses: &[HandlePose]| {
+            let next = self.poser.follow(&before, &self.posed_handles(poses)?)?;
+            Ok::<_, Error>(self.fold_count(&self.blend_vertices(&next)))
+        };
+        fold_limit(way, &mut |poses| count(poses).is_ok_and(|count| count <= allowed))
     }
 
-    /// How far each vertex follows a move of the `selected` handles: 1 moves as far as they do, 0 does not move.
-    /// `diagonal` is the diagonal of the picture, in pixels.
+    /// How far each vertex follows a move of the `selected` handles: 1 moves as far as they do, 0 does not move. The
+    /// moves continue the present pose, which is that of `poses`. `diagonal` is the diagonal of the picture, in pixels.
     ///
     /// # Errors
     /// The errors of [`set_pose`](Self::set_pose).
@@ -436,7 +444,7 @@ impl PosedPicture {
         selected: &[usize],
         diagonal: f64,
     ) -> Result<Vec<f32>, Error> {
-        let step = STEP * diagonal;
+        let (step, before) = (STEP * diagonal, self.present_or_rest(blend));
         let handles = self.posed_handles(poses)?;
         let mut moved = Vec::with_capacity(MOVES.len());
         for by in MOVES {
@@ -444,7 +452,7 @@ impl PosedPicture {
             for &index in selected {
                 handles[index].shape.posed_mut().iter_mut().for_each(|corner| *corner += step * by);
             }
-            moved.push(self.poser.pose(&handles, blend)?);
+            moved.push(self.poser.follow(&before, &handles)?);
         }
         let moved = moved.try_into().expect("one pose for each move");
         Ok(reach(self.displaced_vertices(), &self.mesh.weights, &moved, step))

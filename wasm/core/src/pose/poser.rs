@@ -150,6 +150,14 @@ impl Poser {
         Ok(self.rigid(target, |rigid, target| rigid.settle(&self.rest, motions, target)))
     }
 
+    /// The depth of each site with the handles posed as given.
+    ///
+    /// # Errors
+    /// The errors of [`Poser::pose`].
+    pub(crate) fn depths(&self, handles: &[Handle]) -> Result<Vec<f64>, Error> {
+        Ok(self.target(handles)?.motions.iter().map(|motion| motion.depth).collect())
+    }
+
     /// The motions of the rigid mode; in the harmonic mode, those of the target.
     pub(super) fn rigid(&self, target: Target, pose: impl FnOnce(&Rigid, &Target) -> Vec<Motion>) -> Vec<Motion> {
         let Some(rigid) = self.rigid.as_ref().filter(|_| !self.rest.is_empty()) else { return target.motions };

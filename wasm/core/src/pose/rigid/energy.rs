@@ -241,7 +241,7 @@ mod tests {
             let local = Local::of(j, epsilon, law, true);
             for turn in 0..64 {
                 let (a, b) = (f64::from(turn) * 0.7, f64::from(turn) * 0.3);
-                let by = DMat2::from_cols_array(&[a.cos(), a.sin(), b.cos(), b.sin()]);
+                let by = DMat2::from_cols(crate::pose::motion::turn(a), crate::pose::motion::turn(b));
                 let change = local.change(by).to_cols_array();
                 let curvature: f64 = by.to_cols_array().iter().zip(change).map(|(by, change)| by * change).sum();
                 assert!(curvature > -1e-9, "{j}: {curvature}");

@@ -148,21 +148,24 @@ impl Rigid {
 
     /// The pose of a target without a pose before it.
     pub(super) fn pose_from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
-        let mut shape = self.pulled_from_rest(rest, target);
+        let mut shape = self.pulled_from_rest(rest, target, false).expect("the way has an end");
         shape.settle();
         motions_of(self.model(rest), target, &shape.into_parts())
     }
 
     /// The shape at the end of a straight way from rest, where the picture is first moved as a whole: rotations and the
-    /// logarithms of scales grow steadily.
-    fn pulled_from_rest<'a>(&'a self, rest: &[DVec2], target: &'a Target) -> Shape<'a> {
+    /// logarithms of scales grow steadily. `None` if the way must be free of folds and is not.
+    fn pulled_from_rest<'a>(&'a self, rest: &[DVec2], target: &'a Target, is_free: bool) -> Option<Shape<'a>> {
         let model = self.model(rest);
         let start = self.moved_as_a_whole(rest, target);
         let mut shape = Shape::new(model, target.request(), parts_of(model, &start));
         for motions in target.way_from(&start, WAY) {
             shape.follow(&parts_of(model, &motions));
+            if is_free && shape.is_folded() {
+                return None;
+            }
         }
-        shape
+        Some(shape)
     }
 
     /// The rigid motion that brings the handles nearest to a target.
@@ -189,8 +192,8 @@ impl Rigid {
     pub(super) fn follow(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
-        let flat = shape.is_folded().then(|| self.pulled_from_rest(rest, target)).filter(|flat| !flat.is_folded());
-        if let Some(flat) = flat {
+        let flat = || self.pulled_from_rest(rest, target, true);
+        if let Some(flat) = shape.is_folded().then(flat).flatten() {
             shape.approach(&parts_of(model, &target.motions), &flat.into_parts());
             return motions_of(model, target, &shape.into_parts());
         }
