@@ -191,8 +191,8 @@ fn folded(solution: &Solution, posed: &[DVec2]) -> usize {
     area_ratios(solution, posed).into_iter().filter(|&ratio| ratio < 0.0).count()
 }
 
-/// Drags of each handle by a fraction of the longer side that hardly fold anything: the greatest errors, in pixels, from
-/// the largest.
+/// Drags of each handle by a fraction of the longer side that hardly fold anything: the greatest errors, in pixels,
+/// from the largest.
 fn errors_of_drags(project: &mut Project, solution: &Solution, rig: &Rig, reach: f64) -> Vec<f64> {
     let poser = rig.poser().expect("a rig with a solver");
     let handles = rig.handles().expect("a rig that is posable").to_vec();

@@ -146,8 +146,9 @@ pub(crate) fn area_ratios(solution: &Solution, posed: &[DVec2]) -> Vec<f64> {
     solution.triangles().iter().filter(is_between).map(ratio).collect()
 }
 
-/// How far a pose may be from that of the mirrored scene, in pixels. Flat triangles take part in the energy of the rigid
-/// mode, and their diagonals are not symmetric. `None` if some are nearly folded: the pose then has others beside it.
+/// How far a pose may be from that of the mirrored scene, in pixels. Flat triangles take part in the energy of the
+/// rigid mode, and their diagonals are not symmetric. `None` if some are nearly folded: the pose then has others beside
+/// it.
 pub(crate) fn symmetric_within(mode: PoseMode, solution: &Solution, pose: &Pose) -> Option<f64> {
     let flattest = area_ratios(solution, &solution.posed_vertices(pose)).into_iter().fold(f64::INFINITY, f64::min);
     match mode {

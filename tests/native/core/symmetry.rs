@@ -119,8 +119,8 @@ fn symmetric_scenes() -> impl Strategy<Value = Project> {
     )
 }
 
-/// Solves and poses a scene, with its tolerance in pixels. Returns `None` if it is invalid, if it is nearly folded, or if
-/// anything rotates by about 180°.
+/// Solves and poses a scene, with its tolerance in pixels. Returns `None` if it is invalid, if it is nearly folded, or
+/// if anything rotates by about 180°.
 ///
 /// On the axis of symmetry, such a rotation has no preferred direction.
 fn posed(project: &Project) -> Option<(Solution, Pose, f64)> {

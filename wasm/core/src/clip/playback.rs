@@ -4,8 +4,8 @@
 //! earlier requests. A clip that repeats is first followed for two seconds before its beginning, which then continues
 //! that end. So it does not jump at its seam if rounds end in the same pose.
 //!
-//! Cost: a frame of a drag for each step that is passed for the first time. After that, a pose near any step takes one or
-//! two frames. Memory: up to 64 MiB of motions.
+//! Cost: a frame of a drag for each step that is passed for the first time. After that, a pose near any step takes one
+//! or two frames. Memory: up to 64 MiB of motions.
 //!
 //! Known limit: a clip jumps at its seam if no two rounds end in the same pose.
 
@@ -17,8 +17,8 @@ use crate::{
     project::{Blend, Clip, Handle},
 };
 
-/// Steps per second: the frame rate of most screens, and a multiple of most films' frame rates. With half as many, frames
-/// between them would move twice as far.
+/// Steps per second: the frame rate of most screens, and a multiple of most films' frame rates. With half as many,
+/// frames between them would move twice as far.
 const STEPS_PER_SECOND: f64 = 60.0;
 
 /// Steps before the seam that lead to the beginning of a clip that repeats: two seconds, over several rounds if it is

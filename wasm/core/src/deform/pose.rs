@@ -61,8 +61,8 @@ impl Poser {
     }
 
     /// The pose of handles in the shape in which a drag has left the picture: see
-    /// [`Project::shape`](crate::project::Project::shape). In the harmonic mode and for a shape without samples, same as
-    /// [`pose`](Self::pose).
+    /// [`Project::shape`](crate::project::Project::shape). In the harmonic mode and for a shape without samples, same
+    /// as [`pose`](Self::pose).
     ///
     /// # Errors
     /// The errors of [`pose`](Self::pose).

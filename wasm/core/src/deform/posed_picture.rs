@@ -407,8 +407,8 @@ impl PosedPicture {
     }
 
     /// The farthest poses on the way between two poses with at most `allowed` triangles in visible creases. All of them
-    /// continue the present pose, which is that of the start. The start counts as allowed; poses that cannot be computed
-    /// do not.
+    /// continue the present pose, which is that of the start. The start counts as allowed; poses that cannot be
+    /// computed do not.
     #[must_use]
     pub fn fold_limit(&self, way: &HandleWay, blend: Blend, allowed: usize) -> FoldLimit {
         self.limit(way, blend, allowed)

@@ -14,9 +14,8 @@ use crate::weight::SparseWeights;
 
 /// Step of the central difference, as a fraction of the picture's diagonal.
 ///
-/// The rigid mode stops relaxing once an iteration gains little; one iteration more or less shifts the pose by a
-/// fraction of a pixel. Along a drag of the sample, such jumps change the reach by 0.12 over a pixel, and by 0.014 over
-/// ten. The harmonic mode has no jumps: any step gives the same result.
+/// In the rigid mode, a drag that goes on has not come to rest. Over a shorter step, that counts for more. In the
+/// harmonic mode, any step gives the same result.
 pub(super) const STEP: f64 = 0.005;
 
 /// The moves of the handles whose poses [`reach`] compares, for a step of 1.

@@ -10,13 +10,13 @@
 //!
 //! - `motion`, `strain`: T_i as logarithms, blended as sums (eq. 4): handles × virtual sites, microseconds.
 //! - `automatic`: rotations that the user did not set (section VI).
-//! - `rigid`: the rigid mode, instead of eq. 4: one to four milliseconds for 150 virtual sites.
+//! - `rigid`: the rigid mode, instead of eq. 4: some four milliseconds for 150 virtual sites.
 //! - `sampled`: the start of the rigid mode from the shape in which a drag has left the picture.
 //! - `unwrap`: whole turns.
 //!
 //! `displacement` moves points before the sites do.
 //!
-//! `numeric` contains the factorisations and the descent for `harmonic` and `rigid`.
+//! `numeric` contains the factorisations for `harmonic` and `rigid`.
 
 mod automatic;
 mod displacement;

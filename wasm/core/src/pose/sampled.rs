@@ -4,8 +4,8 @@
 //! the start of the way to a pose at rest. So a project opens as it was even after its sites have changed, and
 //! nonsense in a file ends in the pose from rest.
 //!
-//! Each sample belongs to the site nearest to it. The other sites start with harmonic averages of the samples' maps, over
-//! the links between sites. So limbs that are close but not connected do not mix.
+//! Each sample belongs to the site nearest to it. The other sites start with harmonic averages of the samples' maps,
+//! over the links between sites. So limbs that are close but not connected do not mix.
 //!
 //! Cost: a pose from samples takes about twice as long as a pose from rest.
 

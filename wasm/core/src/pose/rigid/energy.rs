@@ -1,10 +1,9 @@
 //! The symmetric Dirichlet energy |J|² + |J⁻¹|² of a Jacobian J (Smith and Schaefer 2015), and its derivatives.
 //!
 //! The Hessian can be projected to be positive semidefinite by its eigensystem in closed form (Smith, de Goes and Kim
-//! 2019).
-//! With J = [a c; b d], that eigensystem is diagonal but for one 2 × 2 block in the coordinates
-//! z = ((a + d) + i (b − c)) / √2, the part of J that is a similarity, and y = ((a − d) + i (b + c)) / √2, the part that
-//! is a mirrored one. |J|² = |z|² + |y|², and 2 det J = |z|² − |y|².
+//! 2019). With J = [a c; b d], that eigensystem is diagonal but for one 2 × 2 block in the coordinates z = ((a + d) + i
+//! (b − c)) / √2, the part of J that is a similarity, and y = ((a − d) + i (b + c)) / √2, the part that is a mirrored
+//! one. |J|² = |z|² + |y|², and 2 det J = |z|² − |y|².
 //!
 //! Between the places where it is measured, triangles may flatten unnoticed. These have an energy of [their
 //! own](Law::Flatness), which is zero, with its first and second derivatives, from [`FLAT`] on.

@@ -5,10 +5,10 @@
 //! the handles leave free. So the user need not set rotations, and the picture bends like a limb. A point cloud has no
 //! picture between its sites; the sites themselves then take part in the energy.
 //!
-//! The energy has several minima, and a minimum can vanish while a handle moves, as a buckled sheet snaps. A pose that is
-//! a function of the handles alone would jump there. So a drag [follows](Rigid::follow) the frame before, and nothing
-//! moves much farther than the handles. Without a frame before, the sheet is pulled [from rest](Rigid::pose_from_rest)
-//! along a straight way.
+//! The energy has several minima, and a minimum can vanish while a handle moves, as a buckled sheet snaps. A pose that
+//! is a function of the handles alone would jump there. So a drag [follows](Rigid::follow) the frame before, and
+//! nothing moves much farther than the handles. Without a frame before, the sheet is pulled [from
+//! rest](Rigid::pose_from_rest) along a straight way.
 //!
 //! Cost: some 4 ms for a frame with 150 virtual sites, and 10 to 20 times as much from rest.
 //!
@@ -33,7 +33,7 @@ use glam::{DMat2, DVec2};
 
 use self::{
     freedom::Parts,
-    model::{Model, Request, Scene},
+    model::{Model, Request, Scene, bounds},
     shape::Shape,
     sheet::Sheet,
 };
@@ -187,8 +187,8 @@ impl Rigid {
         rest.iter().zip(&target.motions).map(motion).collect()
     }
 
-    /// The next frame of a drag: `motions` are those of the frame before. A long way is divided. While a fold is forced,
-    /// the picture goes to the shape from rest if that has none.
+    /// The next frame of a drag: `motions` are those of the frame before. A long way is divided. While a fold is
+    /// forced, the picture goes to the shape from rest if that has none.
     pub(super) fn follow(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
@@ -323,8 +323,6 @@ fn motions_of(model: &Model, target: &Target, parts: &[Parts]) -> Vec<Motion> {
 
 /// The distance between corners of the box around all sites.
 fn extent(rest: &[DVec2]) -> f64 {
-    let box_of = rest.iter().fold(None, |bounds: Option<(DVec2, DVec2)>, &h| {
-        Some(bounds.map_or((h, h), |(low, high)| (low.min(h), high.max(h))))
-    });
-    box_of.map_or(0.0, |(low, high)| (high - low).length())
+    let [low, high] = bounds(rest);
+    (high - low).length()
 }

@@ -32,6 +32,12 @@ struct Link {
     by: DVec2,
 }
 
+/// The corners of the box around all sites.
+pub(super) fn bounds(rest: &[DVec2]) -> [DVec2; 2] {
+    let first = rest.first().copied().unwrap_or_default();
+    rest.iter().fold([first; 2], |[low, high], &at| [low.min(at), high.max(at)])
+}
+
 /// What does not change with a pose.
 #[derive(Debug, Clone)]
 pub(super) struct Model {
@@ -80,7 +86,10 @@ pub(super) struct Scene<'a> {
 impl Model {
     pub(super) fn new(scene: Scene<'_>) -> Self {
         let Scene { freedom, nodes: all, stiffness, sheet, unit, .. } = scene;
-        let rest: Vec<DVec2> = scene.rest.iter().map(|&rest| rest / unit).collect();
+        // Weights do not sum to exactly 1. From the middle of the picture, that hardly matters.
+        let [low, high] = bounds(scene.rest);
+        let middle = low.midpoint(high);
+        let rest: Vec<DVec2> = scene.rest.iter().map(|&rest| (rest - middle) / unit).collect();
         let mut widths = Vec::new();
         let mut group_of = |freedom: &Freedom| {
             let count = freedom.factors().count();
@@ -114,7 +123,8 @@ impl Model {
         let layout = Layout { freedom, group: &group, pattern: &pattern };
         for (node, factor) in all.iter().zip(stiffness) {
             let term = |one: &Influence| {
-                let (weight, gradient, from) = (one.weight, unit * one.gradient, node.at / unit - rest[one.site]);
+                let (weight, gradient, from) =
+                    (one.weight, unit * one.gradient, (node.at - middle) / unit - rest[one.site]);
                 let place = [weight, weight * from.x, weight * from.y];
                 let of_x = from.x * gradient + DVec2::new(weight, 0.0);
                 let of_y = from.y * gradient + DVec2::new(0.0, weight);
@@ -161,7 +171,7 @@ impl Model {
         self.unit
     }
 
-    /// Rest place of each site, in units.
+    /// Rest place of each site, from the middle of the picture, in units.
     pub(super) fn rest(&self) -> &[DVec2] {
         &self.rest
     }

@@ -3,8 +3,8 @@
 //! A step that carries handles moves them to their new places inside the linearised equations, so that the picture
 //! comes along. Damping is added while anything would move much farther than the handles. Then the picture relaxes
 //! around them. No step takes more than [`TAKEN`] of the area of any triangle, so nothing folds while a step can end
-//! early. Only a handle that does not arrive in a few steps is forced, and the energy is then the one that is finite for
-//! folds.
+//! early. Only a handle that does not arrive in a few steps is forced, and the energy is then the one that is finite
+//! for folds.
 //!
 //! Second derivatives are exact if the matrix is positive definite with them: the last steps then converge
 //! quadratically. Else they are projected.
@@ -139,8 +139,8 @@ impl<'a> Shape<'a> {
         self.watch();
     }
 
-    /// Moves the picture as a whole, by the rigid motion nearest to that of the handles. Finds how far each place may move
-    /// in this frame.
+    /// Moves the picture as a whole, by the rigid motion nearest to that of the handles. Finds how far each place may
+    /// move in this frame.
     fn begin_frame(&mut self, target: &[Parts]) {
         self.before.clone_from(&self.places);
         let most = CAP * self.way_to(target);

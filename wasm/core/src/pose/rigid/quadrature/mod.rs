@@ -1,8 +1,8 @@
 //! The nodes all over the picture at which the rigid mode measures distortion, with their weights.
 //!
 //! A cell is divided by its next two dominant sites. A part has a node at its centroid. In a triangle of neighbouring
-//! sites, these are three nodes, each near a different corner, like Gauss's rule of degree 2. A part that is long compared
-//! with its supports has two nodes with its second moment along it, and one that is large has four.
+//! sites, these are three nodes, each near a different corner, like Gauss's rule of degree 2. A part that is long
+//! compared with its supports has two nodes with its second moment along it, and one that is large has four.
 //!
 //! Nodes are dense where many sites meet in a narrow space. A site whose cell has no node becomes a node. A symmetric
 //! scene has symmetric nodes.
