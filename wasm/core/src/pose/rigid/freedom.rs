@@ -45,3 +45,12 @@ impl Freedom {
         }
     }
 }
+
+/// What a pose requests, besides where the handles are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Request<'a> {
+    /// Whether the rotation of each site is free.
+    pub(super) is_free: &'a [bool],
+    /// The scale that handles request at each site; `None` if it is 1 everywhere.
+    pub(super) scales: Option<&'a [f64]>,
+}

@@ -32,8 +32,8 @@ use std::{
 use glam::{DMat2, DVec2};
 
 use self::{
-    freedom::Parts,
-    model::{Model, Request, Scene, bounds},
+    freedom::{Parts, Request},
+    model::{Model, Scene, bounds},
     shape::Shape,
     sheet::Sheet,
 };

@@ -12,7 +12,7 @@ use glam::{DMat2, DVec2};
 
 use super::{
     super::numeric::{Blocks, Pattern},
-    freedom::{Freedom, Parts},
+    freedom::{Freedom, Parts, Request},
     points::{Layout, Points},
     quadrature::Node,
     sheet::Sheet,
@@ -58,15 +58,6 @@ pub(super) struct Model {
     around: Vec<f64>,
     /// Strength of the energy of links.
     strength: f64,
-}
-
-/// What a pose requests, besides where the handles are.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Request<'a> {
-    /// Whether the rotation of each site is free.
-    pub(super) is_free: &'a [bool],
-    /// The scale that handles request at each site; `None` if it is 1 everywhere.
-    pub(super) scales: Option<&'a [f64]>,
 }
 
 /// What a model consists of. Lengths are in pixels.

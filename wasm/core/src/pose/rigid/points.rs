@@ -4,8 +4,7 @@ use glam::{DMat2, DVec2};
 
 use super::{
     energy::{Law, Local, energy},
-    freedom::{Freedom, Parts},
-    model::Request,
+    freedom::{Freedom, Parts, Request},
 };
 use crate::pose::numeric::{Pattern, Slot};
 

@@ -12,10 +12,13 @@
 use glam::{DMat2, DVec2};
 
 use super::{
-    super::{motion::turn, numeric::Blocks},
+    super::{
+        motion::turn,
+        numeric::{Blocks, first_root},
+    },
     energy::Law,
-    freedom::{Freedom, Parts},
-    model::{Model, Request},
+    freedom::{Freedom, Parts, Request},
+    model::Model,
     points::Points,
 };
 use crate::bone::best_rotation;
@@ -352,19 +355,4 @@ impl<'a> Shape<'a> {
         let of_places = self.model.places(driven).into_iter().map(DVec2::length);
         of_sites.chain(of_places).fold(0.0, f64::max)
     }
-}
-
-/// The least root of c + b t + a t² between 0 and `most`, or `most`; c is at least 0.
-pub(super) fn first_root(c: f64, b: f64, a: f64, most: f64) -> f64 {
-    if b >= 0.0 && a >= 0.0 {
-        return most;
-    }
-    let square = b * b - 4.0 * a * c;
-    if square < 0.0 {
-        return most;
-    }
-    let root = square.sqrt();
-    // Without cancellation: both roots are c / q and q / a.
-    let q = -0.5 * if b >= 0.0 { b + root } else { b - root };
-    [c / q, q / a].into_iter().filter(|root| *root >= 0.0).fold(most, f64::min)
 }

@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::{energy::FLAT, freedom::Parts, shape::first_root};
+use super::{super::numeric::first_root, energy::FLAT, freedom::Parts};
 use crate::weight::SparseWeights;
 
 /// Greatest coordinate of a picture with its surroundings, in pixels.
