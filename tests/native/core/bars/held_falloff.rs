@@ -21,11 +21,8 @@ const SAMPLES: u32 = 10_000;
 const STEP: f64 = 4.0;
 /// Greatest second difference towards a held boundary, over that between handles.
 fn as_smooth(mode: PoseMode) -> f64 {
-    match mode {
-        PoseMode::Harmonic => 1.5,
-        // A held boundary cannot slide aside, and the energy of what is squeezed against it has no bound.
-        PoseMode::Rigid => 2.0,
-    }
+    // A held boundary cannot slide aside, and the energy of what is squeezed against it has no bound.
+    if mode == PoseMode::Rigid { 2.0 } else { 1.5 }
 }
 
 /// A disc of 360 px and a lock of hair, rounded and 200 by 360 px.
