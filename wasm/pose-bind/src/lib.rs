@@ -16,9 +16,9 @@ pub struct SectionPoser {
 
 #[wasm_bindgen]
 impl SectionPoser {
-    /// Reads the unpacked section `POSR` of a rig, and takes its mesh. `positions` are vertices × 2 at rest, `triangles`
-    /// triangles × 3. `rows` are vertices × 2: the first entry and their number; `entries` are entries × 2: site and
-    /// weight.
+    /// Reads the unpacked section `POSR` of a rig, and takes its mesh. `positions` are vertices × 2 at rest, and
+    /// `triangles` are triangles × 3. `rows` are vertices × 2: the first entry and their number. `entries` are
+    /// entries × 2: site and weight.
     ///
     /// # Errors
     /// For a section of another format, a damaged section, or a mesh of another rig.

@@ -17,8 +17,8 @@ export type Poser = (handles: readonly Handle[], before?: Float64Array, rests?: 
 const loading = new WeakMap<Rig, Promise<Poser>>();
 
 /**
- * The poser of a rig, if it is available immediately; null if it needs the module, or cannot be posed. Sums do not depend
- * on the motions before.
+ * The poser of a rig, if it is available immediately; null if it needs the module, or cannot be posed. It takes sums,
+ * which do not depend on the motions before.
  */
 export const ownPoser = ({ shares, rest }: Rig): Poser | null =>
   shares && ((handles) => posedSites(shares, handles, rest));
