@@ -1,6 +1,6 @@
 /** Compares pictures, and attaches them to the test's report. */
 import type { TestInfo } from '@playwright/test';
-import { decode, encode } from 'fast-png';
+import { type DecodedPng, decode, encode } from 'fast-png';
 import pixelmatch from 'pixelmatch';
 
 /** The difference of two pictures in 255ths, over the pixels that are opaque in both. */
@@ -38,6 +38,34 @@ function measured(a: ArrayLike<number>, b: ArrayLike<number>): Difference {
     if (Math.max(...apart) <= 8) close += 1;
   }
   return { mean: sum / opaque, close: close / opaque, opaque };
+}
+
+/**
+ * The fraction of pixels of a PNG file in base64 that have no similar pixel within a distance in another one. It is
+ * small if nothing has moved farther.
+ */
+export function movedFarther(before: string, after: string, distance: number): number {
+  const [a, b] = [before, after].map((file) => decode(Buffer.from(file, 'base64'))) as [
+    DecodedPng,
+    DecodedPng,
+  ];
+  const apart = (from: number, to: number) =>
+    Math.max(
+      ...[0, 1, 2, 3].map((channel) => Math.abs((a.data[from + channel] ?? 0) - (b.data[to + channel] ?? 0))),
+    );
+  const isKnown = (x: number, y: number) => {
+    const reach = Math.ceil(distance);
+    for (let dy = -reach; dy <= reach; dy++)
+      for (let dx = -reach; dx <= reach; dx++) {
+        const [px, py] = [x + dx, y + dy];
+        const isInside = px >= 0 && py >= 0 && px < a.width && py < a.height;
+        if (isInside && apart(4 * (py * a.width + px), 4 * (y * b.width + x)) <= 48) return true;
+      }
+    return false;
+  };
+  let lost = 0;
+  for (let y = 0; y < b.height; y++) for (let x = 0; x < b.width; x++) if (!isKnown(x, y)) lost += 1;
+  return lost / (b.width * b.height);
 }
 
 const attach = (info: TestInfo, name: string, body: Buffer) =>

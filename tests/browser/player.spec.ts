@@ -11,7 +11,7 @@ import type { C2WarpPlayer, HandlePose } from '../../web/src/player';
 import { builtCommand } from './command';
 import { waved } from './displacements';
 import { expect, test } from './fixtures';
-import { difference } from './images';
+import { difference, movedFarther } from './images';
 
 const SAMPLES = fileURLToPath(new URL('../../web/public/samples/', import.meta.url));
 
@@ -438,6 +438,105 @@ test('readers take handles by pointer and by keyboard, also from a clip', async 
   });
   await expect(player(page).locator('[part=handle]')).toHaveCount(0);
 });
+
+/** The shown frame at this moment, a PNG in base64. */
+const shown = (page: Page) =>
+  player(page).evaluate(async (element) => {
+    for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
+    return element.shadowRoot?.querySelector('canvas')?.toDataURL().replace(/^.*,/, '') ?? '';
+  });
+
+/** The centre of a grip on the page. */
+async function gripAt(page: Page, name: string): Promise<readonly [number, number]> {
+  const box = await player(page).getByRole('button', { name }).boundingBox();
+  return [(box?.x ?? 0) + 22, (box?.y ?? 0) + 22];
+}
+
+/** Drags the left hand of a player of 256 px by CSS pixels in 20 steps, and holds it there. Returns all frames. */
+async function draggedHand(page: Page, [dx, dy]: readonly [number, number]): Promise<string[]> {
+  const [x, y] = await gripAt(page, 'left hand');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const frames = [await shown(page)];
+  for (let step = 1; step <= 20; step++) {
+    await page.mouse.move(x + (dx * step) / 20, y + (dy * step) / 20);
+    frames.push(await shown(page));
+  }
+  return frames;
+}
+
+/** Releases the pointer. Returns all different frames until the picture has rested for half a second. */
+async function released(page: Page): Promise<string[]> {
+  const frames = player(page).evaluate(async (element) => {
+    const canvas = element.shadowRoot?.querySelector('canvas');
+    const frames = [canvas?.toDataURL() ?? ''];
+    let hasEnded = false;
+    element.addEventListener('change', () => {
+      hasEnded = true;
+    });
+    Reflect.set(globalThis, 'recording', true);
+    for (let changed = performance.now(); !hasEnded || performance.now() - changed < 500; ) {
+      await new Promise(requestAnimationFrame);
+      const frame = canvas?.toDataURL() ?? '';
+      if (hasEnded && frame === frames.at(-1)) continue;
+      changed = performance.now();
+      if (frame !== frames.at(-1)) frames.push(frame);
+    }
+    return frames.map((frame) => frame.replace(/^.*,/, ''));
+  });
+  await page.waitForFunction(() => Reflect.get(globalThis, 'recording') === true);
+  await page.mouse.up();
+  return frames;
+}
+
+/** The greatest fraction of pixels that move farther than a distance between two frames. */
+const farthest = (frames: readonly string[], distance: number) =>
+  Math.max(...frames.slice(1).map((frame, k) => movedFarther(frames[k] ?? '', frame, distance)));
+
+/** A player of the sample in the rigid mode, whose readers pose it. */
+async function addedPosable(page: Page): Promise<void> {
+  await open(page, { 'solved.c2rig': baked({ ...project, clips }, '--posable') });
+  await added(page, { src: '/solved.c2rig', posable: '' }, 'loadeddata');
+  await expect(player(page).locator('[part=handle]')).toHaveCount(project.handles.length);
+}
+
+/** The sample in the present poses of the player. */
+const posedProject = async (page: Page): Promise<Project> => ({
+  ...project,
+  handles: (await player(page).evaluate((element) => (element as C2WarpPlayer).handles)) as Handle[],
+});
+
+test('the picture follows a drag without jumps', async ({ page }) => {
+  await addedPosable(page);
+  // Poses from rest jump on this way, at a step by 7 px.
+  const frames = await draggedHand(page, [120, 60]);
+  expect(new Set(frames).size).toBe(21);
+  expect(farthest(frames, 10)).toBeLessThan(0.004);
+});
+
+for (const reducedMotion of ['no-preference', 'reduce'] as const)
+  test(`a drag from a clip rests as in the editor, motion: ${reducedMotion}`, async ({ page }, info) => {
+    await page.emulateMedia({ reducedMotion });
+    // Frames are 16 ms apart, however long they take.
+    await page.addInitScript(() => {
+      const { requestAnimationFrame } = globalThis;
+      let now = 0;
+      globalThis.requestAnimationFrame = (draw) =>
+        requestAnimationFrame(() => {
+          now += 16;
+          draw(now);
+        });
+    });
+    await addedPosable(page);
+    await frame(page, 0.4, 256);
+    const drag = await draggedHand(page, [40, -50]);
+    expect(farthest(drag, 6)).toBeLessThan(0.004);
+    const glide = await released(page);
+    expect(farthest(glide, 2)).toBeLessThan(0.004);
+    if (reducedMotion === 'reduce') expect(glide.length).toBeLessThanOrEqual(2);
+    else expect(glide.length).toBeGreaterThan(4);
+    await expectEditors(page, await posedProject(page), info);
+  });
 
 test('a poster is shown until the rig is loaded or fails, with a stable layout', async ({ page }) => {
   let release = () => {};

@@ -146,15 +146,9 @@ pub(crate) fn area_ratios(solution: &Solution, posed: &[DVec2]) -> Vec<f64> {
     solution.triangles().iter().filter(is_between).map(ratio).collect()
 }
 
-/// How far a pose may be from that of the mirrored scene, in pixels. Flat triangles take part in the energy of the
-/// rigid mode, and their diagonals are not symmetric. `None` if some are nearly folded: the pose then has others beside
-/// it.
+/// How far a pose may be from that of the mirrored scene, in pixels: rounding, and its amplification. `None` for the
+/// rigid mode if triangles are flat: they take part in the energy, and their diagonals are not symmetric.
 pub(crate) fn symmetric_within(mode: PoseMode, solution: &Solution, pose: &Pose) -> Option<f64> {
-    let flattest = area_ratios(solution, &solution.posed_vertices(pose)).into_iter().fold(f64::INFINITY, f64::min);
-    match mode {
-        PoseMode::Rigid if flattest <= 0.25 => None,
-        PoseMode::Rigid if flattest <= 0.5 => Some(1.0),
-        // Rounding, and its amplification.
-        _ => Some(1e-6),
-    }
+    let ratios = || area_ratios(solution, &solution.posed_vertices(pose)).into_iter();
+    (mode == PoseMode::Harmonic || ratios().all(|ratio| ratio > 0.5)).then_some(1e-6)
 }

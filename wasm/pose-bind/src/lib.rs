@@ -16,9 +16,9 @@ pub struct SectionPoser {
 
 #[wasm_bindgen]
 impl SectionPoser {
-    /// Reads the unpacked section `POSR` of a rig, and takes its mesh. `positions` are vertices × 2 at rest,
-    /// `triangles` triangles × 3. `rows` are vertices × 2: the first entry and their number; `entries` are entries × 2:
-    /// site and weight.
+    /// Reads the unpacked section `POSR` of a rig, and takes its mesh. `positions` are vertices × 2 at rest, and
+    /// `triangles` are triangles × 3. `rows` are vertices × 2: the first entry and their number. `entries` are
+    /// entries × 2: site and weight.
     ///
     /// # Errors
     /// For a section of another format, a damaged section, or a mesh of another rig.
@@ -35,8 +35,8 @@ impl SectionPoser {
             entries.as_chunks::<2>().0.iter().map(|&[site, weight]| (site as u32, f64::from(weight))).unzip();
         let offsets =
             rows.as_chunks::<2>().0.iter().map(|&[first, _]| first).chain([entries.len() as u32 / 2]).collect();
-        let weights =
-            SparseWeights::from_parts(offsets, sites, weights).ok_or_else(|| JsError::new("wrong weights"))?;
+        let weights = SparseWeights::from_parts(offsets, sites, weights)
+            .ok_or_else(|| JsError::new("the weights contradict one another"))?;
         let places: Vec<DVec2> =
             positions.as_chunks::<2>().0.iter().map(|&[x, y]| DVec2::new(x.into(), y.into())).collect();
         poser.set_mesh(&places, triangles.as_chunks::<3>().0, &weights).map_err(told)?;
@@ -57,7 +57,7 @@ impl SectionPoser {
     /// # Errors
     /// As for [`motions`](Self::motions), and for motions of another rig.
     pub fn followed(&self, before: &[f64], poses: &[f64]) -> Result<Vec<f64>, JsError> {
-        self.poser.followed(&motions_of(before), &read(poses)?).map(|motions| numbers(&motions)).map_err(told)
+        self.poser.followed(&motions_of(before)?, &read(poses)?).map(|motions| numbers(&motions)).map_err(told)
     }
 
     /// The motions in which a drag comes to rest, from those of its last frame.
@@ -65,7 +65,7 @@ impl SectionPoser {
     /// # Errors
     /// As for [`followed`](Self::followed).
     pub fn settled(&self, before: &[f64], poses: &[f64]) -> Result<Vec<f64>, JsError> {
-        self.poser.settled(&motions_of(before), &read(poses)?).map(|motions| numbers(&motions)).map_err(told)
+        self.poser.settled(&motions_of(before)?, &read(poses)?).map(|motions| numbers(&motions)).map_err(told)
     }
 }
 
@@ -81,6 +81,11 @@ fn numbers(motions: &[Motion]) -> Vec<f64> {
     motions.iter().flat_map(Motion::numbers).collect()
 }
 
-fn motions_of(numbers: &[f64]) -> Vec<Motion> {
-    numbers.as_chunks().0.iter().map(Motion::from_numbers).collect()
+fn motions_of(numbers: &[f64]) -> Result<Vec<Motion>, JsError> {
+    let (motions, rest) = numbers.as_chunks();
+    if rest.is_empty() {
+        Ok(motions.iter().map(Motion::from_numbers).collect())
+    } else {
+        Err(JsError::new("the motions end within a site"))
+    }
 }

@@ -61,6 +61,14 @@ export function motionAt({ keys, motions }: RigClip, sites: number, frame: numbe
   };
 }
 
+/** The motions at a frame, sites × 6. */
+export function motionsAt(clip: RigClip, sites: number, frame: number): Float64Array {
+  const motion = motionAt(clip, sites, frame);
+  return Float64Array.from({ length: sites * NUMBERS }, (_, at) =>
+    motion(Math.floor(at / NUMBERS), at % NUMBERS),
+  );
+}
+
 /**
  * Writes the motions at a frame for the vertex shader, sites × 12.
  *

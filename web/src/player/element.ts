@@ -7,7 +7,7 @@
 import { advanced, hasEnded, type MediaTime, standsStill } from '../document/media_time';
 import { asC2WarpError, C2WarpError } from '../error';
 import { PlayerAttributes } from './attributes';
-import { cycleOf, frameAt, motionAt, orderAt, type RigClip } from './clip';
+import { cycleOf, frameAt, motionAt, motionsAt, orderAt, type RigClip } from './clip';
 import { type Grips, gripsOf } from './grips';
 import { handlesAt } from './handles_at';
 import type { Loaded } from './library';
@@ -21,6 +21,8 @@ import { type Stage, stage } from './stage';
 
 /** Seconds of the clock between two `timeupdate` events. */
 const UPDATE_S = 0.25;
+/** The time of the glide from the last frame of a drag to the pose in which it rests. Seconds. */
+const GLIDE_S = 0.24;
 /** A longer gap between frames is a pause, for example in a hidden tab. Milliseconds. */
 const BREAK_MS = 250;
 
@@ -56,6 +58,8 @@ export class C2WarpPlayer extends PlayerAttributes {
   #posed: readonly Handle[] | undefined;
   /** The same as a clip; undefined while the solver loads. */
   #posedClip: RigClip | undefined;
+  /** The part of its glide that is over, from 0 to 1. */
+  #glided = 1;
   /** The poser of the present rig; null while the solver loads, and for a rig that cannot be posed. */
   #poser: Poser | null = null;
   #time = 0;
@@ -77,7 +81,10 @@ export class C2WarpPlayer extends PlayerAttributes {
           rotation: rotation === 'auto' ? rotation : 0,
           scale: 1,
         })),
-      ended: () => this.dispatchEvent(new Event('change', { bubbles: true })),
+      ended: () => {
+        if (this.#posed) this.#pose(this.#posed, this.#motions, true);
+        this.dispatchEvent(new Event('change', { bubbles: true }));
+      },
     });
     this.#source = new Source({
       begun: () => {
@@ -258,13 +265,34 @@ export class C2WarpPlayer extends PlayerAttributes {
   #handles(): readonly Handle[] {
     const { shares, solved, rest } = this.#source.loaded?.rig ?? {};
     const sources = shares ?? solved;
-    if (this.#posed || !sources || !rest || !this.#clip) return this.#posed ?? [];
-    return handlesAt(sources, motionAt(this.#clip, rest.length / 2, frameAt(this.#clip, this.#time)), rest);
+    const shown = this.#shown;
+    if (this.#posed || !sources || !rest || !shown) return this.#posed ?? [];
+    return handlesAt(sources, motionAt(shown.clip, rest.length / 2, shown.at), rest);
   }
 
-  #pose(handles: readonly Handle[]): void {
+  /** The shown clip or pose, and its frame. */
+  get #shown(): { readonly clip: RigClip; readonly at: number } | undefined {
+    // The picture comes to rest slowly.
+    if (this.#posed && this.#posedClip) return { clip: this.#posedClip, at: 1 - (1 - this.#glided) ** 3 };
+    return this.#clip && { clip: this.#clip, at: frameAt(this.#clip, this.#time) };
+  }
+
+  /** The shown motions, sites × 6. */
+  get #motions(): Float64Array | undefined {
     const { rig } = this.#source.loaded ?? {};
-    this.#posedClip = rig && this.#poser ? posedClip(rig, this.#poser(handles)) : undefined;
+    const shown = this.#shown;
+    return rig && shown && motionsAt(shown.clip, rig.rest.length / 2, shown.at);
+  }
+
+  /** Shows a pose. With `before`, it continues these motions. With `rests`, it is the end of a drag. */
+  #pose(handles: readonly Handle[], before?: Float64Array, rests = false): void {
+    const { rig } = this.#source.loaded ?? {};
+    const glides = rests && !stillness().matches;
+    this.#posedClip =
+      rig && this.#poser
+        ? posedClip(rig, this.#poser(handles, before, rests), glides ? before : undefined)
+        : undefined;
+    this.#glided = glides ? 0 : 1;
     this.pause();
     this.#posed = handles;
     this.#ask();
@@ -293,7 +321,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   /** A reader changes the pose of a handle. */
   #alter(id: string, change: (handle: Handle) => Partial<Handle>): void {
     const one = (handle: Handle) => (handle.id === id ? { ...handle, ...change(handle) } : handle);
-    this.#pose(this.#handles().map(one));
+    this.#pose(this.#handles().map(one), this.#motions);
     this.dispatchEvent(new Event('input', { bubbles: true }));
   }
 
@@ -315,7 +343,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   get #moves(): boolean {
-    return !this.#paused && !standsStill(this.#at);
+    return this.#posed ? this.#glided < 1 : !this.#paused && !standsStill(this.#at);
   }
 
   #seek(time: number): void {
@@ -417,6 +445,10 @@ export class C2WarpPlayer extends PlayerAttributes {
   #advance(seconds: number): void {
     // The first frame has none before it.
     if (Number.isNaN(seconds)) return;
+    if (this.#posed) {
+      this.#glided = Math.min(1, this.#glided + seconds / GLIDE_S);
+      return;
+    }
     this.#time = advanced(this.#at, seconds);
     const ends = this.ended;
     if (ends || !this.#moves || Math.abs(this.#time - this.#updated) >= UPDATE_S) this.#update();
@@ -425,11 +457,11 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   #draw(): void {
     const loaded = this.#source.loaded;
-    const clip = (this.#posed && this.#posedClip) ?? this.#clip;
+    const shown = this.#shown;
     const { context } = this.#screen;
     const view = loaded && this.#screen.viewOf(loaded.rig);
-    if (!loaded || !clip || !context || !view) return;
-    const at = frameAt(clip, this.#time);
+    if (!loaded || !shown || !context || !view) return;
+    const { clip, at } = shown;
     this.#stage?.show(loaded, clip, at, orderAt(clip, at), view, context);
     this.#grips.show(this.#hasGrips ? this.#handles() : null, view);
   }

@@ -13,7 +13,7 @@ interface Listeners {
   moved(id: string, by: Place): void;
   /** The handle returns to rest. */
   reset(id: string): void;
-  /** A move is over. */
+  /** A drag has ended, or a key is released. */
   ended(): void;
 }
 
@@ -38,6 +38,7 @@ export function gripsOf(host: HTMLElement, { moved, reset, ended }: Listeners): 
     button.setAttribute('part', 'handle');
     button.setAttribute('aria-label', id.replace(/[-_]+/g, ' '));
     let last: Place | undefined;
+    let isKeyDown = false;
     button.onpointerdown = (event) => {
       if (event.button !== 0) return;
       button.setPointerCapture(event.pointerId);
@@ -62,7 +63,11 @@ export function gripsOf(host: HTMLElement, { moved, reset, ended }: Listeners): 
       const factor = event.shiftKey ? 10 : 1;
       if (by) moved(id, [factor * by[0], factor * by[1]]);
       else reset(id);
-      ended();
+      isKeyDown = true;
+    };
+    button.onkeyup = button.onblur = () => {
+      if (isKeyDown) ended();
+      isKeyDown = false;
     };
     return button;
   };

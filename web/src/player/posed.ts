@@ -1,4 +1,4 @@
-/** Poses from pages, in the format of project files, and their motions as a clip of one frame. */
+/** Poses from pages, in the format of project files, and their motions as a clip. */
 import type { RigClip } from './clip';
 import { depthOrder } from './depth_order';
 import type { PosedSites } from './posing';
@@ -69,9 +69,15 @@ function changed(handle: Handle, pose: HandlePose | Handle, turns: boolean): Han
   return { ...handle, posed: places.map(([x, y]): Place => [x, y]), rotation, scale, depth };
 }
 
-/** The rig with posed sites, as a clip of one frame. */
-export function posedClip(rig: Rig, { motions, depths }: PosedSites): RigClip {
+/**
+ * The rig with posed sites, as a clip of one frame. With `before`, it has two: from these motions, sites × 6, to the
+ * pose.
+ */
+export function posedClip(rig: Rig, { motions, depths }: PosedSites, before?: Float64Array): RigClip {
   // Parts may cross anywhere.
   const orders = [{ frame: 0, crosses: true, triangles: depthOrder(rig, depths) }];
-  return { name: '', duration: 0, end: 0, lastFrame: 0, keys: Uint32Array.of(0), motions, orders };
+  const pose = { name: '', duration: 0, end: 0, orders };
+  if (!before) return { ...pose, lastFrame: 0, keys: Uint32Array.of(0), motions };
+  const both = new Float64Array([...before, ...motions]);
+  return { ...pose, lastFrame: 1, keys: Uint32Array.of(0, 1), motions: both };
 }

@@ -6,12 +6,20 @@ import type { Rig } from './rig';
 import type { Handle } from './shares';
 import type { Solved } from './solved';
 
-/** The motions of all sites for the handles of a rig. @throws C2WarpError for poses without valid motions. */
-export type Poser = (handles: readonly Handle[]) => PosedSites;
+/**
+ * The motions of all sites for the handles of a rig. Without `before`, they depend on nothing else, and are the same on
+ * every machine. Otherwise, they continue those motions, sites × 6: as the next frame of a drag, or where it rests.
+ *
+ * @throws C2WarpError for poses without valid motions.
+ */
+export type Poser = (handles: readonly Handle[], before?: Float64Array, rests?: boolean) => PosedSites;
 
 const loading = new WeakMap<Rig, Promise<Poser>>();
 
-/** The poser of a rig, if it is available immediately; null if it needs the module, or cannot be posed. */
+/**
+ * The poser of a rig, if it is available immediately; null if it needs the module, or cannot be posed. It takes sums,
+ * which do not depend on the motions before.
+ */
 export const ownPoser = ({ shares, rest }: Rig): Poser | null =>
   shares && ((handles) => posedSites(shares, handles, rest));
 
@@ -21,19 +29,19 @@ export const ownPoser = ({ shares, rest }: Rig): Poser | null =>
  * @throws C2WarpError if it does not load.
  */
 export function solverOf(rig: Rig, solved: Solved): Promise<Poser> {
-  const known = loading.get(rig) ?? load(solved);
+  const known = loading.get(rig) ?? load(rig, solved);
   loading.set(rig, known);
   known.catch(() => loading.delete(rig));
   return known;
 }
 
-async function load({ section, driven }: Solved): Promise<Poser> {
+async function load(rig: Rig, { section, driven }: Solved): Promise<Poser> {
   try {
     const { modulePoser } = await import('./module_poser');
-    const motionsOf = await modulePoser(section);
-    return (handles) => {
+    const motionsOf = await modulePoser(section, rig);
+    return (handles, before, rests) => {
       try {
-        return sitesOf(motionsOf(posesOf(handles)), driven.length);
+        return sitesOf(motionsOf(posesOf(handles), before && numbersOf(before), rests), driven.length);
       } catch (cause) {
         throw new C2WarpError('rig', `This pose cannot be shown: ${wordsOf(cause)}.`, { cause });
       }
@@ -46,9 +54,9 @@ async function load({ section, driven }: Solved): Promise<Poser> {
 const wordsOf = (error: unknown) => (error as Error).message.replace(/\.$/, '');
 
 /** The format of `HandlePose::from_numbers` in wasm/core/src/deform. */
-export const posesOf = (handles: readonly Handle[]) => Float64Array.from(handles.flatMap(numbersOf));
+export const posesOf = (handles: readonly Handle[]) => Float64Array.from(handles.flatMap(poseOf));
 
-const numbersOf = ({ posed, rotation, scale, depth }: Handle): number[] => [
+const poseOf = ({ posed, rotation, scale, depth }: Handle): number[] => [
   posed.length,
   rotation === 'auto' ? Number.NaN : rotation,
   scale,
@@ -66,4 +74,12 @@ export function sitesOf(numbers: Float64Array, sites: number): PosedSites {
     depths[site] = numbers[at + NUMBERS] ?? 0;
   }
   return { motions, depths };
+}
+
+/** The format of `sitesOf`. Depths do not matter to poses that continue these. @param motions sites × 6. */
+export function numbersOf(motions: Float64Array): Float64Array {
+  const numbers = new Float64Array((motions.length / NUMBERS) * (NUMBERS + 1));
+  for (let from = 0, to = 0; from < motions.length; from += NUMBERS, to += NUMBERS + 1)
+    numbers.set(motions.subarray(from, from + NUMBERS), to);
+  return numbers;
 }

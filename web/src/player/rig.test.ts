@@ -1,18 +1,23 @@
 import { readFileSync } from 'node:fs';
 import { crc32, deflateRawSync, inflateRawSync } from 'node:zlib';
-import { describe, expect, it } from 'vitest';
-import { cycleOf, frameAt, orderAt, type RigClip, STRIDE, writeMotions } from './clip';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { cycleOf, frameAt, motionsAt, orderAt, type RigClip, STRIDE, writeMotions } from './clip';
 import init, { SectionPoser } from './generated/pose';
 import { type HandlePose, posedClip, posedHandles } from './posed';
-import { ownPoser, posesOf, sitesOf } from './poser';
+import { numbersOf, ownPoser, posesOf, sitesOf } from './poser';
 import { type Rig, readRig } from './rig';
 
 /** Made by `c2warp bake` from a picture of 24 × 18 px with two handles, of which one moves. */
 const FILE = fixture('wave.c2rig');
 /** The same picture in the harmonic mode, with two points and a bar. */
 const POSABLE = fixture('posable.c2rig');
-/** A picture of 40 × 30 px in the rigid mode, with a point with automatic rotation, a bar and a polygon. */
+/**
+ * A picture of 40 × 30 px in the rigid mode, with a point with automatic rotation, a bar and a polygon. Its section for
+ * the solver has format 1.
+ */
 const SOLVED = fixture('solved.c2rig');
+/** The same handles on a picture with transparent corners. Its section for the solver has format 2. */
+const SOLVED_2 = fixture('solved_2.c2rig');
 const HEADER = 24;
 const ROW = 12;
 
@@ -87,7 +92,7 @@ function posedVertices({ positions, rows, entries, rest }: Rig, clip: RigClip): 
   });
 }
 
-/** The places are those of a file by `c2warp map`, at the vertices of the rig. */
+/** The places are those of a file, for the vertices of the rig. */
 function expectPlaces(found: readonly number[][], file: string): void {
   const [, ...lines] = Buffer.from(fixture(file)).toString().trim().split('\n');
   const expected = lines.map((line) => line.split(',').map(Number));
@@ -130,33 +135,76 @@ describe('posed handles', () => {
 });
 
 describe('poses by the solver', () => {
-  it('take every vertex to its place', async () => {
-    const rig = await readRig(SOLVED);
-    const wasm = readFileSync(new URL('./generated/pose_bg.wasm', import.meta.url));
-    await init({ module_or_path: wasm });
-    const poser = new SectionPoser(rig.solved?.section ?? new Uint8Array());
-    const handles = posedHandles(
-      rig.solved?.handles ?? [],
-      [
-        { id: 'left', posed: [7, 12], rotation: 'auto' },
-        {
-          id: 'top',
-          posed: [
-            [14, 4],
-            [20, 3],
-            [26, 4],
-          ],
-        },
-      ],
-      true,
-    );
-    const clip = posedClip(rig, sitesOf(poser.motions(posesOf(handles)), rig.rest.length / 2));
-    expectPlaces(posedVertices(rig, clip), 'solved.csv');
+  beforeAll(async () => {
+    await init({ module_or_path: readFileSync(new URL('./generated/pose_bg.wasm', import.meta.url)) });
+  });
+
+  function poserOf({ solved, positions, triangles, rows, entries }: Rig): SectionPoser {
+    return new SectionPoser(solved?.section ?? new Uint8Array(), positions, triangles, rows, entries);
+  }
+
+  /** The handles on the way from rest, at 0, to the pose of the files of places, at 1. */
+  function handlesOnTheWay({ solved }: Rig, at: number): Float64Array {
+    const place = (x: number, y: number, dx: number, dy: number) => [x + at * dx, y + at * dy] as const;
+    const poses: HandlePose[] = [
+      { id: 'left', posed: place(5, 15, 2, -3), rotation: 'auto' },
+      { id: 'top', posed: [place(14, 5, 0, -1), place(20, 4, 0, -1), place(27, 6, -1, -2)] },
+    ];
+    return posesOf(posedHandles(solved?.handles ?? [], poses, true));
+  }
+
+  it.each([
+    [1, SOLVED, 'solved.csv'],
+    [2, SOLVED_2, 'solved_2.csv'],
+  ])('of format %i take every vertex to its place', async (format, file, places) => {
+    const rig = await readRig(file);
+    expect(rig.solved?.section[0]).toBe(format);
+    const motions = poserOf(rig).motions(handlesOnTheWay(rig, 1));
+    expectPlaces(posedVertices(rig, posedClip(rig, sitesOf(motions, rig.rest.length / 2))), places);
+  });
+
+  it('follow the frame before in a drag, and rest in the pose of the handles', async () => {
+    const rig = await readRig(SOLVED_2);
+    const [poser, sites] = [poserOf(rig), rig.rest.length / 2];
+    let before = sitesOf(poser.motions(handlesOnTheWay(rig, 0)), sites).motions;
+    let places = posedVertices(rig, posedClip(rig, { motions: before, depths: new Float64Array(sites) }));
+    for (let step = 1; step <= 20; step++) {
+      const followed = poser.followed(numbersOf(before), handlesOnTheWay(rig, step / 20));
+      const clip = posedClip(rig, sitesOf(followed, sites));
+      const next = posedVertices(rig, clip);
+      // The farthest corner moves by 0.18 px in each step.
+      for (const [vertex, [x = 0, y = 0]] of next.entries()) {
+        const [bx = 0, by = 0] = places[vertex] ?? [];
+        expect(Math.hypot(x - bx, y - by), `vertex ${vertex} in step ${step}`).toBeLessThan(0.5);
+      }
+      [before, places] = [motionsAt(clip, sites, 0), next];
+    }
+    const settled = sitesOf(poser.settled(numbersOf(before), handlesOnTheWay(rig, 1)), sites);
+    expectPlaces(posedVertices(rig, posedClip(rig, settled)), 'solved_2.csv');
+    // The glide begins at the last frame of the drag, and ends at rest.
+    const glide = posedClip(rig, settled, before);
+    expect(motionsAt(glide, sites, 0)).toEqual(before);
+    const apart = motionsAt(glide, sites, 1).map((number, at) => number - (settled.motions[at] ?? 0));
+    expect(Math.max(...apart.map(Math.abs))).toBeLessThan(1e-12);
+  });
+
+  it('are refused with a sentence after a frame or with a mesh of another rig', async () => {
+    const rig = await readRig(SOLVED_2);
+    const [poser, poses] = [poserOf(rig), handlesOnTheWay(rig, 1)];
+    const motions = poser.motions(poses);
+    for (const before of [motions.subarray(7), motions.subarray(1), motions.map(() => Number.NaN)]) {
+      expect(() => poser.followed(before, poses)).toThrow(/motions|pose/);
+      expect(() => poser.settled(before, poses)).toThrow(/motions|pose/);
+    }
+    expect(() => poserOf({ ...rig, positions: rig.positions.subarray(2) })).toThrow(/mesh/);
+    expect(() => poserOf({ ...rig, triangles: rig.triangles.map(() => 1e6) })).toThrow(/mesh/);
+    expect(() => poserOf({ ...rig, entries: rig.entries.subarray(0, 2) })).toThrow(/weights/);
+    expect(() => poserOf({ ...rig, entries: rig.entries.map(() => Number.NaN) })).toThrow(/mesh/);
   });
 
   it('are skipped in a later format', async () => {
     const later = packed((sections) => {
-      sections[4] = Uint8Array.of(2, 99);
+      sections[4] = Uint8Array.of(3, 99);
     }, SOLVED);
     expect((await readRig(later)).solved).toBeNull();
   });

@@ -7,8 +7,8 @@ export interface Solved extends Sources {
   readonly section: Uint8Array;
 }
 
-/** The supported format of the section. */
-const FORMAT = 1;
+/** The latest supported format of the section. Earlier ones begin in the same way. */
+const FORMAT = 2;
 
 /** Null for a section of a later format. Then the rig cannot be posed. */
 export function readSolved(
@@ -17,7 +17,8 @@ export function readSolved(
   names: readonly string[],
   sites: number,
 ): Solved | null {
-  if (from.byte() !== FORMAT) return null;
+  const format = from.byte();
+  if (format < 1 || format > FORMAT) return null;
   from.check(from.varint() === names.length && names.length > 0, 'have other handles');
   from.check(from.varint() === sites, 'have other sites');
   const { handles, ...others } = readSources(from, names, sites);

@@ -45,7 +45,7 @@ impl RigPoser {
     /// folds of single triangles, as the project's own poser does.
     ///
     /// # Errors
-    /// A [`RigError`] for numbers of vertices or sites that the rig lacks.
+    /// A [`RigError`] for numbers of vertices or sites that the rig lacks, and for numbers that are not finite.
     pub fn set_mesh(
         &mut self,
         vertices: &[DVec2],
@@ -55,8 +55,14 @@ impl RigPoser {
         let is_whole = weights.len() == vertices.len()
             && triangles.iter().flatten().all(|&vertex| (vertex as usize) < vertices.len())
             && weights.sites().iter().all(|&site| (site as usize) < self.poser.sites());
+        let is_finite = vertices.iter().all(|vertex| vertex.is_finite())
+            && weights.weights().iter().all(|weight| weight.is_finite());
+        let wrong = |reason| Err(RigError::Part { part: RigPart::Mesh, reason });
         if !is_whole {
-            return Err(RigError::Part { part: RigPart::Mesh, reason: "refers to an unknown vertex or site" });
+            return wrong("refers to an unknown vertex or site");
+        }
+        if !is_finite {
+            return wrong("contains a number that is not finite");
         }
         self.poser.set_mesh(vertices, &self.posing.between(triangles), weights);
         Ok(())

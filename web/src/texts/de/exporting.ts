@@ -73,7 +73,7 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: 'Eine kleine Datei mit allen Clips. Ein Player-Skript von 14 kB zeigt sie ohne den Editor.',
+  note: 'Eine kleine Datei mit allen Clips. Ein Player-Skript von 15 kB zeigt sie ohne den Editor.',
   withoutClips: 'Ohne Clip zeigt die Seite die aktuelle Pose.',
   readers: 'Besucher können',
   watch: 'Clips ansehen',

@@ -78,7 +78,7 @@ export const film = {
 };
 
 export const webPage = {
-  note: 'One small file with all clips. A 14 kB player script shows it without the editor.',
+  note: 'One small file with all clips. A 15 kB player script shows it without the editor.',
   withoutClips: 'Without a clip, the page shows the current pose.',
   readers: 'Visitors can',
   watch: 'Watch clips',

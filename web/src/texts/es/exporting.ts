@@ -75,7 +75,7 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: 'Un archivo pequeño con todos los clips. Un script reproductor de 14 kB lo muestra sin el editor.',
+  note: 'Un archivo pequeño con todos los clips. Un script reproductor de 15 kB lo muestra sin el editor.',
   withoutClips: 'Sin clips, la página muestra la pose actual.',
   readers: 'Los visitantes pueden',
   watch: 'Ver clips',

@@ -75,7 +75,7 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: 'Un petit fichier avec tous les clips. Un script de lecture de 14 ko l’affiche sans l’éditeur.',
+  note: 'Un petit fichier avec tous les clips. Un script de lecture de 15 ko l’affiche sans l’éditeur.',
   withoutClips: 'Sans clip, la page montre la pose actuelle.',
   readers: 'Les visiteurs peuvent',
   watch: 'Voir les clips',

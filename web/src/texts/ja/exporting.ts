@@ -73,7 +73,7 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: '全クリップを収めた小さなファイル1つです。14 kBのプレーヤースクリプトで、エディターなしで表示できます。',
+  note: '全クリップを収めた小さなファイル1つです。15 kBのプレーヤースクリプトで、エディターなしで表示できます。',
   withoutClips: 'クリップがない場合、ページには現在のポーズが表示されます。',
   readers: '閲覧者ができること',
   watch: 'クリップを見る',

@@ -73,7 +73,7 @@ export const film: Texts['film'] = {
 };
 
 export const webPage: Texts['webPage'] = {
-  note: '一个包含所有片段的小文件。14 kB 的播放脚本无需编辑器即可显示它。',
+  note: '一个包含所有片段的小文件。15 kB 的播放脚本无需编辑器即可显示它。',
   withoutClips: '没有片段时，网页显示当前姿势。',
   readers: '访客可以',
   watch: '观看片段',

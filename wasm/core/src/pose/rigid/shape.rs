@@ -47,8 +47,6 @@ const HALVINGS: usize = 12;
 const REST: f64 = 1e-4;
 /// Most steps until it rests. Few shapes need over ten.
 const MOST_STEPS: usize = 40;
-/// The same once something is folded. There is no best fold, and later steps hardly move anything.
-const MOST_FOLDED_STEPS: usize = 12;
 
 /// The sheet in one shape.
 pub(super) struct Shape<'a> {
@@ -216,10 +214,7 @@ impl<'a> Shape<'a> {
 
     /// Moves until the picture rests. The handles stay.
     pub(super) fn settle(&mut self) {
-        for step in 0..MOST_STEPS {
-            if self.is_folded() && step >= MOST_FOLDED_STEPS {
-                return;
-            }
+        for _ in 0..MOST_STEPS {
             let mut forces = self.assemble(None, false);
             if !self.model.factorise(&mut self.matrix, DAMPING) {
                 forces = self.assemble(None, true);
