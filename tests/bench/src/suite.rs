@@ -153,8 +153,12 @@ impl Suite {
             let path = drag.frames(handles, shares, count);
             follow(self.clock, rigid, pose, path, |_, ms| frames.push(ms))
         };
-        let end = by(at_rest, [0.0, 1.0])?;
+        // The first drag warms up.
+        let out = by(at_rest, [0.0, 1.0])?;
+        let home = by(out, [1.0, 0.0])?;
+        let end = by(home, [0.0, 1.0])?;
         by(end.clone(), [1.0, 0.0])?;
+        frames.drain(..frames.len() / 2);
         let mut harmonic = project.clone();
         harmonic.pose.mode = PoseMode::Harmonic;
         let harmonic = solve_once(&harmonic, &picture)?;
