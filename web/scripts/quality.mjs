@@ -1,12 +1,13 @@
 /**
  * `npm run quality`: measures errors of distances, second maxima of weights, jumps of their derivatives, suggested
- * handles, fills compared with the original pictures, and the quality of poses. Poses of every mode are compared with
- * other methods and with the optimum.
+ * handles, fills compared with the original pictures, drags, and the quality of poses. Poses of every mode are compared
+ * with other methods and with the optimum.
  *
  * Prints tables and writes sheets of pictures. The crate `c2warp-quality` measures. `npm run quality -- NAME` runs the
- * parts with NAME in their name: poses, `optimum`, `distances`, `maxima`, `continuity`, `suggest` or `fill`. With
- * `photographs`, photographs are edited in the browser, and fills are compared with OpenCV's; with `photographs brush`,
- * only strokes of the brush are measured. The run fails if a part does not build or run, but never because of a result.
+ * parts with NAME in their name: poses, `optimum`, `drags`, `distances`, `maxima`, `continuity`, `suggest` or `fill`.
+ * With `photographs`, photographs are edited in the browser, and fills are compared with OpenCV's; with `photographs
+ * brush`, only strokes of the brush are measured. The run fails if a part does not build or run, but never because of a
+ * result.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';

@@ -5,11 +5,14 @@
 
 use c2warp::{
     Error, Picture,
-    project::{DomainSpec, Handle, ImageRef, Project, Rotation, Shape},
+    project::{DomainSpec, Handle, ImageRef, Project, Rotation},
 };
 use glam::DVec2;
 
-use crate::limbs::{Limb, disc, draw, limb};
+use crate::{
+    drag::Drag,
+    limbs::{Limb, disc, draw, limb},
+};
 
 /// A picture and a project for it.
 #[derive(Debug, Clone)]
@@ -245,11 +248,10 @@ pub fn knee_handle() -> Handle {
     handle(6, DVec2::new(615.0, 750.0))
 }
 
-/// Raises the left hand of the figure.
-pub fn raise_hand(handles: &mut [Handle]) {
-    if let Some(Shape::Point { posed, .. }) = handles.get_mut(1).map(|handle| &mut handle.shape) {
-        *posed = DVec2::new(230.0, 210.0);
-    }
+/// Returns a drag of the left hand above the head.
+#[must_use]
+pub fn raised_hand() -> Drag {
+    Drag { handle: 1, to: DVec2::new(420.0, 60.0) }
 }
 
 /// Returns points that are spread evenly over a picture, by Roberts's R₂ sequence (multiples of powers of the plastic

@@ -7,6 +7,7 @@
 pub mod aligned;
 pub mod cases;
 pub mod clock;
+pub mod drag;
 pub mod growth;
 pub mod limbs;
 pub mod measure;

@@ -6,7 +6,7 @@
 use crate::{
     cases::TABLE_2,
     results::{Metric, Results, Timings},
-    suite::{MANY_SITES, RIGID_POSE_SITES, SMALL},
+    suite::{EDITOR_SITES, MANY_SITES, SMALL},
     tables::thousands,
 };
 
@@ -63,7 +63,7 @@ pub fn requirements(results: &Results) -> Vec<Requirement> {
     requirements
 }
 
-fn rules() -> [Rule; 13] {
+fn rules() -> [Rule; 15] {
     let [_, middle, fine] = TABLE_2.map(|row| thousands(row.samples as usize));
     let small = thousands(SMALL as usize);
     let rule = |name: String, limit, unit, metric| Rule { name, limit, unit, metric };
@@ -90,7 +90,9 @@ fn rules() -> [Rule; 13] {
         rule(format!("solve of {small}, then weights at {fine} points"), 250.0, "ms", |t| {
             t.small.solve_ms + t.fine_evaluation_ms
         }),
-        rule(format!("rigid pose, {} virtual sites", RIGID_POSE_SITES[2]), 1.0, "ms", |t| t.rigid_pose_ms[2]),
+        rule(format!("frame of a drag, {EDITOR_SITES} virtual sites"), 8.0, "ms", |t| t.drag.frame),
+        rule("1 % slowest frames of a drag".into(), 14.0, "ms", |t| t.drag.slow_frame),
+        rule("first pose from rest".into(), 80.0, "ms", |t| t.drag.first),
     ]
 }
 
@@ -108,7 +110,7 @@ fn slowest(wasm: &Timings, native: &Timings) -> (&'static str, f64) {
         ("one more handle", |t| t.insertion.total_ms),
         ("pass", |t| t.baseline.pass_ms),
         ("evaluation", |t| t.evaluation.weights_ms),
-        ("rigid pose", |t| t.rigid_pose_ms[2]),
+        ("frame of a drag", |t| t.drag.frame),
     ];
     let ratios = cases.map(|(case, time)| (case, time(wasm) / time(native)));
     ratios.into_iter().fold(("", 0.0), |worst, ratio| if ratio.1 > worst.1 { ratio } else { worst })

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::drag::DragTimes;
+
 /// All results.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Results {
@@ -37,8 +39,8 @@ pub struct Timings {
     pub evaluation: Evaluation,
     /// Weights at every vertex of the finest resolution, from a solution with 10,000 samples.
     pub fine_evaluation_ms: f64,
-    /// A pose of the figure in the rigid mode, for each number of virtual sites.
-    pub rigid_pose_ms: [f64; 3],
+    /// A drag of the figure in the rigid mode, with the editor's virtual sites.
+    pub drag: DragTimes,
 }
 
 /// The times of one solve.

@@ -5,14 +5,15 @@ use std::hint::black_box;
 use c2warp::{
     Error, Picture, Solution, Solver, StageTimes,
     distance::{Located, graph::Graph},
-    project::{PoseMode, Project, Rotation, Shape, Support},
+    project::{PoseMode, Project, Shape},
     solve as solve_once,
 };
 use glam::DVec2;
 
 use crate::{
-    cases::{Case, TABLE_1, TABLE_2, gingerbread, knee_handle, raise_hand, spread, table_1},
+    cases::{Case, TABLE_1, TABLE_2, gingerbread, knee_handle, raised_hand, spread, table_1},
     clock::Clock,
+    drag::{DragTimes, exceeded_by, first_pose, follow},
     measure::{Effort, min_ms, minimum, repeat},
     results::{Baseline, Evaluation, Solve, Timings},
 };
@@ -21,10 +22,10 @@ use crate::{
 pub const SMALL: u32 = 10_000;
 /// The number of virtual sites of the case with many sites.
 pub const MANY_SITES: u32 = 60;
-/// The numbers of virtual sites of rigid poses. The editor asks for 100.
-pub const RIGID_POSE_SITES: [u32; 3] = [30, 120, 200];
 /// The number of virtual sites that the editor asks for.
-pub const EDITOR_SITES: u32 = 100;
+pub const EDITOR_SITES: u32 = 150;
+/// Frames of a drag in each direction.
+const DRAG_FRAMES: f64 = 100.0;
 /// The smallest number of samples of a project.
 const MIN_SAMPLES: u32 = 100;
 
@@ -86,11 +87,8 @@ impl Suite {
         let evaluation = self.evaluations(&many_sites_solution, &figure);
         on_case("One more handle");
         let insertion = self.insertion(&figure, &middle)?;
-        on_case("Rigid poses");
-        let mut rigid_pose_ms = [0.0; RIGID_POSE_SITES.len()];
-        for (pose_ms, virtual_sites) in rigid_pose_ms.iter_mut().zip(RIGID_POSE_SITES) {
-            *pose_ms = self.rigid_pose(&figure, &project(SMALL, virtual_sites))?;
-        }
+        on_case("A drag in the rigid mode");
+        let drag = self.drag(&figure, project(SMALL, EDITOR_SITES))?;
         let resolutions = [coarse_solve, middle_solve, fine_solve];
         Ok(Timings {
             scenes,
@@ -102,7 +100,7 @@ impl Suite {
             baseline,
             evaluation,
             fine_evaluation_ms,
-            rigid_pose_ms,
+            drag,
         })
     }
 
@@ -139,19 +137,42 @@ impl Suite {
         Ok(solve(&times, solver.solution().expect("every stage has run")))
     }
 
-    /// Poses all sites in the rigid mode. All rotations are left to the solver.
-    fn rigid_pose(&self, case: &Case, project: &Project) -> Result<f64, Error> {
-        let mut project = project.clone();
-        (project.pose.mode, project.weighting.support) = (PoseMode::Rigid, Support::Smooth);
-        raise_hand(&mut project.handles);
-        for handle in &mut project.handles {
-            handle.rotation = Rotation::Auto;
-        }
-        let solution = solve_once(&project, &case.picture()?)?;
-        solution.poser().pose(&project.handles, project.pose.blend)?;
-        Ok(min_ms(self.clock, self.effort, || {
-            let _ = black_box(solution.poser().pose(&project.handles, project.pose.blend));
-        }))
+    /// Drags a hand out and back. All rotations are left to the solver.
+    fn drag(&self, case: &Case, project: Project) -> Result<DragTimes, Error> {
+        let (project, picture) = (project.with_editor_settings(), case.picture()?);
+        let handles = &project.handles;
+        let drag = raised_hand();
+        let ends = drag.handles_at(handles, 1.0);
+        let rigid = solve_once(&project, &picture)?;
+        let rigid = rigid.poser();
+        let first = repeat(self.clock, self.effort, || first_pose(self.clock, rigid, &ends).map(|(_, ms)| ms))?;
+        let at_rest = rigid.pose(handles, project.pose.blend)?;
+        let count = (DRAG_FRAMES * self.fraction).ceil() as u32;
+        let mut frames = Vec::new();
+        let mut by = |pose, shares| {
+            let path = drag.frames(handles, shares, count);
+            follow(self.clock, rigid, pose, path, |_, ms| frames.push(ms))
+        };
+        // The first drag warms up.
+        let out = by(at_rest, [0.0, 1.0])?;
+        let home = by(out, [1.0, 0.0])?;
+        let end = by(home, [0.0, 1.0])?;
+        by(end.clone(), [1.0, 0.0])?;
+        frames.drain(..frames.len() / 2);
+        let mut harmonic = project.clone();
+        harmonic.pose.mode = PoseMode::Harmonic;
+        let harmonic = solve_once(&harmonic, &picture)?;
+        Ok(DragTimes {
+            frame: exceeded_by(0.5, &frames),
+            slow_frame: exceeded_by(0.01, &frames),
+            first: minimum(first),
+            settle: min_ms(self.clock, self.effort, || {
+                let _ = black_box(rigid.settle(&end, &ends));
+            }),
+            harmonic: min_ms(self.clock, self.effort, || {
+                let _ = black_box(harmonic.poser().pose(&ends, project.pose.blend));
+            }),
+        })
     }
 
     fn times(&self, solver: &mut Solver, project: &Project, picture: &Picture) -> Result<Times, Error> {
@@ -271,7 +292,8 @@ mod tests {
         assert!((60..66).contains(&timings.many_sites.virtual_sites), "{:?}", timings.many_sites);
         let Baseline { pass_ms, graph_ms } = timings.baseline;
         assert!(pass_ms > 0.0 && graph_ms > 0.0 && timings.fine_evaluation_ms > 0.0);
-        assert!(timings.rigid_pose_ms.iter().all(|&ms| ms > 0.0), "{:?}", timings.rigid_pose_ms);
+        let DragTimes { frame, slow_frame, first, settle, harmonic } = timings.drag;
+        assert!(frame <= slow_frame && [frame, first, settle, harmonic].iter().all(|&ms| ms > 0.0));
     }
 
     #[test]

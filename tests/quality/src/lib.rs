@@ -8,15 +8,19 @@
 //! - [`optimum`]: the least energy that a mesh can have. The editor's method is measured against it.
 //!
 //! [`distances`] compares intrinsic distances with exact geodesics. [`maxima`] counts secondary maxima of weights.
-//! [`continuity`] measures jumps of their derivatives. [`suggestions`] draws suggested handles.
+//! [`continuity`] measures jumps of their derivatives. [`suggestions`] draws suggested handles. [`drags`] measures
+//! drags of the editor's samples, frame by frame.
 
 pub mod comparison_mesh;
 pub mod constraints;
 pub mod continuity;
 pub mod dense_arap;
 pub mod distances;
-pub mod drag;
+pub mod drag_tables;
+pub mod drags;
+pub mod exact;
 pub mod fills;
+pub mod fitted;
 pub mod least_squares;
 pub mod maxima;
 pub mod measure;

@@ -1,8 +1,8 @@
 //! `c2warp-quality FOLDER [NAME]`: prints tables and writes a sheet of pictures per pose to the folder.
 //!
 //! It compares distances with geodesics, counts secondary maxima of weights, and measures jumps of their derivatives.
-//! It draws suggested handles, and compares methods on the standard poses. With NAME, it runs only the parts and poses
-//! whose name contains NAME.
+//! It draws suggested handles, drags handles of samples, and compares methods on the standard poses. With NAME, it runs
+//! only the parts and poses whose name contains NAME.
 //!
 //! `c2warp-quality --fill FOLDER PYTHON PICTURES` fills photographs, beside OpenCV's methods. PYTHON is a Python with
 //! OpenCV. It also writes blind sheets, and their key to `blind-key.txt`.
@@ -20,6 +20,7 @@ use std::{
 use c2warp_quality::{
     continuity::continuity,
     distances::distances,
+    drags::drags,
     fills::{Filled, Others, fills, fills_of},
     maxima::maxima,
     methods::{Comparison, EDITOR, METHODS, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES},
@@ -27,15 +28,16 @@ use c2warp_quality::{
     random_poses::poses_beside_optimum,
     sheet::{Row, sheet},
     suggestions::suggestions,
-    tables::{fill_table, tables},
+    tables::{Measured, fill_table, tables},
 };
 
-/// Names of the parts that do not measure poses.
+/// Names of the parts besides poses.
 const DISTANCES: &str = "distances";
 const MAXIMA: &str = "maxima";
 const CONTINUITY: &str = "continuity";
 const SUGGEST: &str = "suggest";
 const FILL: &str = "fill";
+const DRAGS: &str = "drags";
 
 /// The pose of the overview.
 const WAVING: &str = "2 waving";
@@ -87,40 +89,42 @@ fn save_fills(folder: &Path, filled: &[Filled]) -> Result<(), Box<dyn Error>> {
 
 fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
-    let mut measured = Vec::new();
-    if DISTANCES.contains(name) {
-        eprintln!("  {DISTANCES}");
-        measured = distances();
+    let runs = |part: &str| {
+        let runs = part.contains(name);
+        if runs {
+            eprintln!("  {part}");
+        }
+        runs
+    };
+    let mut measured = Measured::default();
+    if runs(DISTANCES) {
+        measured.distances = distances();
     }
-    let mut counted = Vec::new();
-    if MAXIMA.contains(name) {
-        eprintln!("  {MAXIMA}");
-        counted = maxima()?;
+    if runs(MAXIMA) {
+        measured.maxima = maxima()?;
     }
-    let mut jumps = Vec::new();
-    if CONTINUITY.contains(name) {
-        eprintln!("  {CONTINUITY}");
-        jumps = continuity()?;
+    if runs(CONTINUITY) {
+        measured.continuity = continuity()?;
     }
-    let mut suggested = Vec::new();
-    if SUGGEST.contains(name) {
-        eprintln!("  {SUGGEST}");
-        suggested = suggestions()?;
-        for suggested in &suggested {
+    if runs(SUGGEST) {
+        measured.suggested = suggestions()?;
+        for suggested in &measured.suggested {
             let file = format!("suggest-{}.png", suggested.name.replace(' ', "-"));
             suggested.sheet().save(folder.join(file))?;
         }
     }
-    let mut filled = Vec::new();
-    if FILL.contains(name) {
-        eprintln!("  {FILL}");
-        filled = fills()?;
-        save_fills(folder, &filled)?;
+    if runs(FILL) {
+        measured.filled = fills()?;
+        save_fills(folder, &measured.filled)?;
+    }
+    if runs(DRAGS) {
+        measured.drags = drags()?;
     }
     let mut comparisons = Comparisons { folder, name, done: Vec::new(), failed: Vec::new() };
     comparisons.run(standard_poses()?, &METHODS, &OTHER_SAMPLES)?;
     comparisons.run(poses_beside_optimum()?, &METHODS_BESIDE_OPTIMUM, &[])?;
-    let text = tables(&measured, &counted, &jumps, &suggested, &filled, &comparisons.done, &comparisons.failed);
+    (measured.comparisons, measured.failed) = (comparisons.done, comparisons.failed);
+    let text = tables(&measured);
     fs::write(folder.join("tables.md"), &text)?;
     Ok(io::stdout().write_all(text.as_bytes())?)
 }

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use c2warp::{
     Error,
-    project::{Blend, PoseMode, Project, Support},
+    project::{Blend, Handle, PoseMode, Project, Support},
     solve,
 };
 use c2warp_bench::{
@@ -17,7 +17,6 @@ use crate::{
     comparison_mesh::ComparisonMesh,
     constraints::Constraints,
     dense_arap::{DenseArap, pins},
-    drag::largest_move,
     least_squares,
     measure::{Distortion, jacobians},
     optimum::Optimizer,
@@ -25,7 +24,9 @@ use crate::{
 };
 
 /// Times are the minimum of some runs, as in the benchmark.
-const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, min_runs: 3 };
+pub(crate) const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, min_runs: 3 };
+/// The last frame of a drag, as a fraction of its way.
+const FRAME: f64 = 0.01;
 
 /// A method to pose a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,9 +111,9 @@ pub struct Outcome {
     pub virtual_sites: Option<usize>,
     /// Rest and posed positions of the sites.
     pub sites: Vec<(DVec2, DVec2)>,
-    /// Time for the motions of the sites, in milliseconds.
+    /// Time for the motions of the sites without a frame before, in milliseconds.
     pub pose_ms: Option<f64>,
-    /// Time from posed handles to posed vertices, in milliseconds.
+    /// Time from posed handles to posed vertices, in milliseconds. Modes of the solver follow a frame before.
     pub frame_ms: f64,
     /// Iterations of the reference, and the time until its energy is within 1 % of the final energy, in milliseconds.
     pub iterations: Option<(usize, f64)>,
@@ -133,8 +134,6 @@ pub struct Comparison {
     pub failed: Vec<(Method, String)>,
     /// Distortions by [`EDITOR`] with other numbers of samples.
     pub with_other_samples: Vec<Distortion>,
-    /// [`largest_move`] of the editor's method, for poses beside the optimum.
-    pub largest_move: Option<f64>,
 }
 
 impl Comparison {
@@ -147,15 +146,8 @@ impl Comparison {
         meshed.samples = scene.mesh_samples;
         let mesh = ComparisonMesh::of(&solve(&meshed, &scene.solver_picture())?);
         let constraints = Constraints::of(&scene.project);
-        let mut comparison = Self {
-            scene,
-            constraints,
-            mesh,
-            outcomes: Vec::new(),
-            failed: Vec::new(),
-            with_other_samples: Vec::new(),
-            largest_move: None,
-        };
+        let mut comparison =
+            Self { scene, constraints, mesh, outcomes: Vec::new(), failed: Vec::new(), with_other_samples: Vec::new() };
         for &method in methods {
             let outcome = match method {
                 Method::Paper => comparison.by_solver(method, PoseMode::Harmonic, Support::Paper, Blend::Linear, 0),
@@ -179,10 +171,6 @@ impl Comparison {
         }
         comparison.with_other_samples =
             other_samples.iter().map(|&count| comparison.with_samples(count)).collect::<Result<_, _>>()?;
-        if comparison.is_beside_optimum() {
-            let picture = comparison.scene.solver_picture();
-            comparison.largest_move = Some(largest_move(&comparison.with_editor_settings(), &picture)?);
-        }
         Ok(comparison)
     }
 
@@ -225,9 +213,10 @@ impl Comparison {
             false => self.mesh.vertices.iter().map(|&p| map(p)).collect(),
         };
         let site = |(at, site): (usize, &c2warp::site::Site)| (site.rest, pose.moved(at, site.rest));
-        let posed_again = || solution.poser().pose(&project.handles, project.pose.blend);
-        let pose_ms = ms_of(posed_again);
-        let frame_ms = ms_of(|| posed_again().map(|pose| solution.posed_vertices(&pose)));
+        let pose_ms = ms_of(|| solution.poser().pose(&project.handles, project.pose.blend));
+        let before = solution.poser().pose(&handles_before(&project.handles), project.pose.blend)?;
+        let next = || solution.poser().follow(&before, &project.handles);
+        let frame_ms = ms_of(|| next().map(|pose| solution.posed_vertices(&pose)));
         Ok(Outcome {
             method,
             distortion: Distortion::of(&self.mesh, &posed),
@@ -355,6 +344,18 @@ impl Comparison {
         let outline = (0..posed.len()).filter(|&v| self.constraints.outline_held && on_outline[v]);
         outline.map(|v| posed[v].distance(self.mesh.vertices[v])).fold(error, f64::max)
     }
+}
+
+/// Returns handles as in the last frame but one of a drag.
+fn handles_before(handles: &[Handle]) -> Vec<Handle> {
+    let mut handles = handles.to_vec();
+    for handle in &mut handles {
+        let rest = handle.shape.rest().to_vec();
+        for (posed, rest) in handle.shape.posed_mut().iter_mut().zip(rest) {
+            *posed = posed.lerp(rest, FRAME);
+        }
+    }
+    handles
 }
 
 /// Returns the minimum time of some runs.

@@ -10,7 +10,7 @@ use image::RgbaImage;
 use crate::poses::{PosedScene, standard_poses, tiles};
 
 /// The number of samples of the common mesh.
-const MESH_SAMPLES: u32 = 3_000;
+pub(crate) const MESH_SAMPLES: u32 = 3_000;
 /// Minimum distance between handles at rest, as a fraction of the picture's longer side.
 const APART: f64 = 0.17;
 /// Minimum distance of handles from the outline, as the same fraction.

@@ -8,14 +8,16 @@ use c2warp_bench::aligned::aligned;
 use crate::{
     continuity::{STEPS_PX, SceneContinuity},
     distances::{Distances, greatest},
+    drag_tables::drag_tables,
+    drags::SampleDrags,
     fills::Filled,
     maxima::SceneMaxima,
     measure::MAX_ENERGY,
     methods::{Comparison, EDITOR, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES, Outcome},
     poses::SAMPLES,
     requirements::{
-        Requirement, continuity_requirements, distance_requirements, maxima_requirements, optimum_requirements,
-        pose_requirements, suggestion_requirements,
+        Requirement, continuity_requirements, distance_requirements, drag_requirements, maxima_requirements,
+        optimum_requirements, pose_requirements, suggestion_requirements,
     },
     suggestions::Suggested,
 };
@@ -46,19 +48,33 @@ pub fn fill_table(filled: &[Filled]) -> String {
 }
 
 /// Placeholder for a missing value.
-const NONE: &str = "–";
+pub(crate) const NONE: &str = "–";
+
+/// All results. Parts that did not run are empty.
+#[derive(Debug, Default)]
+pub struct Measured {
+    /// Errors of distances.
+    pub distances: Vec<Distances>,
+    /// Second maxima of weights.
+    pub maxima: Vec<SceneMaxima>,
+    /// Jumps of the derivatives of weights.
+    pub continuity: Vec<SceneContinuity>,
+    /// Suggested handles.
+    pub suggested: Vec<Suggested>,
+    /// Fills.
+    pub filled: Vec<Filled>,
+    /// Drags of the editor's samples.
+    pub drags: Vec<SampleDrags>,
+    /// Poses by all methods.
+    pub comparisons: Vec<Comparison>,
+    /// Poses that failed, with the reason.
+    pub failed: Vec<(String, String)>,
+}
 
 /// Formats all results and requirements.
 #[must_use]
-pub fn tables(
-    distances: &[Distances],
-    maxima: &[SceneMaxima],
-    continuity: &[SceneContinuity],
-    suggested: &[Suggested],
-    filled: &[Filled],
-    comparisons: &[Comparison],
-    failed: &[(String, String)],
-) -> String {
+pub fn tables(measured: &Measured) -> String {
+    let Measured { distances, maxima, continuity, suggested, filled, drags, comparisons, failed } = measured;
     let mut text = String::new();
     if !distances.is_empty() {
         write!(text, "## Distances\n\n{}{DISTANCE_NOTES}\n", distance_table(distances)).expect("memory");
@@ -76,6 +92,9 @@ pub fn tables(
     if !filled.is_empty() {
         write!(text, "## Fills\n\n{}{FILL_NOTES}\n", fill_table(filled)).expect("memory");
     }
+    if !drags.is_empty() {
+        text += &drag_tables(drags);
+    }
     let (beside_optimum, standard): (Vec<&Comparison>, Vec<&Comparison>) =
         comparisons.iter().partition(|comparison| comparison.is_beside_optimum());
     if !standard.is_empty() || !failed.is_empty() {
@@ -89,6 +108,7 @@ pub fn tables(
         .chain(maxima_requirements(maxima))
         .chain(continuity_requirements(continuity))
         .chain(suggestion_requirements(suggested))
+        .chain(drag_requirements(drags))
         .chain(standard.iter().flat_map(|comparison| pose_requirements(comparison)))
         .chain(optimum_requirements(&beside_optimum));
     write!(text, "## Requirements\n\n{}", requirement_table(requirements)).expect("memory");
@@ -188,7 +208,7 @@ fn continuity_table(all: &[SceneContinuity]) -> String {
 }
 
 /// Formats a fraction as a percentage.
-fn percent(fraction: f64) -> String {
+pub(crate) fn percent(fraction: f64) -> String {
     digits(100.0 * fraction) + " %"
 }
 
@@ -203,8 +223,8 @@ All methods are compared on one mesh of about {SAMPLES} samples. Values are per 
 - Bending: Σ over inner edges of length ÷ distance between centroids · |J₁ − J₂|², without a unit.
 - Error: largest error at a handle or a held outline.
 - Moved: fraction of the area that moved by more than half a pixel.
-- Pose: time for the motions of the sites. Frame: time from posed handles to posed vertices. Both are the minimum of some
-  runs on one core.
+- Pose: time for the motions of the sites, from rest. Frame: time from posed handles to posed vertices, after a frame in
+  which handles were 1 % nearer to rest. Both are the minimum of some runs on one core.
 - Dense: the lowest minimum found from the harmonic start and from the results of the other methods. Its time is from the
   harmonic start until an iteration lowers the energy by less than 1e-9 of it, without the factorisation. The time in
   brackets is until the energy is within 1 % of that. Its pins are single vertices. On a finer mesh they hold less, and
@@ -268,8 +288,7 @@ turned over, of the editor's method, the first one. The optimum has none. Times 
 for all minima of the optimum together.
 
 Turning: the angles between successive edges of the posed outline, over those of dense. Bending: over that of dense.
-Drag: the largest move of a sample between two of 200 frames from rest to the pose, over the largest move of a handle.
-All three are of the editor's method.
+Both are of the editor's method.
 ";
 
 fn optimum_table(comparisons: &[&Comparison]) -> String {
@@ -278,7 +297,7 @@ fn optimum_table(comparisons: &[&Comparison]) -> String {
         .map(str::to_owned)
         .into_iter()
         .chain(others.iter().map(|method| method.name()))
-        .chain(["folds", "turning", "bending", "drag", "pose ms", "optimum s"].map(str::to_owned));
+        .chain(["folds", "turning", "bending", "pose ms", "optimum s"].map(str::to_owned));
     let header: Vec<String> = header.collect();
     let row = |comparison: &&Comparison| {
         let optimum = comparison.outcome_of(Method::Optimum);
@@ -296,7 +315,6 @@ fn optimum_table(comparisons: &[&Comparison]) -> String {
             editor.map_or(NONE.into(), |editor| editor.distortion.folds.to_string()),
             comparison.over_dense(|d| d.turning).map_or(NONE.into(), digits),
             comparison.over_dense(|d| d.bending).map_or(NONE.into(), digits),
-            comparison.largest_move.map_or(NONE.into(), digits),
             editor.and_then(|editor| editor.pose_ms).map_or(NONE.into(), digits),
             optimum.map_or(NONE.into(), |best| digits(best.frame_ms / 1e3)),
         ];
@@ -330,7 +348,7 @@ fn requirement_table(requirements: impl Iterator<Item = Requirement>) -> String 
 }
 
 /// Formats a number with about three digits.
-fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     match value.abs() {
         0.0 => "0".into(),
         size if size < 1e-3 => format!("{value:.0e}"),
