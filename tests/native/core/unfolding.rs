@@ -101,9 +101,11 @@ fn mirrored_polygon_forces_the_folds() {
 
 #[test]
 fn the_rigid_mode_goes_around_what_folds_otherwise() {
-    for handles in [swapped().to_vec(), pushed().to_vec(), turned_over().to_vec()] {
+    for (name, handles) in
+        [("swapped", swapped().to_vec()), ("pushed", pushed().to_vec()), ("turned over", turned_over().to_vec())]
+    {
         let scene = Scene::new(PoseMode::Rigid, handles);
-        assert_eq!(scene.folds(&scene.poses()), 0);
+        assert_eq!(scene.folds(&scene.poses()), 0, "{name}");
     }
 }
 

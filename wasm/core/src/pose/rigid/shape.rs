@@ -45,8 +45,8 @@ const DECREASE: f64 = 1e-4;
 const HALVINGS: usize = 12;
 /// A shape rests once a step moves nothing farther than this, in units.
 const REST: f64 = 1e-4;
-/// Most steps until it rests. Few shapes need over ten.
-const MOST_STEPS: usize = 40;
+/// Most steps until it rests. Few shapes need over ten, but those that unfold may need sixty.
+const MOST_STEPS: usize = 80;
 
 /// The sheet in one shape.
 pub(super) struct Shape<'a> {
