@@ -20,7 +20,7 @@ const NEAR: f64 = 0.25;
 fn dragged() -> (Project, Solution, Pose) {
     let (mut project, solution) = figure();
     let mut pose = solution.pose(&project).expect("a valid scene");
-    for to in [(300.0, 60.0), (330.0, 250.0), (200.0, 250.0)].map(DVec2::from) {
+    for to in [(300.0, 60.0), (330.0, 250.0), (200.0, 300.0)].map(DVec2::from) {
         pose = drag(&solution, &mut project.handles, 0, to, 60, pose).1;
     }
     let pose = solution.poser().settle(&pose, &project.handles).expect("a valid scene");

@@ -21,7 +21,7 @@ use crate::{
 /// frames between them would move twice as far.
 const STEPS_PER_SECOND: f64 = 60.0;
 
-/// Steps before the seam that lead to the beginning of a clip that repeats: two seconds, over several rounds if it is
+/// Least steps before the seam that lead to the beginning of a clip that repeats: two seconds, in whole rounds if it is
 /// shorter. With more, the first frame of a clip takes longer after each edit. With one round, a strip whose end turns
 /// in a second and a half jumps at its seam.
 const LEADING_STEPS: usize = 120;
@@ -139,7 +139,10 @@ impl Playback {
         }
         // The last step is before the end, which is the beginning.
         let end = ((self.clip.duration * STEPS_PER_SECOND).ceil() as usize).max(1);
-        let steps = (0..LEADING_STEPS).rev().map(|more| end - 1 - more % end);
+        // From the beginning of a round, unless that is long ago: the pose there is the best known.
+        let rounds = LEADING_STEPS.div_ceil(end) * end;
+        let leading = if rounds > 2 * LEADING_STEPS { LEADING_STEPS } else { rounds };
+        let steps = (0..leading).rev().map(|more| end - 1 - more % end);
         steps.fold(None, |before: Option<Vec<Motion>>, step| self.next(before.as_deref(), step_time(step)).ok())
     }
 }
