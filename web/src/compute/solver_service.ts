@@ -319,7 +319,9 @@ const ENDS_SOLVES: readonly string[] = ['solve', 'picture', 'stop'] satisfies re
 /** The module takes it over. */
 function historyOf(history: Moment | SiteMotions | null): History | undefined {
   if (!history) return undefined;
-  return 'motions' in history ? History.of_motions(history.motions) : History.of_clip(history.clip, history.time);
+  return 'motions' in history
+    ? History.of_motions(history.motions)
+    : History.of_clip(history.clip, history.time);
 }
 
 const sizeOf = (film: number, { width, height, frames, endlessly }: Filming): FilmSize => ({
