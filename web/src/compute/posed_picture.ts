@@ -48,7 +48,8 @@ export interface PosedPicture {
 
   /**
    * The farthest pose on the way from a pose with at most `allowed` triangles in visible creases, within 2⁻⁸ of the
-   * way. Each handle moves straight and turns steadily. The poses on the way continue `from`, which is taken to be allowed.
+   * way. Each handle moves straight and turns steadily. The poses on the way continue `from`, which is taken to be
+   * allowed.
    */
   foldLimit(from: Pose, to: Project, allowed: number): LimitedPose;
 
