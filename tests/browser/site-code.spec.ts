@@ -53,7 +53,7 @@ const EXAMPLES = ['plain', 'vite', 'react', 'vue', 'svelte', 'next'];
 const ELSEWHERE: readonly (readonly [test: string, page: string, covers: (block: Block) => boolean])[] = [
   ['tests/browser/manual.spec.ts', 'docs/element', ({ language }) => language === 'html'],
   ['tests/browser/core.spec.ts', 'docs/core', ({ language }) => language === 'html'],
-  ['tests/browser/core.spec.ts', 'docs/core', ({ language, index }) => language === 'js' && index < 3],
+  ['tests/browser/core.spec.ts', 'docs/core', ({ language, index }) => language === 'js' && index < 4],
   ['tests/browser/app.spec.ts', 'docs/hosting', ({ language }) => language === 'js'],
   ['tests/browser/languages.spec.ts', 'docs/languages', () => true],
   [
@@ -91,7 +91,7 @@ const isElsewhere = (block: Block): boolean =>
 
 /** A program that is compiled here, unless another test runs it. */
 const isProgram = ({ language, page, index }: Block): boolean =>
-  ['tsx', 'ts'].includes(language) || (language === 'js' && page === 'docs/core' && index === 3);
+  ['tsx', 'ts'].includes(language) || (language === 'js' && page === 'docs/core' && index === 4);
 
 const HERE: readonly ((block: Block) => boolean)[] = [
   isShell,
@@ -366,7 +366,7 @@ test('Python is valid, where there is one', () => {
 /** The lines around examples that are a part of a program. */
 const BEFORE: Readonly<Record<string, string>> = {
   'docs/element ts 1': `import 'c2warp';\nconst warp = document.createElement('c2-warp');\n`,
-  'docs/core js 3': `import { readFile } from 'node:fs/promises';\nimport { createWarper } from 'c2warp/core';
+  'docs/core js 4': `import { readFile } from 'node:fs/promises';\nimport { createWarper } from 'c2warp/core';
 const sharp = /** @type {any} */ (null);\n`,
 };
 
