@@ -25,7 +25,7 @@ mod sheet;
 mod stiffness;
 
 use std::{
-    f64::consts::TAU,
+    f64::consts::{FRAC_PI_2, TAU},
     sync::{Arc, OnceLock},
 };
 
@@ -53,6 +53,8 @@ pub(crate) use self::{
 const KEPT: f64 = 1.1;
 /// Frames on the way from rest, and on the longest other way.
 const WAY: u32 = 10;
+/// Handles that turn by more than this, in radians, turn far.
+const FAR: f64 = FRAC_PI_2;
 /// Longest way of a frame, as a fraction of the distance across the sites.
 const LEAP: f64 = 0.05;
 
@@ -147,25 +149,37 @@ impl Rigid {
     }
 
     /// The pose of a target without a pose before it.
+    ///
+    /// A straight way can wind up what turns far. The sheet then also starts from the harmonic pose.
     pub(super) fn pose_from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
-        let mut shape = self.pulled_from_rest(rest, target, false).expect("the way has an end");
-        shape.settle();
-        motions_of(self.model(rest), target, &shape.into_parts())
-    }
-
-    /// The shape at the end of a straight way from rest, where the picture is first moved as a whole: rotations and the
-    /// logarithms of scales grow steadily. `None` if the way must be free of folds and is not.
-    fn pulled_from_rest<'a>(&'a self, rest: &[DVec2], target: &'a Target, is_free: bool) -> Option<Shape<'a>> {
         let model = self.model(rest);
         let start = self.moved_as_a_whole(rest, target);
         let mut shape = Shape::new(model, target.request(), parts_of(model, &start));
         for motions in target.way_from(&start, WAY) {
             shape.follow(&parts_of(model, &motions));
-            if is_free && shape.is_folded() {
-                return None;
+        }
+        shape.settle();
+        if target.turns(&start) > FAR {
+            let mut other = Shape::new(model, target.request(), parts_of(model, &target.motions));
+            other.settle();
+            if other.energy() < shape.energy() {
+                shape = other;
             }
         }
-        Some(shape)
+        motions_of(model, target, &shape.into_parts())
+    }
+
+    /// The shape at the end of a straight way from rest, in few frames. `None` if anything folds on the way.
+    fn unfolded<'a>(&'a self, rest: &[DVec2], target: &'a Target) -> Option<Shape<'a>> {
+        let model = self.model(rest);
+        let start = self.moved_as_a_whole(rest, target);
+        let mut shape = Shape::new(model, target.request(), parts_of(model, &start));
+        let mut frames = target.way_from(&start, WAY / 2);
+        let is_free = frames.all(|motions| {
+            shape.follow(&parts_of(model, &motions));
+            !shape.is_folded()
+        });
+        is_free.then_some(shape)
     }
 
     /// The rigid motion that brings the handles nearest to a target.
@@ -187,17 +201,19 @@ impl Rigid {
         rest.iter().zip(&target.motions).map(motion).collect()
     }
 
-    /// The next frame of a drag: `motions` are those of the frame before. A long way is divided. While a fold is
-    /// forced, the picture goes to the shape from rest if that has none.
+    /// The next frame of a drag: `motions` are those of the frame before. A long way is divided.
+    ///
+    /// A sheet that is turned over may stay so. While something is folded, the picture goes to the shape from rest if
+    /// that has no fold.
     pub(super) fn follow(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
-        let flat = || self.pulled_from_rest(rest, target, true);
-        if let Some(flat) = shape.is_folded().then(flat).flatten() {
-            shape.approach(&parts_of(model, &target.motions), &flat.into_parts());
-            return motions_of(model, target, &shape.into_parts());
+        let unfolded = || self.unfolded(rest, target);
+        if let Some(unfolded) = shape.is_folded().then(unfolded).flatten() {
+            shape.approach(&parts_of(model, &target.motions), &unfolded.into_parts());
+        } else {
+            self.carry(rest, &mut shape, motions, target);
         }
-        self.carry(rest, &mut shape, motions, target);
         motions_of(model, target, &shape.into_parts())
     }
 
@@ -278,6 +294,12 @@ impl Target {
     fn request(&self) -> Request<'_> {
         let is_scaled = self.scales.iter().any(|&scale| scale != 1.0);
         Request { is_free: &self.is_free, scales: is_scaled.then_some(&self.scales) }
+    }
+
+    /// The greatest angle between the motions of sites that can turn and other motions, in radians.
+    fn turns(&self, from: &[Motion]) -> f64 {
+        let angles = self.motions.iter().zip(from).zip(&self.is_free).filter(|(_, is_free)| **is_free);
+        angles.map(|((to, from), _)| (to.angle - from.angle).abs()).fold(0.0, f64::max)
     }
 
     /// The way from other motions to these in equal steps.

@@ -26,6 +26,14 @@ struct Point {
     slots: u32,
 }
 
+/// What the map does at a place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Deformed {
+    pub(super) jacobian: DMat2,
+    /// The regularisation ε of the energy there; 0 unless the place may fold.
+    pub(super) epsilon: f64,
+}
+
 /// The influence of a site at a place.
 #[derive(Debug, Clone)]
 struct Term {
@@ -104,41 +112,40 @@ impl Points {
         self.each(|_, terms| terms.iter().map(moved).sum()).collect()
     }
 
-    pub(super) fn energy(&self, jacobians: &[DMat2], request: &Request<'_>, epsilon: f64) -> f64 {
-        let of = |((area, unscale), &j): ((f64, f64), &DMat2)| area * energy(unscale * j, epsilon, self.law);
-        self.each(|point, terms| (point.area, request.unscale(terms))).zip(jacobians).map(of).sum()
+    pub(super) fn energy(&self, deformed: &[Deformed], request: &Request<'_>) -> f64 {
+        let of =
+            |((area, unscale), at): ((f64, f64), &Deformed)| area * energy(unscale * at.jacobian, at.epsilon, self.law);
+        self.each(|point, terms| (point.area, request.unscale(terms))).zip(deformed).map(of).sum()
     }
 
     /// Adds minus the gradient with respect to each unknown.
-    pub(super) fn add_forces(&self, jacobians: &[DMat2], request: &Request<'_>, epsilon: f64, forces: &mut [f64]) {
-        let mut jacobians = jacobians.iter();
+    pub(super) fn add_forces(&self, deformed: &[Deformed], request: &Request<'_>, forces: &mut [f64]) {
+        let mut deformed = deformed.iter();
         let visit = |point: &Point, terms: &[Term]| {
-            let (unscale, j) = (request.unscale(terms), *jacobians.next().expect("one for each"));
-            let gradient = unscale * Local::gradient(unscale * j, epsilon, self.law);
+            let (unscale, at) = (request.unscale(terms), deformed.next().expect("one for each"));
+            let gradient = unscale * Local::gradient(unscale * at.jacobian, at.epsilon, self.law);
             terms.iter().for_each(|term| term.add_force(point.area, gradient, request, forces));
         };
         self.each(visit).for_each(drop);
     }
 
     /// Adds the second derivatives, and the forces once the driven parts have moved.
-    #[expect(clippy::too_many_arguments, reason = "it is called once, and each has another type")]
     pub(super) fn assemble(
         &self,
         values: &mut [f64],
-        jacobians: &[DMat2],
+        deformed: &[Deformed],
         driven: Option<&[Parts]>,
         request: &Request<'_>,
-        epsilon: f64,
         is_projected: bool,
         forces: &mut [f64],
     ) {
         let mut first_slot = 0;
-        let mut jacobians = jacobians.iter();
+        let mut deformed = deformed.iter();
         let visit = |point: &Point, terms: &[Term]| {
             let mut slots = self.slots[first_slot..point.slots as usize].iter();
             first_slot = point.slots as usize;
-            let (unscale, j) = (request.unscale(terms), *jacobians.next().expect("one for each"));
-            let local = Local::of(unscale * j, epsilon, self.law, is_projected);
+            let (unscale, at) = (request.unscale(terms), deformed.next().expect("one for each"));
+            let local = Local::of(unscale * at.jacobian, at.epsilon, self.law, is_projected);
             let mut gradient = unscale * local.gradient;
             if let Some(driven) = driven {
                 gradient += unscale * unscale * local.change(jacobian(terms, driven));

@@ -3,8 +3,11 @@
 //! A step that carries handles moves them to their new places inside the linearised equations, so that the picture
 //! comes along. Damping is added while anything would move much farther than the handles. Then the picture relaxes
 //! around them. No step takes more than [`TAKEN`] of the area of any triangle, so nothing folds while a step can end
-//! early. Only a handle that does not arrive in a few steps is forced, and the energy is then the one that is finite
-//! for folds.
+//! early. Only a handle that does not arrive in a few steps is forced: it moves alone, and folds what is next to it.
+//!
+//! While something is folded, what is flattened has an energy that is finite for folds, so that it can turn over. All
+//! else keeps the energy that prevents folds. If that of the whole picture were finite, spikes could grow far from the
+//! handle.
 //!
 //! Second derivatives are exact if the matrix is positive definite with them: the last steps then converge
 //! quadratically. Else they are projected.
@@ -16,16 +19,20 @@ use super::{
         motion::turn,
         numeric::{Blocks, first_root},
     },
-    energy::Law,
+    energy::{FLAT, Law},
     freedom::{Freedom, Parts, Request},
     model::Model,
-    points::Points,
+    points::{Deformed, Points},
+    sheet::Sheet,
 };
 use crate::bone::best_rotation;
 
 /// The share of its area that a step can take from a triangle, or from a node.
 const TAKEN: f64 = 0.8;
-/// Regularisation ε of the energy at folds: at least the first, and half of the deepest fold up to the second.
+/// What has less than this share of its area counts as folded. A bar that is drawn to a point would otherwise have so
+/// much energy that the whole picture grows.
+const COLLAPSED: f64 = 1e-3;
+/// Regularisation ε of the energy of what may fold: at least the first, and half of the deepest fold up to the second.
 const FOLDED: [f64; 2] = [0.15, 1.0];
 /// In a frame of a drag nothing moves farther than this many times the handles.
 const CAP: f64 = 2.8;
@@ -53,20 +60,19 @@ pub(super) struct Shape<'a> {
     model: &'a Model,
     request: Request<'a>,
     parts: Vec<Parts>,
-    /// The Jacobian at each node.
-    jacobians: Vec<DMat2>,
+    nodes: Vec<Deformed>,
     /// The places of all vertices, or of all nodes without a mesh.
     places: Vec<DVec2>,
     /// The places when the frame began.
     before: Vec<DVec2>,
     /// How far each place may move in this frame.
     caps: Vec<f64>,
-    /// Triangles that take part in the energy, with their Jacobians.
+    /// Triangles that take part in the energy.
     points: Points,
-    watched_jacobians: Vec<DMat2>,
+    watched: Vec<Deformed>,
+    /// What has a greater share of its area than this cannot fold in a step.
+    guarded_from: f64,
     matrix: Blocks,
-    /// ε of the energy: 0 unless something is folded.
-    epsilon: f64,
 }
 
 /// A step of all sites.
@@ -85,14 +91,14 @@ impl<'a> Shape<'a> {
         let mut shape = Self {
             model,
             request,
-            jacobians: model.nodes().jacobians(&parts),
+            nodes: Vec::new(),
             before: places.clone(),
             caps: Vec::new(),
             places,
             points: Points::new(Law::Flatness),
-            watched_jacobians: Vec::new(),
+            watched: Vec::new(),
+            guarded_from: 0.0,
             matrix: model.zeros(),
-            epsilon: 0.0,
             parts,
         };
         shape.watch();
@@ -103,36 +109,46 @@ impl<'a> Shape<'a> {
         self.parts
     }
 
+    /// Whether handles have forced a fold.
+    pub(super) fn is_folded(&self) -> bool {
+        self.guarded_from > 0.0
+    }
+
     /// The energy; infinite if anything is folded.
     pub(super) fn energy(&self) -> f64 {
-        if self.epsilon > 0.0 { f64::INFINITY } else { self.own_energy() }
+        if self.is_folded() { f64::INFINITY } else { self.energy_of(&self.nodes, &self.watched, &self.parts) }
     }
 
-    fn own_energy(&self) -> f64 {
-        self.energy_of(&self.jacobians, &self.watched_jacobians, &self.parts)
-    }
-
-    fn energy_of(&self, jacobians: &[DMat2], watched: &[DMat2], parts: &[Parts]) -> f64 {
-        self.model.nodes().energy(jacobians, &self.request, self.epsilon)
-            + self.points.energy(watched, &self.request, self.epsilon)
+    fn energy_of(&self, nodes: &[Deformed], watched: &[Deformed], parts: &[Parts]) -> f64 {
+        self.model.nodes().energy(nodes, &self.request)
+            + self.points.energy(watched, &self.request)
             + self.model.link_energy(parts)
     }
 
-    /// Finds the triangles to watch.
+    /// Finds the triangles that take part in the energy, and what may fold.
     fn watch(&mut self) {
         if let Some(sheet) = self.model.sheet() {
             self.model.points_of(&sheet.flattened(&self.places), &mut self.points);
-            self.watched_jacobians = self.points.jacobians(&self.parts);
         }
-        let dets = self.jacobians.iter().chain(&self.watched_jacobians).map(DMat2::determinant);
+        let (nodes, watched) = (self.model.nodes().jacobians(&self.parts), self.points.jacobians(&self.parts));
+        let dets = nodes.iter().chain(&watched).map(DMat2::determinant);
         let least = dets.fold(f64::INFINITY, f64::min);
-        self.epsilon = if least > 0.0 { 0.0 } else { (-least / 2.0).clamp(FOLDED[0], FOLDED[1]) };
+        self.guarded_from = if least > COLLAPSED { 0.0 } else { FLAT };
+        let folded = (-least / 2.0).clamp(FOLDED[0], FOLDED[1]);
+        let deformed = |jacobian: DMat2| {
+            let may_fold = jacobian.determinant() <= self.guarded_from;
+            Deformed { jacobian, epsilon: if may_fold { folded } else { 0.0 } }
+        };
+        self.watched = watched.into_iter().map(deformed).collect();
+        self.nodes = nodes.into_iter().map(deformed).collect();
     }
 
     /// One frame of a drag: the handles move to a target, and nothing moves much farther than they do.
     pub(super) fn follow(&mut self, target: &[Parts]) {
         self.begin_frame(target);
-        self.carry(target);
+        if !self.carry(target) {
+            self.force(target);
+        }
         for _ in 0..CORRECTIONS {
             let forces = self.forces();
             self.descend(&forces, true);
@@ -160,27 +176,31 @@ impl<'a> Shape<'a> {
         let linear = DMat2::from_cols(turn, turn.perp());
         self.parts.iter_mut().for_each(|[at, x, y]| [*at, *x, *y] = [place(*at), turn.rotate(*x), turn.rotate(*y)]);
         self.places.iter_mut().for_each(|at| *at = place(*at));
-        self.jacobians.iter_mut().chain(&mut self.watched_jacobians).for_each(|j| *j = linear * *j);
+        self.nodes.iter_mut().chain(&mut self.watched).for_each(|at| at.jacobian = linear * at.jacobian);
         let ways = self.places.iter().zip(&self.before);
         self.caps = ways.map(|(at, before)| most.max(RIGID_CAP * at.distance(*before))).collect();
     }
 
-    /// Moves the handles to their target.
-    fn carry(&mut self, target: &[Parts]) {
-        for attempt in 0..=CARRIES {
-            let is_forced = attempt == CARRIES;
-            if is_forced {
-                self.epsilon = self.epsilon.max(FOLDED[0]);
-            }
-            let driven = self.driven(target);
-            let direction = self.carrying(&driven);
-            let length = if is_forced { 1.0 } else { self.longest(&direction) };
+    /// Moves the handles to their target. Returns whether they have arrived.
+    fn carry(&mut self, target: &[Parts]) -> bool {
+        for _ in 0..CARRIES {
+            let direction = self.carrying(&self.driven(target));
+            let length = self.longest(&direction);
             self.advance(&direction, length);
             if length == 1.0 {
-                return;
+                return true;
             }
             self.watch();
         }
+        false
+    }
+
+    /// Moves the handles to their target, and nothing else.
+    fn force(&mut self, target: &[Parts]) {
+        self.advance(&self.direction(self.driven(target)), 1.0);
+        self.watch();
+        self.assemble(None, true);
+        self.model.factorise(&mut self.matrix, DAMPING);
     }
 
     fn carrying(&mut self, driven: &[Parts]) -> Direction {
@@ -195,11 +215,6 @@ impl<'a> Shape<'a> {
             }
         }
         self.direction(driven.to_vec())
-    }
-
-    /// Whether handles have forced a fold.
-    pub(super) fn is_folded(&self) -> bool {
-        self.epsilon > 0.0
     }
 
     /// One frame in which the handles move to a target, and the rest towards a shape with the same handles.
@@ -236,10 +251,9 @@ impl<'a> Shape<'a> {
     fn assemble(&mut self, driven: Option<&[Parts]>, is_projected: bool) -> Vec<f64> {
         let mut forces = vec![0.0; self.model.unknowns()];
         self.model.begin(&mut self.matrix);
-        let all = [(self.model.nodes(), &self.jacobians), (&self.points, &self.watched_jacobians)];
-        for (points, jacobians) in all {
+        for (points, deformed) in [(self.model.nodes(), &self.nodes), (&self.points, &self.watched)] {
             let values = self.matrix.values_mut();
-            points.assemble(values, jacobians, driven, &self.request, self.epsilon, is_projected, &mut forces);
+            points.assemble(values, deformed, driven, &self.request, is_projected, &mut forces);
         }
         match driven {
             Some(driven) => {
@@ -255,8 +269,8 @@ impl<'a> Shape<'a> {
 
     fn forces(&self) -> Vec<f64> {
         let mut forces = vec![0.0; self.model.unknowns()];
-        self.model.nodes().add_forces(&self.jacobians, &self.request, self.epsilon, &mut forces);
-        self.points.add_forces(&self.watched_jacobians, &self.request, self.epsilon, &mut forces);
+        self.model.nodes().add_forces(&self.nodes, &self.request, &mut forces);
+        self.points.add_forces(&self.watched, &self.request, &mut forces);
         self.model.add_link_forces(&self.parts, &self.request, &mut forces);
         forces
     }
@@ -271,13 +285,13 @@ impl<'a> Shape<'a> {
         let direction = self.direction(parts);
         let within_caps = if is_capped { self.longest_within_caps(&direction) } else { 1.0 };
         let mut length = self.longest(&direction).min(within_caps);
-        let before = self.own_energy();
+        let before = self.energy_of(&self.nodes, &self.watched, &self.parts);
         let of_watched = self.points.jacobians(&direction.parts);
         for _ in 0..HALVINGS {
-            let along = |(&at, &by): (&DMat2, &DMat2)| at + length * by;
-            let jacobians: Vec<DMat2> = self.jacobians.iter().zip(&direction.jacobians).map(along).collect();
-            let watched: Vec<DMat2> = self.watched_jacobians.iter().zip(&of_watched).map(along).collect();
-            let energy = self.energy_of(&jacobians, &watched, &self.moved(&direction, length));
+            let along = |(at, &by): (&Deformed, &DMat2)| Deformed { jacobian: at.jacobian + length * by, ..*at };
+            let nodes: Vec<Deformed> = self.nodes.iter().zip(&direction.jacobians).map(along).collect();
+            let watched: Vec<Deformed> = self.watched.iter().zip(&of_watched).map(along).collect();
+            let energy = self.energy_of(&nodes, &watched, &self.moved(&direction, length));
             if energy <= before + DECREASE * length * slope {
                 self.advance(&direction, length);
                 return length * direction.places.iter().map(|by| by.length()).fold(0.0, f64::max);
@@ -294,23 +308,22 @@ impl<'a> Shape<'a> {
 
     fn advance(&mut self, direction: &Direction, length: f64) {
         self.parts = self.moved(direction, length);
-        self.jacobians.iter_mut().zip(&direction.jacobians).for_each(|(at, &by)| *at += length * by);
+        self.nodes.iter_mut().zip(&direction.jacobians).for_each(|(at, &by)| at.jacobian += length * by);
         self.places.iter_mut().zip(&direction.places).for_each(|(at, &by)| *at += length * by);
-        self.watched_jacobians = self.points.jacobians(&self.parts);
+        let watched = self.points.jacobians(&self.parts);
+        self.watched.iter_mut().zip(watched).for_each(|(at, jacobian)| at.jacobian = jacobian);
     }
 
-    /// The longest step up to 1 that takes at most [`TAKEN`] of any area. Once something is folded, all steps are
-    /// allowed: triangles may have to turn over to unfold.
+    /// The longest step up to 1 that takes at most [`TAKEN`] of any area, besides of what may fold.
     fn longest(&self, direction: &Direction) -> f64 {
-        if self.epsilon > 0.0 {
-            return 1.0;
-        }
-        let of_nodes = self.jacobians.iter().zip(&direction.jacobians).fold(1.0, |most, (j, by)| {
+        let of_nodes = self.nodes.iter().zip(&direction.jacobians).fold(1.0, |most, (at, by)| {
+            let (j, det) = (at.jacobian, at.jacobian.determinant());
             let first = j.x_axis.perp_dot(by.y_axis) + by.x_axis.perp_dot(j.y_axis);
-            first_root(TAKEN * j.determinant(), first, by.determinant(), most)
+            if det > self.guarded_from { first_root(TAKEN * det, first, by.determinant(), most) } else { most }
         });
-        let sheet = self.model.sheet();
-        sheet.map_or(of_nodes, |sheet| sheet.longest(&self.places, &direction.places, TAKEN, of_nodes))
+        let longest =
+            |sheet: &Sheet| sheet.longest(&self.places, &direction.places, self.guarded_from, TAKEN, of_nodes);
+        self.model.sheet().map_or(of_nodes, longest)
     }
 
     fn is_within_caps(&self, direction: &Direction) -> bool {

@@ -116,15 +116,18 @@ impl Sheet {
         (0..self.triangles.len() as u32).filter(is_flat).collect()
     }
 
-    /// The longest step up to `most` that takes at most a share of the area of each triangle.
-    pub(super) fn longest(&self, places: &[DVec2], by: &[DVec2], taken: f64, mut most: f64) -> f64 {
+    /// The longest step up to `most` that takes at most a share of the area of each triangle whose area is over `from`
+    /// times that at rest.
+    pub(super) fn longest(&self, places: &[DVec2], by: &[DVec2], from: f64, taken: f64, mut most: f64) -> f64 {
         for (&triangle, rest) in self.triangles.iter().zip(&self.rest) {
             let ([a, b, c], [da, db, dc]) = (corners(triangle, places), corners(triangle, by));
             let ((u, v), (du, dv)) = ((b - a, c - a), (db - da, dc - da));
             let sign = rest.signum();
             let area = sign * u.perp_dot(v);
-            let first = sign * (u.perp_dot(dv) + du.perp_dot(v));
-            most = first_root(taken * area.max(0.0), first, sign * du.perp_dot(dv), most);
+            if area > from * rest.abs() {
+                let first = sign * (u.perp_dot(dv) + du.perp_dot(v));
+                most = first_root(taken * area, first, sign * du.perp_dot(dv), most);
+            }
         }
         most
     }
