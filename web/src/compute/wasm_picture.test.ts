@@ -167,7 +167,7 @@ describe('a posed picture', () => {
   });
 
   it('counts folds, and stops before the first one', () => {
-    const far = moved('right', -50, 0);
+    const far = moved('right', -60, 0);
     expect(picture.foldCount(solved)).toBe(0);
     expect(picture.foldCount(far)).toBeGreaterThan(1);
     const pose = picture.pose(far);
@@ -179,7 +179,7 @@ describe('a posed picture', () => {
     expect(limit.fraction).toBeLessThan(1);
     expect(picture.pose(limit.project, start).creases).toHaveLength(0);
     const [, held] = limit.project.handles;
-    expect(held?.kind === 'point' && held.posed[0]).toBeCloseTo(48 - 50 * limit.fraction, 1);
+    expect(held?.kind === 'point' && held.posed[0]).toBeCloseTo(48 - 60 * limit.fraction, 1);
     expect(limit.project.handles[0]).toBe(far.handles[0]);
     const near = moved('right', 1, 0);
     expect(picture.foldLimit(start, near, 0)).toEqual({ project: near, fraction: 1 });

@@ -538,7 +538,7 @@ mod tests {
         let mut sections = Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap().1);
         assert_eq!(sections[4].tag, POSING);
         assert!(RigPoser::from_section(&sections[4].bytes).is_ok());
-        sections[4].bytes = vec![2, 99, 99];
+        sections[4].bytes = vec![3, 99, 99];
         let read = Rig::from_bytes(&packed(1, &sections).unwrap()).unwrap();
         assert_eq!((read.handles(), read.clips()), (None, rig.clips()));
         let error = RigPoser::from_section(&sections[4].bytes).unwrap_err();
