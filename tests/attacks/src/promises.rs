@@ -3,6 +3,7 @@
 use c2warp::glam::DVec2;
 use c2warp::{
     Error, Solution,
+    deform::{PictureMesh, PosedPicture},
     pose::Poser,
     project::{Project, Shape},
     site::SiteKind,
@@ -48,8 +49,16 @@ pub(crate) fn check(solution: &Solution, project: &Project) {
     let Some(pose) = accepted(solution.pose(project)) else { return };
     assert!(solution.posed_vertices(&pose).iter().all(|p| p.is_finite()));
     assert_eq!(solution.drawn_triangles(&pose).len(), solution.triangles().len());
-    let copy = Poser::from_bytes(&solution.poser().to_bytes()).expect("bytes of this version");
-    let again = copy.pose(&project.handles, project.pose.blend).expect("the poser itself poses the handles");
+    let poser = Poser::from_bytes(&solution.poser().to_bytes()).expect("bytes of this version");
+    let mesh = PictureMesh {
+        vertices: solution.vertices().to_vec(),
+        triangles: solution.triangles().to_vec(),
+        samples: solution.samples(),
+        weights: solution.weights().clone(),
+        background: Vec::new(),
+    };
+    let copy = PosedPicture::new(mesh, poser, project.handles.clone()).expect("the mesh of the solution");
+    let again = copy.poser().pose(&project.handles, project.pose.blend).expect("the poser itself poses the handles");
     for &p in solution.vertices().iter().take(20) {
         let (here, there) = (solution.map(&pose, p), solution.map(&again, p));
         assert_eq!(here.map(|mapped| mapped.posed), there.map(|mapped| mapped.posed));

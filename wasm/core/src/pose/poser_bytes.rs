@@ -5,6 +5,9 @@ use crate::error::Error;
 
 impl Poser {
     /// The poser as bytes, for [`Poser::from_bytes`] of the same version.
+    ///
+    /// The bytes do not hold the drawn mesh. In the rigid mode, poses that flatten triangles differ without it:
+    /// [`PosedPicture`](crate::deform::PosedPicture) adds it.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         // A derived implementation would allow reading without the checks of `from_bytes`.
