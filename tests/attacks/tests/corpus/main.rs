@@ -56,7 +56,7 @@ fn any_alpha_is_solved_or_refused() {
 
 #[test]
 fn any_handles_are_posed_or_refused() {
-    attack_with("handles", 1_000);
+    attack_with("handles", 400);
 }
 
 #[test]
