@@ -489,7 +489,7 @@ async function released(page: Page): Promise<string[]> {
   return frames;
 }
 
-/** The greatest fraction of pixels that move farther than a distance between two frames. */
+/** The largest fraction of pixels that move more than a distance between consecutive frames. */
 const farthest = (frames: readonly string[], distance: number) =>
   Math.max(...frames.slice(1).map((frame, k) => movedFarther(frames[k] ?? '', frame, distance)));
 

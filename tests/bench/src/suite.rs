@@ -166,8 +166,9 @@ impl Suite {
             frame: exceeded_by(0.5, &frames),
             slow_frame: exceeded_by(0.01, &frames),
             first: minimum(first),
+            // A poser keeps its last pose from rest, and a copy does not.
             settle: min_ms(self.clock, self.effort, || {
-                let _ = black_box(rigid.settle(&end, &ends));
+                let _ = black_box(rigid.clone().settle(&end, &ends));
             }),
             harmonic: min_ms(self.clock, self.effort, || {
                 let _ = black_box(harmonic.poser().pose(&ends, project.pose.blend));

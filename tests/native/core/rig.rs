@@ -289,7 +289,10 @@ fn frames_before_of_another_rig_are_refused() {
             [f64::NAN, f64::INFINITY].into_iter().flat_map(|value| both(number, value)).all(|found| found.is_err())
         );
         let mut found = both(number, 1e300).into_iter().chain(both(number, -1e300)).flatten().flatten();
-        assert!(found.all(|motion| motion.numbers().into_iter().all(f64::is_finite)), "number {number}");
+        assert!(
+            found.all(|motion| motion.numbers().into_iter().all(f64::is_finite)),
+            "motion component {number} is not finite"
+        );
     }
 }
 

@@ -135,7 +135,7 @@ pub(crate) fn mesh_of(solution: &Solution) -> PictureMesh {
     }
 }
 
-/// The area of each triangle between samples, as a fraction of that at rest.
+/// The area of each triangle whose corners are samples, divided by its area at rest.
 pub(crate) fn area_ratios(solution: &Solution, posed: &[DVec2]) -> Vec<f64> {
     let area = |triangle: &[u32; 3], places: &[DVec2]| {
         let [a, b, c] = triangle.map(|vertex| places[vertex as usize]);
@@ -146,8 +146,8 @@ pub(crate) fn area_ratios(solution: &Solution, posed: &[DVec2]) -> Vec<f64> {
     solution.triangles().iter().filter(is_between).map(ratio).collect()
 }
 
-/// How far a pose may be from that of the mirrored scene, in pixels: rounding, and its amplification. `None` for the
-/// rigid mode if triangles are flat: they take part in the energy, and their diagonals are not symmetric.
+/// The tolerance for a pose and its mirror image, in pixels. It allows for rounding. `None` in the rigid mode if a
+/// triangle has lost half of its area. Such triangles enter the energy, but the mesh is not symmetric.
 pub(crate) fn symmetric_within(mode: PoseMode, solution: &Solution, pose: &Pose) -> Option<f64> {
     let ratios = || area_ratios(solution, &solution.posed_vertices(pose)).into_iter();
     (mode == PoseMode::Harmonic || ratios().all(|ratio| ratio > 0.5)).then_some(1e-6)

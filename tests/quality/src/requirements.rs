@@ -115,7 +115,7 @@ pub fn drag_requirements(all: &[SampleDrags]) -> Vec<Requirement> {
     vec![
         requirement("largest move in a frame ÷ that of the handle", free(Dragged::largest_move), LARGEST_MOVE),
         requirement("folded area, %", 100.0 * free(|drag| drag.folded), 0.0),
-        requirement("largest distance from rest at home, px", free(|drag| drag.from_home), 1e-3),
+        requirement("after the return: largest distance from rest, px", free(|drag| drag.from_home), 1e-3),
         requirement("held: median energy ÷ optimum", exact_median, 1.25),
         requirement("held: largest energy ÷ optimum", worst(&exact), 1.8),
         requirement("held: folds where the optimum has none", folds as f64, 0.0),

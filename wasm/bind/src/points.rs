@@ -21,7 +21,7 @@ impl Session {
     /// The posed positions of rest points: points × 3 numbers posed x, posed y, growth of areas. NaN outside the
     /// domain.
     ///
-    /// `points` are pairs of coordinates. Without a history, the pose depends on the handles only.
+    /// `points` are pairs of coordinates. Without a history, the pose depends only on the project and its handles.
     ///
     /// # Errors
     /// The errors of [`begin`](Self::begin) and [`advance`](Self::advance), and an error for handles without a pose.

@@ -149,7 +149,7 @@ impl Session {
     /// Prepares to draw the warped picture at full quality. Solves first if necessary.
     ///
     /// Its size is that of the picture times `scale`, unless the canvas differs. `pixelated` is for pixel art. Without
-    /// a history, the pose depends on the handles only.
+    /// a history, the pose depends only on the project and its handles.
     ///
     /// # Errors
     /// The errors of [`Session::begin`] and [`Session::advance`], and one for a result that is empty or too large.

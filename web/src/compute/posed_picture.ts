@@ -47,9 +47,9 @@ export interface PosedPicture {
   foldCount(project: Project): number;
 
   /**
-   * The farthest pose on the way from a pose with at most `allowed` triangles in visible creases, within 2⁻⁸ of the
-   * way. Each handle moves straight and turns steadily. The poses on the way continue `from`, which is taken to be
-   * allowed.
+   * Finds the last pose on the path from `from` with at most `allowed` triangles in visible creases. The
+   * search is exact to 2⁻⁸ of the path. Handles move in straight lines and rotate at a constant rate. The
+   * search assumes that `from` is allowed, and continues from it.
    */
   foldLimit(from: Pose, to: Project, allowed: number): LimitedPose;
 

@@ -271,7 +271,7 @@ class WasmPicture implements PosedPicture {
 
 type Motions = Float32Array<ArrayBuffer>;
 
-/** A pose that is nowhere farther from the one that the handles determine needs no shape. */
+/** No shape is stored if every vertex is within this distance of the pose without a shape. */
 const SHAPE_PX = 0.25;
 
 /** How a pose is found: without history unless a key is there. */

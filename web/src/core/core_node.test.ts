@@ -39,7 +39,7 @@ const GINGERBREAD_HAND = [124, 516] as const;
 const GINGERBREAD = { ...JSON.parse(file('gingerbread.c2warp.json').toString('utf8')), clips: [WAVE] };
 const FRAMES = 20;
 
-/** The hand in a frame of a drag across the figure. */
+/** The hand's position at a frame of a drag across the figure. */
 const placeOf = (frame: number): readonly [number, number] => {
   const [x, y] = GINGERBREAD_HAND;
   return [x + ((900 - x) * frame) / FRAMES, y + ((600 - y) * frame) / FRAMES];

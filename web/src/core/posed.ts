@@ -29,8 +29,9 @@ export class PosedSolution {
   }
 
   /**
-   * The next frame of a drag: handles, by their ids, move a little from this pose. Other handles stay. No part of the
-   * picture moves much farther than they do. In the Elastic mode, same as {@link Solution.pose}.
+   * The next frame of a drag. `poses` moves handles, by id, a little from this pose. Other handles stay. No
+   * part moves much farther than the moved handles. In the harmonic mode, the result is that of {@link
+   * Solution.pose}.
    *
    * @throws C2WarpError with the code `pose` if a handle does not exist.
    * @throws the errors of {@link map}.

@@ -43,11 +43,11 @@ const atRest = (rest: Vec): LocatedPoint => ({ rest, rotation: 0, scale: 1 });
 export class SolutionDeformation implements Deformation {
   readonly data: SolutionData;
   readonly #picture: PosedPicture;
-  /** The poses of projects that were asked about. So undo and redo show the same picture again. */
+  /** Computed poses, by project. Undo and redo restore the same project objects, so they show the same picture. */
   readonly #poses = new WeakMap<Project, Pose>();
-  /** Those of them that are frames of a drag. */
+  /** The poses that are frames of a drag. */
   readonly #frames = new WeakSet<Pose>();
-  /** The last pose that was asked about and could be computed. */
+  /** The last pose that could be computed. */
   #last: Pose | null = null;
   /** Found when somebody snaps to it. */
   #symmetry: Symmetry | undefined;

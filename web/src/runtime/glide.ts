@@ -18,7 +18,7 @@ export class Glide {
     this.#way = motions.length === to.motions.length ? { from: motions, to, start: now } : null;
   }
 
-  /** The pose to draw: one on the way if this one ends it. */
+  /** The pose to draw at this time. While the picture glides to a pose, that is an interpolated one. */
   at(pose: DrawnPose, now: number): DrawnPose {
     const way = this.#way;
     if (!way || way.to !== pose || now - way.start >= GLIDE_MS) {

@@ -35,8 +35,8 @@ const BATCH: usize = 4;
 const STEPS: [f64; 3] = [10.0, 100.0, 1000.0];
 
 impl Poser {
-    /// The motions of all sites with the handles posed as given, in the shape near samples of an earlier pose. In the
-    /// harmonic mode, same as [`motions`](Self::motions).
+    /// The motions of all sites for these handles. The optimisation starts from samples of an earlier pose. In the
+    /// harmonic mode, the result is that of [`motions`](Self::motions).
     ///
     /// # Errors
     /// The errors of [`Poser::pose`].
@@ -63,7 +63,7 @@ impl Poser {
         let motion = |(site, map): (usize, Option<ShapeSample>)| {
             let Some(map) = map else { return from_rest[site] };
             let (angle, strain) = polar(map.linear);
-            // The whole turns are those of the target.
+            // It makes as many whole turns as the target.
             let turns = TAU * libm::round((target.motions[site].angle - angle) / TAU);
             Motion { angle: angle + turns, strain, translation: map.posed - map.rest, ..from_rest[site] }
         };
@@ -121,8 +121,8 @@ impl Poser {
         known
     }
 
-    /// Samples of motions, rounded. Those at handles come first, then some that are spread over the picture, and at
-    /// last those where averages of the others are worst. `None` in the harmonic mode.
+    /// Rounded samples of the motions. Sites of handles come first. Others are spread over the picture, and then added
+    /// where interpolation is worst. `None` in the harmonic mode.
     pub(crate) fn samples_of(&self, motions: &[Motion]) -> Option<Vec<ShapeSample>> {
         let rigid = self.rigid.as_ref()?;
         let exact = |site: usize| {
@@ -145,7 +145,7 @@ impl Poser {
         Some(sites.into_iter().map(|site| rounded(&exact(site))).collect())
     }
 
-    /// How far maps are off, at sites and towards their neighbours.
+    /// The error of each site's map, in pixels: at the site, plus the largest at a linked site.
     fn errors(&self, rigid: &Rigid, maps: &[Option<ShapeSample>], exact: impl Fn(usize) -> ShapeSample) -> Vec<f64> {
         let mut errors = vec![0.0_f64; maps.len()];
         for (i, j, _) in rigid.links() {

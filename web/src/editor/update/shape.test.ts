@@ -59,7 +59,7 @@ describe('the shape that a drag leaves', () => {
     expect(shape()).toBe(1100);
   });
 
-  it('ends when handles are moved without a drag', () => {
+  it('is removed when handles move without a drag', () => {
     runtime.dispatch({ type: 'handle-changed', handle: point('tail', 1300) });
     expect(shape()).toBeUndefined();
     run('undo');

@@ -32,7 +32,7 @@ pub(in crate::pose) struct Pattern {
 struct Column {
     group: u32,
     width: u32,
-    /// End in [`Pattern::below`]; it begins at the end of the column before.
+    /// End of the column's range in [`Pattern::below`]. The range begins where that of the previous column ends.
     end: u32,
     /// Offset of the panel: rows of `width` entries, first those of the diagonal block.
     offset: u32,

@@ -10,7 +10,7 @@ pub(in super::super) fn first_root(c: f64, b: f64, a: f64, most: f64) -> f64 {
         return most;
     }
     let root = square.sqrt();
-    // Without cancellation: both roots are c / q and q / a.
+    // The roots are c / q and q / a. This form avoids cancellation.
     let q = -0.5 * if b >= 0.0 { b + root } else { b - root };
     [c / q, q / a].into_iter().filter(|root| *root >= 0.0).fold(most, f64::min)
 }

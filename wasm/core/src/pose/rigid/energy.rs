@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn the_gradient_is_the_slope_of_the_energy() {
+    fn gradient_matches_differences_of_the_energy() {
         for (j, epsilon, law) in maps() {
             let gradient = Local::gradient(j, epsilon, law).to_cols_array();
             for (entry, expected) in gradient.into_iter().enumerate() {
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn the_second_derivatives_are_those_of_the_gradient() {
+    fn hessian_matches_differences_of_the_gradient() {
         for (j, epsilon, law) in maps() {
             let local = Local::of(j, epsilon, law, false);
             for entry in 0..4 {

@@ -10,7 +10,7 @@ pub(crate) enum Freedom {
     Whole,
     /// The linear part: a point, unless its rotation is set.
     Linear,
-    /// The image of the normal of this direction under the linear part: a bar. It has no effect on the bar itself.
+    /// A bar along this direction. Only the stretch and shear across the bar are free. They do not move the bar.
     Across(DVec2),
     /// Nothing: a polygon keeps its inside, and a held outline does not move.
     None,

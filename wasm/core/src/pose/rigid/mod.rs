@@ -1,19 +1,19 @@
 //! The rigid pose mode: the picture is an elastic sheet that handles move.
 //!
 //! The [energy] of the sheet is the symmetric Dirichlet energy of the blended map (eq. 1), at the nodes of a
-//! [quadrature] and at the few triangles of the [drawn mesh](sheet) that are flattened. It is minimised over all that
-//! the handles leave free. So the user need not set rotations, and the picture bends like a limb. A point cloud has no
-//! picture between its sites; the sites themselves then take part in the energy.
+//! [quadrature] and at the few triangles of the [drawn mesh](sheet) that are flattened. All motions that the handles do
+//! not prescribe are unknowns. Users need not set rotations, and limbs bend smoothly. A point cloud has no picture
+//! between its sites; the sites themselves then take part in the energy.
 //!
-//! The energy has several minima, and a minimum can vanish while a handle moves, as a buckled sheet snaps. A pose that
-//! is a function of the handles alone would jump there. So a drag [follows](Rigid::follow) the frame before, and
-//! nothing moves much farther than the handles. Without a frame before, the sheet is pulled [from
-//! rest](Rigid::pose_from_rest) along a straight way.
+//! The energy has several minima. A minimum can vanish while a handle moves, as a buckled sheet snaps. A pose that
+//! depends on the handles alone would jump. So a drag [follows](Rigid::follow) the previous frame, and nothing moves
+//! much farther than the handles. Without a previous frame, handles move [from rest](Rigid::pose_from_rest) to their
+//! targets in straight lines.
 //!
 //! Cost: some 4 ms for a frame with 150 virtual sites, and 10 to 20 times as much from rest.
 //!
-//! Limits: handles that are moved past one another fold the picture until it can unfold in later frames. The quadrature
-//! depends on the samples, so poses differ by some thousandths of the picture's size with their number.
+//! Limits: handles that pass one another can fold the picture for some frames. Poses depend on the number of samples,
+//! by a few thousandths of the picture's size.
 
 mod energy;
 mod freedom;
@@ -26,7 +26,7 @@ mod stiffness;
 
 use std::{
     f64::consts::{FRAC_PI_2, TAU},
-    sync::{Arc, OnceLock},
+    sync::{Arc, Mutex, OnceLock, PoisonError},
 };
 
 use glam::{DMat2, DVec2};
@@ -49,16 +49,16 @@ pub(crate) use self::{
     stiffness::{StiffnessField, StiffnessMask},
 };
 
-/// A drag ends in the nearest pose unless its energy is over this many times that of the pose from rest.
+/// After a drag, the nearest minimum applies if its energy is at most this many times that of the pose from rest.
 const KEPT: f64 = 1.1;
-/// Frames on the way from rest, and on the longest other way.
+/// The number of frames from rest, and the maximum number in one call of [`Rigid::follow`].
 const WAY: u32 = 10;
-/// Handles that turn by more than this, in radians, turn far.
+/// The harmonic pose is tried too if a site with a free rotation turns by more than this, in radians.
 const FAR: f64 = FRAC_PI_2;
-/// Longest way of a frame, as a fraction of the distance across the sites.
+/// Longer moves are divided into frames. A fraction of the diagonal of the sites' bounding box.
 const LEAP: f64 = 0.05;
 
-/// The links between sites, and the picture between them.
+/// The solver of the rigid mode: the cell graph, the quadrature, the stiffness and the drawn mesh.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "poser-bytes", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Rigid {
@@ -66,15 +66,21 @@ pub(super) struct Rigid {
     freedom: Vec<Freedom>,
     quadrature: Option<Quadrature>,
     stiffness: StiffnessField,
-    /// The drawn mesh. Bytes do not hold it, since a page has it anyway.
+    /// The drawn mesh. It is not serialised, because a page has it anyway.
     #[cfg_attr(feature = "poser-bytes", serde(skip))]
     sheet: Option<Arc<Sheet>>,
     /// Computed for the first pose.
     #[cfg_attr(feature = "poser-bytes", serde(skip))]
     model: OnceLock<Model>,
+    #[cfg_attr(feature = "poser-bytes", serde(skip))]
+    last: Last,
 }
 
-/// The parts of the rigid mode besides the sites.
+/// The last pose from rest: the end of a drag needs the same one several times. Copies begin without it.
+#[derive(Debug, Default)]
+struct Last(Mutex<Option<(Target, Vec<Motion>)>>);
+
+/// The data of the rigid mode that a rig stores, besides the sites.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RigidParts {
     /// Pairs of sites, the lesser first, with their weights.
@@ -84,14 +90,20 @@ pub(crate) struct RigidParts {
 }
 
 /// What the handles request of a pose.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Target {
-    /// The motions of real sites. Those of others have no meaning.
+    /// The motions of all sites. Virtual sites have the harmonic blend, a start for the optimisation.
     pub(super) motions: Vec<Motion>,
     /// Whether the rotation of each site is free.
     pub(super) is_free: Vec<bool>,
     /// The scale at each site.
     pub(super) scales: Vec<f64>,
+}
+
+impl Clone for Last {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
 }
 
 impl Rigid {
@@ -102,7 +114,7 @@ impl Rigid {
         stiffness: StiffnessField,
     ) -> Self {
         let links = links.map(|(i, j, weight)| (i as u32, j as u32, weight)).collect();
-        Self { links, freedom, quadrature, stiffness, sheet: None, model: OnceLock::new() }
+        Self { links, freedom, quadrature, stiffness, sheet: None, model: OnceLock::new(), last: Last::default() }
     }
 
     /// `None` without a picture between the sites.
@@ -128,7 +140,7 @@ impl Rigid {
     /// Changes the stiffness of the picture.
     pub(super) fn set_stiffness(&mut self, stiffness: StiffnessField) {
         self.stiffness = stiffness;
-        self.model = OnceLock::new();
+        self.reset();
     }
 
     /// Adds the mesh that is drawn.
@@ -140,7 +152,12 @@ impl Rigid {
         weights: &SparseWeights,
     ) {
         self.sheet = Some(Arc::new(Sheet::new(vertices, triangles, weights, rest, self.unit(rest))));
-        self.model = OnceLock::new();
+        self.reset();
+    }
+
+    /// Forgets what was computed for another energy.
+    fn reset(&mut self) {
+        (self.model, self.last) = (OnceLock::new(), Last::default());
     }
 
     /// The links, with their weights.
@@ -148,10 +165,22 @@ impl Rigid {
         self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
-    /// The pose of a target without a pose before it.
+    /// The pose of a target, computed from rest.
     ///
-    /// A straight way can wind up what turns far. The sheet then also starts from the harmonic pose.
+    /// A straight path can twist the sheet if a site turns far. The harmonic pose is then tried too, and the lower
+    /// energy counts.
     pub(super) fn pose_from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
+        let mut last = self.last.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match &*last {
+            Some((known, motions)) if known == target => motions.clone(),
+            _ => {
+                let motions = self.computed_from_rest(rest, target);
+                last.insert((target.clone(), motions)).1.clone()
+            }
+        }
+    }
+
+    fn computed_from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let start = self.moved_as_a_whole(rest, target);
         let mut shape = Shape::new(model, target.request(), parts_of(model, &start));
@@ -169,7 +198,7 @@ impl Rigid {
         motions_of(model, target, &shape.into_parts())
     }
 
-    /// The shape at the end of a straight way from rest, in few frames. `None` if anything folds on the way.
+    /// Moves the handles from rest to their targets in `WAY / 2` frames. Returns `None` if anything folds.
     fn unfolded<'a>(&'a self, rest: &[DVec2], target: &'a Target) -> Option<Shape<'a>> {
         let model = self.model(rest);
         let start = self.moved_as_a_whole(rest, target);
@@ -194,17 +223,16 @@ impl Rigid {
         let angle = best_rotation(&from, &to);
         let (centre, moved, turn) = (mean(&from), mean(&to), turn(angle));
         let motion = |(&rest, to): (&DVec2, &Motion)| {
-            // The whole turns of the target are those of the start.
+            // The start makes as many whole turns as the target.
             let turns = TAU * libm::round((to.angle - angle) / TAU);
             Motion::similarity(angle + turns, 1.0, moved + turn.rotate(rest - centre) - rest, to.depth)
         };
         rest.iter().zip(&target.motions).map(motion).collect()
     }
 
-    /// The next frame of a drag: `motions` are those of the frame before. A long way is divided.
+    /// The next frame of a drag. `motions` are those of the previous frame. Long moves are divided.
     ///
-    /// A sheet that is turned over may stay so. While something is folded, the picture goes to the shape from rest if
-    /// that has no fold.
+    /// A folded sheet may stay folded. So it moves towards the pose from rest if the path there has no fold.
     pub(super) fn follow(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let mut shape = Shape::new(model, target.request(), parts_of(model, motions));
@@ -217,7 +245,7 @@ impl Rigid {
         motions_of(model, target, &shape.into_parts())
     }
 
-    /// Moves the handles of a shape from their motions to a target, in as many frames as the way needs.
+    /// Moves the handles of a shape to a target, in up to [`WAY`] frames.
     fn carry(&self, rest: &[DVec2], shape: &mut Shape<'_>, motions: &[Motion], target: &Target) {
         let model = self.model(rest);
         let way = model.unit() * shape.way_to(&parts_of(model, &target.motions));
@@ -227,15 +255,15 @@ impl Rigid {
         }
     }
 
-    /// The pose in which a drag comes to rest: the nearest one at rest, unless that from rest is much better.
+    /// The pose after a drag: the nearest minimum, or the pose from rest if its energy is much lower.
     pub(super) fn settle(&self, rest: &[DVec2], motions: &[Motion], target: &Target) -> Vec<Motion> {
         let model = self.model(rest);
         let shape = Shape::new(model, target.request(), parts_of(model, motions));
         self.settled(rest, shape, self.pose_from_rest(rest, target), target)
     }
 
-    /// The pose at rest near other motions, whose handles may be elsewhere, unless that from rest is much better.
-    /// `start` takes the pose from rest.
+    /// The minimum near the motions that `start` returns, after the handles have moved to the target. `start` receives
+    /// the pose from rest. That pose applies if its energy is much lower, or if `start` returns `None`.
     pub(super) fn rest_near(
         &self,
         rest: &[DVec2],
@@ -254,11 +282,11 @@ impl Rigid {
         shape.settle();
         let near = motions_of(model, target, &shape.into_parts());
         let energy = |motions: &[Motion]| Shape::new(model, target.request(), parts_of(model, motions)).energy();
-        // A start from a file may be so far away that its energy is not a number.
+        // The energy can be NaN for a start from a file. The comparison is then false, and the pose from rest applies.
         if energy(&near) <= KEPT * energy(&from_rest) { near } else { from_rest }
     }
 
-    /// Places between sites, each with the site that moves it most.
+    /// The quadrature nodes, each with the site of greatest weight.
     pub(super) fn places(&self) -> impl Iterator<Item = (DVec2, usize)> {
         let nodes = self.quadrature.iter().flat_map(Quadrature::nodes);
         nodes.filter_map(|Node { at, influences, .. }| {
@@ -296,13 +324,13 @@ impl Target {
         Request { is_free: &self.is_free, scales: is_scaled.then_some(&self.scales) }
     }
 
-    /// The greatest angle between the motions of sites that can turn and other motions, in radians.
+    /// The largest difference of rotation from other motions, in radians, over all sites whose rotation is free.
     fn turns(&self, from: &[Motion]) -> f64 {
         let angles = self.motions.iter().zip(from).zip(&self.is_free).filter(|(_, is_free)| **is_free);
         angles.map(|((to, from), _)| (to.angle - from.angle).abs()).fold(0.0, f64::max)
     }
 
-    /// The way from other motions to these in equal steps.
+    /// Interpolates from other motions to these in equal steps.
     fn way_from(&self, start: &[Motion], steps: u32) -> impl Iterator<Item = Vec<Motion>> {
         (1..=steps).map(move |step| {
             let share = f64::from(step) / f64::from(steps);
@@ -323,7 +351,7 @@ fn parts_of(model: &Model, motions: &[Motion]) -> Vec<Parts> {
     motions.iter().zip(model.rest()).map(parts).collect()
 }
 
-/// The motions of parts. What the handles set is exactly as in the target.
+/// Converts parts to motions. Values that the handles prescribe are copied from the target, bit for bit.
 fn motions_of(model: &Model, target: &Target, parts: &[Parts]) -> Vec<Motion> {
     let mut motions = target.motions.clone();
     let sites = model.freedom().iter().zip(&target.is_free).zip(model.rest());
@@ -343,7 +371,7 @@ fn motions_of(model: &Model, target: &Target, parts: &[Parts]) -> Vec<Motion> {
     motions
 }
 
-/// The distance between corners of the box around all sites.
+/// The diagonal of the sites' bounding box.
 fn extent(rest: &[DVec2]) -> f64 {
     let [low, high] = bounds(rest);
     (high - low).length()

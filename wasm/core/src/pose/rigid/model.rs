@@ -77,7 +77,7 @@ pub(super) struct Scene<'a> {
 impl Model {
     pub(super) fn new(scene: Scene<'_>) -> Self {
         let Scene { freedom, nodes: all, stiffness, sheet, unit, .. } = scene;
-        // Weights do not sum to exactly 1. From the middle of the picture, that hardly matters.
+        // Rounded weights do not sum to exactly 1. Coordinates relative to the picture's centre keep the error small.
         let [low, high] = bounds(scene.rest);
         let middle = low.midpoint(high);
         let rest: Vec<DVec2> = scene.rest.iter().map(|&rest| (rest - middle) / unit).collect();
@@ -175,7 +175,7 @@ impl Model {
         self.pattern.zeros()
     }
 
-    /// The places that are watched: vertices of the mesh, or nodes; their changes if `parts` are changes.
+    /// The positions of all vertices, or of all nodes without a mesh. Changes of parts give changes of positions.
     pub(super) fn places(&self, parts: &[Parts]) -> Vec<DVec2> {
         self.sheet.as_ref().map_or_else(|| self.nodes.places(parts), |sheet| sheet.places(parts))
     }

@@ -1,16 +1,15 @@
 //! Newton steps from one shape of the sheet to the next.
 //!
-//! A step that carries handles moves them to their new places inside the linearised equations, so that the picture
-//! comes along. Damping is added while anything would move much farther than the handles. Then the picture relaxes
-//! around them. No step takes more than [`TAKEN`] of the area of any triangle, so nothing folds while a step can end
-//! early. Only a handle that does not arrive in a few steps is forced: it moves alone, and folds what is next to it.
+//! The first steps of a frame move the handles. Their moves are part of the linearised equations, so the picture
+//! follows. Damping is increased until nothing moves much farther than the handles. Later steps relax the picture.
+//! Steps are shortened so that no triangle loses more than [`TAKEN`] of its area. A handle that does not arrive in a
+//! few steps is moved alone. This can fold its surroundings.
 //!
-//! While something is folded, what is flattened has an energy that is finite for folds, so that it can turn over. All
-//! else keeps the energy that prevents folds. If that of the whole picture were finite, spikes could grow far from the
-//! handle.
+//! During a fold, triangles below half of their area have an energy that stays finite for negative areas, so that they
+//! can unfold. The others keep the barrier. Without it, spikes could grow far from the handle.
 //!
-//! Second derivatives are exact if the matrix is positive definite with them: the last steps then converge
-//! quadratically. Else they are projected.
+//! [`Shape::settle`] uses exact second derivatives if the matrix is positive definite, so its last steps converge
+//! quadratically. Otherwise, and in frames of a drag, they are projected.
 
 use glam::{DMat2, DVec2};
 
@@ -27,25 +26,26 @@ use super::{
 };
 use crate::bone::best_rotation;
 
-/// The share of its area that a step can take from a triangle, or from a node.
+/// The largest fraction of the area of a triangle or node that a step may remove.
 const TAKEN: f64 = 0.8;
-/// What has less than this share of its area counts as folded. A bar that is drawn to a point would otherwise have so
-/// much energy that the whole picture grows.
+/// Areas below this fraction of the area at rest count as folded. Otherwise, a bar that is shrunk to a point has so
+/// much energy that the whole picture expands.
 const COLLAPSED: f64 = 1e-3;
-/// Regularisation ε of the energy of what may fold: at least the first, and half of the deepest fold up to the second.
+/// Bounds of the regularisation ε for triangles that may fold. Between them, ε is half of the most negative area ratio.
 const FOLDED: [f64; 2] = [0.15, 1.0];
-/// In a frame of a drag nothing moves farther than this many times the handles.
+/// The largest move in a frame, as a multiple of that of the handles and the vertices that they move directly.
 const CAP: f64 = 2.8;
-/// It may move this many times as far as by the rigid motion nearest to that of all handles. Two close handles turn the
-/// whole picture.
+/// The largest move in a frame, as a multiple of that by the rigid motion that best fits the handles. Two close handles
+/// can turn the whole picture, so this limit can exceed [`CAP`].
 const RIGID_CAP: f64 = 1.2;
-/// Damping of any step. One handle alone leaves the picture free to turn, and rounding errors must not turn it.
+/// Damping of every step. With a single handle, the rotation is undetermined. Without damping, rounding would choose
+/// it.
 const DAMPING: f64 = 1e-8;
-/// Damping if the picture would move too far with the handles.
+/// Damping values, tried in order until no part moves too far with the handles.
 const DAMPINGS: [f64; 4] = [DAMPING, 1e-2, 0.3, 10.0];
-/// Steps in which handles arrive before they are forced.
+/// Steps to move the handles before they are moved alone.
 const CARRIES: usize = 2;
-/// Steps after handles were carried, by the same factor.
+/// Relaxation steps after that, with the same Cholesky factor.
 const CORRECTIONS: usize = 2;
 /// Sufficient decrease (Armijo).
 const DECREASE: f64 = 1e-4;
@@ -67,10 +67,10 @@ pub(super) struct Shape<'a> {
     before: Vec<DVec2>,
     /// How far each place may move in this frame.
     caps: Vec<f64>,
-    /// Triangles that take part in the energy.
+    /// Triangles that have lost half of their area, or folded.
     points: Points,
     watched: Vec<Deformed>,
-    /// What has a greater share of its area than this cannot fold in a step.
+    /// Triangles and nodes above this fraction of their area may not fold in a step.
     guarded_from: f64,
     matrix: Blocks,
 }
@@ -109,7 +109,7 @@ impl<'a> Shape<'a> {
         self.parts
     }
 
-    /// Whether handles have forced a fold.
+    /// Whether any triangle or node is folded or has collapsed.
     pub(super) fn is_folded(&self) -> bool {
         self.guarded_from > 0.0
     }
@@ -125,7 +125,7 @@ impl<'a> Shape<'a> {
             + self.model.link_energy(parts)
     }
 
-    /// Finds the triangles that take part in the energy, and what may fold.
+    /// Finds the flattened triangles, and sets which triangles and nodes may fold.
     fn watch(&mut self) {
         if let Some(sheet) = self.model.sheet() {
             self.model.points_of(&sheet.flattened(&self.places), &mut self.points);
@@ -166,7 +166,7 @@ impl<'a> Shape<'a> {
         let (from, to) = (places(&self.parts), places(target));
         let mean = |places: &[DVec2]| places.iter().sum::<DVec2>() / places.len().max(1) as f64;
         let (centre, moved) = (mean(&from), mean(&to));
-        // Handles that have come together turn quickly as they pass: the picture does not.
+        // Close handles that pass each other rotate quickly. The picture turns less.
         let rest: Vec<DVec2> = handles().map(|(site, _)| self.model.rest()[site]).collect();
         let spread = |places: &[DVec2], mean: DVec2| places.iter().map(|at| at.distance_squared(mean)).sum::<f64>();
         let (now, at_rest) = (spread(&from, centre), spread(&rest, mean(&rest)));
@@ -217,7 +217,7 @@ impl<'a> Shape<'a> {
         self.direction(driven.to_vec())
     }
 
-    /// One frame in which the handles move to a target, and the rest towards a shape with the same handles.
+    /// Moves the handles to a target, and the other sites towards another shape, as far as the caps allow.
     pub(super) fn approach(&mut self, target: &[Parts], shape: &[Parts]) {
         self.begin_frame(target);
         let driven = self.direction(self.driven(target));
@@ -247,7 +247,7 @@ impl<'a> Shape<'a> {
         Direction { jacobians: self.model.nodes().jacobians(&parts), places: self.model.places(&parts), parts }
     }
 
-    /// Sets the matrix to the second derivatives. Returns the forces once the driven parts have moved.
+    /// Sets the matrix to the second derivatives. Returns the forces, linearised after the move of the driven parts.
     fn assemble(&mut self, driven: Option<&[Parts]>, is_projected: bool) -> Vec<f64> {
         let mut forces = vec![0.0; self.model.unknowns()];
         self.model.begin(&mut self.matrix);
@@ -275,7 +275,7 @@ impl<'a> Shape<'a> {
         forces
     }
 
-    /// One step with the factor that is there, to a lower energy. Returns the farthest that a place has moved.
+    /// One line search with the current Cholesky factor. Returns the largest move of a place.
     fn descend(&mut self, forces: &[f64], is_capped: bool) -> f64 {
         let parts = self.model.solve(&self.matrix, forces, None, &self.request);
         let slope = -self.model.along(&parts, forces, &self.request);
@@ -314,7 +314,8 @@ impl<'a> Shape<'a> {
         self.watched.iter_mut().zip(watched).for_each(|(at, jacobian)| at.jacobian = jacobian);
     }
 
-    /// The longest step up to 1 that takes at most [`TAKEN`] of any area, besides of what may fold.
+    /// The longest step, up to 1, that removes at most [`TAKEN`] of the area of each triangle and node that may not
+    /// fold.
     fn longest(&self, direction: &Direction) -> f64 {
         let of_nodes = self.nodes.iter().zip(&direction.jacobians).fold(1.0, |most, (at, by)| {
             let (j, det) = (at.jacobian, at.jacobian.determinant());
@@ -330,7 +331,7 @@ impl<'a> Shape<'a> {
         self.moves(direction).all(|(moved, by, cap)| (moved + by).length_squared() <= cap * cap)
     }
 
-    /// The longest step up to 1 with which nothing has moved too far in this frame.
+    /// The longest step, up to 1, that keeps all places within their caps.
     fn longest_within_caps(&self, direction: &Direction) -> f64 {
         self.moves(direction).fold(1.0, |most, (moved, by, cap)| {
             let left = (cap * cap - moved.length_squared()).max(0.0);
@@ -344,7 +345,7 @@ impl<'a> Shape<'a> {
         moved.zip(&direction.places).zip(&self.caps).map(|((moved, &by), &cap)| (moved, by, cap))
     }
 
-    /// What the handles change on the way to a target.
+    /// The part of the change to a target that the handles prescribe.
     fn driven(&self, target: &[Parts]) -> Vec<Parts> {
         let sites = self.model.freedom().iter().zip(self.request.is_free);
         let change = |((at, to), (freedom, &is_free)): ((&Parts, &Parts), (&Freedom, &bool))| {
@@ -353,7 +354,7 @@ impl<'a> Shape<'a> {
         self.parts.iter().zip(target).zip(sites).map(change).collect()
     }
 
-    /// How far the handles move, with what they carry by themselves.
+    /// The largest move of the handles and the places that they move directly.
     pub(super) fn way_to(&self, target: &[Parts]) -> f64 {
         self.length_of(&self.driven(target))
     }
