@@ -1,16 +1,13 @@
 /** One time of a clip has one picture, whatever was done before. */
-import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import type { Locator } from '@playwright/test';
+import { decode } from 'fast-png';
 import type { Clip, Project } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
-import { builtCommand } from './command';
 import { Editor } from './editor';
+import { apart, drawnByCommand, type Pixels } from './films';
 import { expect, test } from './fixtures';
-import { difference } from './images';
+import { drawn, goTo, openTimeline, ruler, timeline } from './timeline';
 
 const PICTURE = fileURLToPath(new URL('../../web/public/samples/gingerbread.png', import.meta.url));
 const PROJECT = fileURLToPath(new URL('../../web/public/samples/gingerbread.c2warp.json', import.meta.url));
@@ -48,9 +45,6 @@ const CROSS: Clip = {
 };
 const MOVING: Project = { ...JSON.parse(readFileSync(PROJECT, 'utf8')), clips: [CROSS] };
 
-const timeline = ({ page }: Editor): Locator => page.getByRole('region', { name: 'Timeline' });
-const ruler = (editor: Editor): Locator => timeline(editor).getByRole('slider', { name: 'Playhead' });
-
 /** Places all over the picture. */
 const places = (): number[] => {
   const { width, height } = MOVING.image;
@@ -64,23 +58,13 @@ const posed = ({ page }: Editor, at = places()): Promise<number[]> =>
     .evaluate((element, places) => [...(element as C2Warp).mapPoints(Float64Array.from(places))], at);
 
 /** The farthest that a place is from where it was, of those inside the figure. */
-function apart(before: readonly number[], after: readonly number[]): number {
+function farthest(before: readonly number[], after: readonly number[]): number {
   const far = before.flatMap((x, at) =>
     at % 2 === 0 ? [Math.hypot(Number(after[at]) - x, Number(after[at + 1]) - Number(before[at + 1]))] : [],
   );
   const inside = far.filter((distance) => !Number.isNaN(distance));
   expect(inside.length).toBeGreaterThan(300);
   return Math.max(...inside);
-}
-
-/** Moves the playhead by a press on the ruler. */
-async function goTo(editor: Editor, seconds: number): Promise<void> {
-  const lane = await ruler(editor).locator('.time').boundingBox();
-  if (!lane) throw new Error('the ruler is not visible');
-  await editor.page.mouse.click(lane.x + (lane.width * seconds) / CROSS.duration, lane.y + 8);
-  await expect
-    .poll(async () => Number(await ruler(editor).getAttribute('aria-valuenow')))
-    .toBeCloseTo(seconds, 1);
 }
 
 /** Moves the playhead frame by frame from where it is. */
@@ -104,24 +88,19 @@ async function dragKey(editor: Editor): Promise<void> {
   await expect(editor.button(/^Undo: /)).toBeEnabled();
 }
 
-async function openClip(editor: Editor): Promise<void> {
-  await editor.page.keyboard.press('t');
-  await expect(timeline(editor)).toBeVisible();
-}
-
 test('a moment of a clip has one picture, however one comes to it', async ({ page, baseURL }, info) => {
   await page.route('**/samples/gingerbread.c2warp.json', (route) => route.fulfill({ json: MOVING }));
   const editor = await Editor.open(page);
-  await openClip(editor);
+  await openTimeline(editor);
   await scrubTo(editor, MOMENT);
   const first = await posed(editor);
   const table: Record<string, number> = {};
   const compare = async (way: string) => {
-    table[way] = apart(first, await posed(editor));
+    table[way] = farthest(first, await posed(editor));
   };
 
   await goTo(editor, 1.9);
-  expect(apart(first, await posed(editor))).toBeGreaterThan(50);
+  expect(farthest(first, await posed(editor))).toBeGreaterThan(50);
   await scrubTo(editor, MOMENT);
   await compare('backwards, frame by frame');
 
@@ -137,7 +116,7 @@ test('a moment of a clip has one picture, however one comes to it', async ({ pag
   await compare('after the clip was played');
 
   await dragKey(editor);
-  expect(apart(first, await posed(editor))).toBeGreaterThan(1);
+  expect(farthest(first, await posed(editor))).toBeGreaterThan(1);
   const moved = await posed(editor);
   await page.keyboard.press('Control+z');
   await expect(editor.button(/^Redo: /)).toBeEnabled();
@@ -145,14 +124,14 @@ test('a moment of a clip has one picture, however one comes to it', async ({ pag
 
   await page.keyboard.press('Control+Shift+z');
   await expect(editor.button(/^Undo: /)).toBeEnabled();
-  expect(apart(moved, await posed(editor))).toBeLessThan(ALIKE);
+  expect(farthest(moved, await posed(editor))).toBeLessThan(ALIKE);
   await page.keyboard.press('Control+z');
   await expect(editor.button(/^Redo: /)).toBeEnabled();
   await compare('after redo and undo');
 
   await page.reload();
   await editor.ready();
-  await openClip(editor);
+  await openTimeline(editor);
   await scrubTo(editor, MOMENT);
   await compare('after a reload');
 
@@ -177,32 +156,11 @@ test('a moment of a clip has one picture, however one comes to it', async ({ pag
       moment: MOMENT,
     },
   );
-  table['by the solver for scripts'] = apart(vertices.posed, await posed(editor, vertices.rest));
+  table['by the solver for scripts'] = farthest(vertices.posed, await posed(editor, vertices.rest));
 
   info.annotations.push({ type: 'pixels apart', description: JSON.stringify(table) });
   for (const [way, pixels] of Object.entries(table)) expect(pixels, way).toBeLessThan(ALIKE);
 
-  const shown = await page.locator('c2-warp').evaluate(async (element) => {
-    const file = await (element as C2Warp).toBlob({ scale: 0.5 });
-    let text = '';
-    for (const byte of new Uint8Array(await file.arrayBuffer())) text += String.fromCharCode(byte);
-    return btoa(text);
-  });
-  const drawn = await difference(shown, byCommand().toString('base64'), info);
-  expect(drawn.mean).toBeLessThan(2);
+  const shown = decode(Buffer.from(await drawn(editor), 'base64')) as Pixels;
+  expect(apart(shown, drawnByCommand(JSON.stringify(MOVING), PICTURE, CLIP, MOMENT, 0.5))).toBeLessThan(0.01);
 });
-
-/** The moment as the command draws it. */
-function byCommand(): Buffer {
-  const folder = mkdtempSync(join(tmpdir(), 'c2warp-'));
-  try {
-    writeFileSync(join(folder, 'cross.c2warp.json'), JSON.stringify(MOVING));
-    const moment = ['--clip', CLIP, '--at', String(MOMENT), '--scale', '0.5', '-o', 'out.png'];
-    const args = ['warp', 'cross.c2warp.json', '--image', PICTURE, ...moment];
-    const { stderr, status } = spawnSync(builtCommand(), args, { cwd: folder, encoding: 'utf8' });
-    expect([status, stderr]).toEqual([0, '']);
-    return readFileSync(join(folder, 'out.png'));
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
-}

@@ -12,11 +12,10 @@ import { builtCommand } from './command';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 import { difference } from './images';
+import { drawn, goTo, openTimeline, ruler, timeline } from './timeline';
 
 const SAMPLE = fileURLToPath(new URL('../../web/public/samples/gingerbread.png', import.meta.url));
 
-const timeline = ({ page }: Editor): Locator => page.getByRole('region', { name: 'Timeline' });
-const ruler = (editor: Editor): Locator => timeline(editor).getByRole('slider', { name: 'Playhead' });
 const keys = (editor: Editor, handle: string): Locator =>
   timeline(editor).getByRole('button', { name: new RegExp(`^${handle}, key at`) });
 
@@ -38,22 +37,6 @@ test.beforeEach(async ({ page }) => {
   });
 });
 
-async function open(editor: Editor): Promise<void> {
-  await editor.page.keyboard.press('t');
-  await expect(timeline(editor)).toBeVisible();
-}
-
-/** Moves the playhead by a press on the ruler. */
-async function goTo(editor: Editor, seconds: number): Promise<void> {
-  const lane = await ruler(editor).locator('.time').boundingBox();
-  const duration = Number(await ruler(editor).getAttribute('aria-valuemax'));
-  if (!lane) throw new Error('the ruler is not visible');
-  await editor.page.mouse.click(lane.x + (lane.width * seconds) / duration, lane.y + 8);
-  await expect
-    .poll(async () => Number(await ruler(editor).getAttribute('aria-valuenow')))
-    .toBeCloseTo(seconds, 1);
-}
-
 /** Presses Tab until an element has the focus. */
 async function tabTo(editor: Editor, wanted: Locator): Promise<void> {
   for (let presses = 0; presses < 120; presses++) {
@@ -62,15 +45,6 @@ async function tabTo(editor: Editor, wanted: Locator): Promise<void> {
   }
   throw new Error(`Tab does not come to ${wanted}`);
 }
-
-/** What the editor draws now, as a PNG in base64. */
-const drawn = ({ page }: Editor): Promise<string> =>
-  page.locator('c2-warp').evaluate(async (element) => {
-    const file = await (element as C2Warp).toBlob({ scale: 0.5 });
-    let text = '';
-    for (const byte of new Uint8Array(await file.arrayBuffer())) text += String.fromCharCode(byte);
-    return btoa(text);
-  });
 
 /** Fails unless the command draws this time of the clip as the editor does. */
 async function expectSameByCommand(editor: Editor, seconds: number, info: TestInfo): Promise<void> {
@@ -137,7 +111,7 @@ test('a wave made by pointer survives a reload, plays, and is the same by comman
   await editor.ready();
   expect(await way(editor, 'right-hand')).toEqual(made);
   expect((await editor.shownPose('right hand')).y).toBe(516);
-  await open(editor);
+  await openTimeline(editor);
   await page.keyboard.press('k');
   await expect.poll(async () => (await editor.shownPose('right hand')).y).toBeLessThan(480);
   await timeline(editor).getByRole('button', { name: 'Stop' }).click();
@@ -148,7 +122,7 @@ test('a wave made by pointer survives a reload, plays, and is the same by comman
 
 test('a walk made by dragging has whole depths, in the keys of drags that cross', async ({ page }) => {
   const editor = await Editor.open(page);
-  await open(editor);
+  await openTimeline(editor);
   await timeline(editor).getByRole('button', { name: 'New clip' }).click();
   const scale = await editor.scale();
   const depths = async (handle: string) => {
@@ -232,7 +206,7 @@ test('a motion is created, moved and eased with only the keyboard', async ({ pag
 
 /** Adds a clip, stopped, and shows the key of the head at its second time. */
 async function sway(editor: Editor): Promise<Locator> {
-  await open(editor);
+  await openTimeline(editor);
   await timeline(editor).getByRole('button', { name: 'Sway' }).click();
   await timeline(editor).getByRole('button', { name: 'Stop' }).click();
   return keys(editor, 'head').nth(1);
@@ -341,7 +315,7 @@ test('Escape lets go of keys before their handle, and a press on the handle take
 
 test('a motion is recorded while R is held', async ({ page }, info) => {
   const editor = await Editor.open(page);
-  await open(editor);
+  await openTimeline(editor);
   await timeline(editor).getByRole('button', { name: 'New clip' }).click();
   const from = await editor.position('right hand');
   await page.keyboard.down('r');
@@ -374,7 +348,7 @@ test('a motion is recorded while R is held', async ({ page }, info) => {
 
 test('keys are dragged and chosen by a box', async ({ page }) => {
   const editor = await Editor.open(page);
-  await open(editor);
+  await openTimeline(editor);
   await timeline(editor).getByRole('button', { name: 'Sway' }).click();
   await page.keyboard.press('k');
   await expect(timeline(editor).getByRole('button', { name: 'Play', exact: true })).toBeVisible();
@@ -404,7 +378,7 @@ test('keys are dragged and chosen by a box', async ({ page }) => {
 
 test('clips are named, set, duplicated and deleted', async ({ page }) => {
   const editor = await Editor.open(page);
-  await open(editor);
+  await openTimeline(editor);
   await timeline(editor).getByRole('button', { name: 'Breathe' }).click();
   await timeline(editor).getByRole('button', { name: 'Rename the clip' }).click();
   const name = timeline(editor).getByRole('textbox', { name: 'Clip name' });
@@ -427,7 +401,7 @@ test('clips are named, set, duplicated and deleted', async ({ page }) => {
 
 test('the neighbouring keys are shown faintly', async ({ page }) => {
   const editor = await Editor.open(page);
-  await open(editor);
+  await openTimeline(editor);
   await timeline(editor).getByRole('button', { name: 'Wave' }).click();
   await timeline(editor).getByRole('button', { name: 'Stop' }).click();
   await goTo(editor, 0.4);
@@ -470,7 +444,7 @@ for (const [name, viewport] of [
   test(`axe finds no violation in the timeline, ${name}`, async ({ page }) => {
     await page.setViewportSize(viewport);
     const editor = await Editor.open(page);
-    await open(editor);
+    await openTimeline(editor);
     const check = async () => {
       const { violations } = await new AxeBuilder({ page }).include('c2-warp').analyze();
       expect(

@@ -80,6 +80,12 @@ pub(super) struct Rigid {
 #[derive(Debug, Default)]
 struct Last(Mutex<Option<(Target, Vec<Motion>)>>);
 
+impl Clone for Last {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
 /// The data of the rigid mode that a rig stores, besides the sites.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RigidParts {
@@ -98,12 +104,6 @@ pub(super) struct Target {
     pub(super) is_free: Vec<bool>,
     /// The scale at each site.
     pub(super) scales: Vec<f64>,
-}
-
-impl Clone for Last {
-    fn clone(&self) -> Self {
-        Self::default()
-    }
 }
 
 impl Rigid {
@@ -170,14 +170,14 @@ impl Rigid {
     /// A straight path can twist the sheet if a site turns far. The harmonic pose is then tried too, and the lower
     /// energy counts.
     pub(super) fn pose_from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
-        let mut last = self.last.0.lock().unwrap_or_else(PoisonError::into_inner);
-        match &*last {
-            Some((known, motions)) if known == target => motions.clone(),
-            _ => {
-                let motions = self.computed_from_rest(rest, target);
-                last.insert((target.clone(), motions)).1.clone()
-            }
+        // No lock is held while a pose is computed.
+        let last = || self.last.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, motions)) = last().as_ref().filter(|(known, _)| known == target) {
+            return motions.clone();
         }
+        let motions = self.computed_from_rest(rest, target);
+        *last() = Some((target.clone(), motions.clone()));
+        motions
     }
 
     fn computed_from_rest(&self, rest: &[DVec2], target: &Target) -> Vec<Motion> {
