@@ -55,6 +55,8 @@ const KEPT: f64 = 1.1;
 const WAY: u32 = 10;
 /// The harmonic pose is tried too if a site with a free rotation turns by more than this, in radians.
 const FAR: f64 = FRAC_PI_2;
+/// The harmonic pose must unfold in as many steps. In 20 ends of drags, those that took longer had more energy.
+const UNFOLDING_STEPS: usize = 10;
 /// Longer moves are divided into frames. A fraction of the diagonal of the sites' bounding box.
 const LEAP: f64 = 0.05;
 
@@ -190,9 +192,12 @@ impl Rigid {
         shape.settle();
         if target.turns(&start) > FAR {
             let mut other = Shape::new(model, target.request(), parts_of(model, &target.motions));
-            other.settle();
-            if other.energy() < shape.energy() {
-                shape = other;
+            other.settle_in(UNFOLDING_STEPS);
+            if !other.is_folded() {
+                other.settle();
+                if other.energy() < shape.energy() {
+                    shape = other;
+                }
             }
         }
         motions_of(model, target, &shape.into_parts())

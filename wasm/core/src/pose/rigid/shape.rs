@@ -229,7 +229,12 @@ impl<'a> Shape<'a> {
 
     /// Moves until the picture rests. The handles stay.
     pub(super) fn settle(&mut self) {
-        for _ in 0..MOST_STEPS {
+        self.settle_in(MOST_STEPS);
+    }
+
+    /// Moves until the picture rests, or for some steps.
+    pub(super) fn settle_in(&mut self, steps: usize) {
+        for _ in 0..steps {
             let mut forces = self.assemble(None, false);
             if !self.model.factorise(&mut self.matrix, DAMPING) {
                 forces = self.assemble(None, true);
