@@ -5,6 +5,9 @@ import { heading, run, toolPath } from './steps.mjs';
 /** The tables of quality are linted and tested by `npm run test:long`: their solver takes minutes to compile. */
 export const NOT_OF_QUALITY = ['--exclude', 'c2warp-quality'];
 
+/** The library as its users compile it: without features, and with each feature separately. */
+const FEATURES = ['', 'serde', 'schema', 'raster', 'cloud', 'rig', 'poser-bytes'];
+
 /** @type {[title: string, program: string, args: string[]][]} */
 const CHECKS = [
   ['Format of the Rust', 'cargo', ['fmt', '--all', '--check']],
@@ -13,11 +16,24 @@ const CHECKS = [
     'cargo',
     ['clippy', '--workspace', ...NOT_OF_QUALITY, '--all-targets', '--', '--deny', 'warnings'],
   ],
-  [
-    'Lints of the core without features',
-    'cargo',
-    ['clippy', '--package', 'c2warp', '--lib', '--', '--deny', 'warnings'],
-  ],
+  ...FEATURES.map((feature) => {
+    const args = [
+      'clippy',
+      '--package',
+      'c2warp',
+      '--lib',
+      '--features',
+      feature,
+      '--',
+      '--deny',
+      'warnings',
+    ];
+    return /** @type {[string, string, string[]]} */ ([
+      `Core, features: ${feature || 'none'}`,
+      'cargo',
+      args,
+    ]);
+  }),
   // The lints have built everything that it needs.
   [
     'Packing of the crates',
